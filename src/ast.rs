@@ -9,6 +9,7 @@ mod fittings;
 mod monuments;
 mod parts;
 mod pieces;
+mod rare;
 mod roofs;
 mod value;
 
@@ -19,6 +20,7 @@ pub use fittings::{
 pub use monuments::{Gate, Given, Hall, Measures, Monument, Pagoda, Pair};
 pub use parts::{WrittenAttribute, WrittenBody, WrittenPart, attribute_value};
 pub use pieces::{CodeText, Half, Part, Piece, Split};
+pub use rare::{Rare, Usual};
 pub use roofs::{
     RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
 };
@@ -61,7 +63,7 @@ pub struct House {
     /// Its name, if it has one.
     pub name: Option<Spanned<String>>,
     /// The header values.
-    pub settings: Settings,
+    pub settings: Rare<Settings>,
     /// Storey heights of a legacy header in shaku; a missing one is the default.
     pub heights: Vec<Spanned<f64>>,
     /// Storeys from the ground up.
@@ -69,20 +71,20 @@ pub struct House {
     /// Walls given facade by facade (the `Structure` of 003), if the house is written that way.
     pub structures: Vec<Structure>,
     /// The monument, if the house is written as one element.
-    pub monument: Option<Monument>,
+    pub monument: Option<Box<Monument>>,
     /// Fittings of the house.
-    pub fittings: Fittings,
+    pub fittings: Rare<Fittings>,
     /// Gloss of single textures (003-13).
     pub textures: Vec<Texture>,
     /// The roof section.
-    pub roofs: Roofs,
+    pub roofs: Rare<Roofs>,
     /// Custom parts known only in this house.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<WrittenPart>,
 }
 
 /// Values that hold for a whole house; `None` means the default of docs/contract.md.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Settings {
     /// Metres east of the house's origin.
     pub x: Option<Spanned<f64>>,

@@ -17,7 +17,7 @@ pub use attic::{Attic, Verge};
 pub(crate) use surface::meeting;
 pub use surface::{Beside, EdgeKind, RoofEdge, RoofFacet, RoofSurface};
 
-use crate::ast::{Finial, Order, Platform, RoofKind, RoofShape, StoreyKind, Variant};
+use crate::ast::{Finial, Order, Platform, Rare, RoofKind, RoofShape, StoreyKind, Variant};
 use crate::building::fittings::Fitting;
 use crate::geometry::plan::Cell;
 use crate::program::{Age, Picture, Roofs, Unit};
@@ -92,7 +92,7 @@ pub struct House {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub age: Option<Age>,
     /// The roof section.
-    pub roofs: Roofs,
+    pub roofs: Rare<Roofs>,
 }
 
 impl House {

@@ -159,21 +159,28 @@ fn welded(solid: &Solid) -> Vec<u32> {
 fn bent_faces(solid: &Solid) -> Vec<Flaw> {
     let mut flaws = Vec::new();
     for (face, f) in solid.faces.iter().enumerate() {
-        let point = |c: &u32| solid.points[*c as usize];
-        let normal = double_area(solid, f);
-        if normal.length() < 2.0 * AREA {
+        if !has_area(solid, f) {
             flaws.push(Flaw::Sliver { face });
             continue;
         }
-        let (unit, first) = (normal.normalize(), point(&f.corners[0]));
-        if f.corners
-            .iter()
-            .any(|c| unit.dot(point(c) - first).abs() > PLANE)
-        {
+        if !is_plane(solid, f) {
             flaws.push(Flaw::NotPlane { face });
         }
     }
     flaws
+}
+
+/// Returns true if a face has a normal.
+pub fn has_area(solid: &Solid, face: &Face) -> bool {
+    double_area(solid, face).length() >= 2.0 * AREA
+}
+
+/// Returns true if the corners of a face lie in one plane.
+pub fn is_plane(solid: &Solid, face: &Face) -> bool {
+    let unit = double_area(solid, face).normalize_or_zero();
+    let point = |c: &u32| solid.points[*c as usize];
+    let off = |c: &u32| unit.dot(point(c) - point(&face.corners[0])).abs();
+    face.corners.iter().all(|c| off(c) <= PLANE)
 }
 
 /// Returns the normal of a face with twice its area as its length.

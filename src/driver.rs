@@ -11,16 +11,20 @@ mod house;
 mod models;
 mod parts;
 #[cfg(feature = "models")]
+mod stream;
+#[cfg(feature = "models")]
 mod variants;
 
 pub use crate::expand::{HouseContext, HouseId};
 pub use convert::convert;
 pub use house::{HouseBuilder, house};
 #[cfg(feature = "models")]
-pub use models::{Compiled, compile, compile_bytes, flaws, pictures, scene};
+pub use models::{Compiled, Inspected, compile, compile_bytes, flaws, inspect, pictures, scene};
 #[cfg(feature = "cli")]
 pub(crate) use parts::BESIDE as PARTS_BESIDE;
 pub use parts::catalog;
+#[cfg(feature = "models")]
+pub use stream::{Sink, Streamed, stream};
 
 use crate::ast::{Document, Parameter};
 use crate::building::Building;
@@ -32,10 +36,12 @@ use crate::parse;
 use crate::parse::Values;
 use crate::parse::xml::Trees;
 use crate::program::Program;
-use crate::roof::RoofCache;
+use crate::roof::{KeptRoofs, RoofCache};
 #[cfg(feature = "models")]
 use crate::scene::Detail;
 use crate::source::{FileId, Source, SourceCache, World};
+#[cfg(feature = "models")]
+use crate::tessellate;
 use std::borrow::Cow;
 use std::num::NonZeroU32;
 use std::sync::Arc;
@@ -55,8 +61,21 @@ pub struct Options {
     pub catalogs: Arc<[Source]>,
     /// The number of variants of the sources to make, each with the next seed, placed in rows.
     pub variants: Option<NonZeroU32>,
+    /// Roofs of earlier runs, where houses come back. They change nothing but the time.
+    pub roofs: Option<KeptRoofs>,
     /// True if [`check`] records the values of expressions and names.
     pub notes_values: bool,
+}
+
+#[cfg(feature = "models")]
+impl Options {
+    /// Returns how houses are tessellated.
+    pub fn shapes(&self) -> tessellate::Options {
+        tessellate::Options {
+            detail: self.detail,
+            triangles: self.expand.limits.triangles,
+        }
+    }
 }
 
 /// The result of checking sources, without a scene.
@@ -86,7 +105,7 @@ pub fn check(
     let mut read = documents_noted(sources, world, options, noted, out);
     let parameters = |d: &mut Document| std::mem::take(&mut d.parameters);
     let parameters = read.documents.iter_mut().flat_map(parameters).collect();
-    let building = house::houses(&mut read, sources, world, &options.expand, out);
+    let building = house::houses(&mut read, sources, world, options, out);
     let (included, catalog) = (read.included, read.catalog);
     #[cfg(feature = "models")]
     models::check_images(&building, world, &options.expand.limits, out);
@@ -187,7 +206,8 @@ fn documents_noted(
 fn cache(sources: &[&Source], options: &Options) -> SourceCache {
     let all = sources.iter().copied().chain(options.catalogs.iter());
     let first = all.map(|s| s.id().0 as usize + 1).max();
-    SourceCache::new(first.unwrap_or(0), options.expand.limits.includes)
+    let limits = &options.expand.limits;
+    SourceCache::new(first.unwrap_or(0), limits.includes, limits.included_bytes)
 }
 
 /// Returns the context in which files are read.

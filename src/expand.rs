@@ -12,11 +12,13 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::program::{Age, House, Picture, Program, Storey};
 use crate::rng::Place;
 use crate::source::{Limits, Source, Span, Spanned, World};
+use bounds::{Bounds, Repeated, Spent};
 use codes::Codes;
 use edits::Operation;
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
+mod bounds;
 mod codes;
 mod edits;
 mod facades;
@@ -62,13 +64,16 @@ pub struct HouseContext<'a> {
 }
 
 /// Expands the houses of a run, one after another. It caches codes and images, which changes no house, and numbers the
-/// images in the order of their first use. All houses together share one bound: the storeys that monuments make.
+/// images in the order of their first use. All houses together share two bounds: the storeys that monuments make, and the
+/// parts that repetitions add.
 pub struct Expander<'a> {
     codes: Codes<'a>,
     options: &'a Options,
     used: codes::UsedImages,
     /// Storeys that monuments have made so far.
     written_short: u64,
+    /// Parts that repetitions have added so far, and steps of operations on them.
+    repeated: Repeated,
 }
 
 impl<'a> Expander<'a> {
@@ -79,6 +84,7 @@ impl<'a> Expander<'a> {
             options,
             used: codes::UsedImages::default(),
             written_short: 0,
+            repeated: Repeated::default(),
         }
     }
 
@@ -93,6 +99,7 @@ impl<'a> Expander<'a> {
         self.codes.enter(context.scope);
         let mut pass = Pass::new(&mut self.codes, context.source, self.options, out);
         pass.written_short = self.written_short;
+        pass.bounds = Bounds::new(&self.options.limits, house.span, self.repeated);
         let seed = house.settings.seed.as_ref().map(|seed| seed.value);
         let given = context.variant.map(|v| v.seed).or(self.options.seed);
         let root = Place::seed(given.or(seed).unwrap_or(0));
@@ -102,6 +109,7 @@ impl<'a> Expander<'a> {
         };
         let made = pass.house(house, place);
         self.written_short = pass.written_short;
+        self.repeated.add(pass.spent, pass.bounds.written);
         let mut made = House {
             variant: context.variant,
             ..made?
@@ -111,6 +119,11 @@ impl<'a> Expander<'a> {
     }
 
     /// Returns the images of all houses so far; parts refer to them by index.
+    pub fn images(&self) -> &[Picture] {
+        &self.used.images
+    }
+
+    /// As [`images`](Expander::images), when all houses are made.
     pub fn into_images(self) -> Vec<Picture> {
         self.used.images
     }
@@ -151,9 +164,8 @@ struct Pass<'a, 'c> {
     said: BTreeSet<(u16, Span)>,
     operations: Vec<Rc<Operation>>,
     operation_index: HashMap<usize, usize>,
-    parts: u64,
-    steps: u64,
-    limit: u64,
+    spent: Spent,
+    bounds: Bounds,
     over: bool,
     /// Storeys that the monuments of all houses so far have made.
     written_short: u64,
@@ -173,9 +185,8 @@ impl<'a, 'c> Pass<'a, 'c> {
             said: BTreeSet::new(),
             operations: vec![],
             operation_index: HashMap::new(),
-            parts: 0,
-            steps: 0,
-            limit: options.limits.parts as u64,
+            spent: Spent::default(),
+            bounds: Bounds::new(&options.limits, Span::default(), Repeated::default()),
             over: false,
             written_short: 0,
         }
@@ -216,7 +227,7 @@ impl<'a, 'c> Pass<'a, 'c> {
             platform: house.fittings.platform.clone(),
             finials: house.fittings.finials.clone(),
             age: self.age(settings, place),
-            roofs: roofs::roofs(&house.roofs),
+            roofs: roofs::roofs(&house.roofs).into(),
         };
         if let Some(draft) = draft {
             monuments::furnish(&mut made, draft);

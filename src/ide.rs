@@ -76,6 +76,16 @@ impl Analysis {
         }
     }
 
+    /// Adds what was found after the check.
+    pub fn add(&mut self, found: impl IntoIterator<Item = Diagnostic>) {
+        let before = self.diagnostics.len();
+        self.diagnostics.extend(found);
+        if self.diagnostics.len() > before {
+            let place = |d: &Diagnostic| (d.origin.clone(), d.code);
+            self.diagnostics.sort_by_key(place);
+        }
+    }
+
     /// Returns the outline of the file.
     pub fn outline(&self) -> &Outline {
         let limits = &self.options.expand.limits;

@@ -4,11 +4,13 @@
 //!
 //! - [`walk`]: one loop to walls, one after another;
 //! - [`close`]: closed walks, and the line that would close an open one;
+//! - [`square`]: rings that are nearly at right angles;
 //! - [`text`]: edits that make a line of the legacy form longer, shorter, or turn the other way;
 //! - [`crossing`]: walls that cross or touch, within a ring and between rings.
 
 mod close;
 mod crossing;
+mod square;
 mod text;
 mod walk;
 
@@ -39,7 +41,7 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
         let top = z + storey.height * SHAKU;
         let parapet = storey.kind == StoreyKind::Parapet;
         number += u32::from(!parapet);
-        let rings = lower_storey(storey.loops, out);
+        let rings = lower_storey(storey.loops, house.unit_shaku * SHAKU, out);
         storeys.push(Storey {
             span: storey.span,
             number,
@@ -78,7 +80,7 @@ fn raised(house: &program::House) -> f64 {
     (platform + veranda.map_or(0.0, |v| v.height)) * SHAKU
 }
 
-fn lower_storey(loops: Vec<program::Loop>, out: &mut Diagnostics) -> Vec<Ring> {
+fn lower_storey(loops: Vec<program::Loop>, unit: f64, out: &mut Diagnostics) -> Vec<Ring> {
     let mut rings = Vec::with_capacity(loops.len());
     let mut facade = 0;
     for walk in loops {
@@ -89,6 +91,9 @@ fn lower_storey(loops: Vec<program::Loop>, out: &mut Diagnostics) -> Vec<Ring> {
             continue;
         }
         let closed = !inner && close::close(&mut walked, ring, out);
+        if closed {
+            square::square(&mut walked, unit, out);
+        }
         rings.push(Ring {
             span: walked.span,
             hole: walked.hole,

@@ -9,7 +9,7 @@ mod table;
 mod worn;
 
 pub use ageing::{Class, MATERIALS, Material, Stage};
-pub use worn::{Luck, Wear};
+pub use worn::{Luck, State, Wear, dimmed};
 
 use table::TABLE;
 
@@ -81,6 +81,21 @@ impl SurfaceId {
         }
     }
 
+    /// Returns the state of the surface as weathered by `wear`; `None` if it does not weather.
+    pub fn state(self, wear: Wear) -> Option<State> {
+        (usize::from(self.0) < COUNT)
+            .then(|| worn::state(self, wear))
+            .flatten()
+    }
+
+    /// Returns the surface in a state, or the nearest that it can be in.
+    pub fn in_state(self, state: State) -> SurfaceId {
+        match usize::from(self.0) < COUNT {
+            true => worn::in_state(self, state),
+            false => self,
+        }
+    }
+
     /// Returns its index in the table.
     pub fn index(self) -> usize {
         usize::from(self.0)
@@ -95,6 +110,11 @@ impl Serialize for SurfaceId {
 
 /// Number of surfaces in the table.
 pub const COUNT: usize = TABLE.len();
+
+/// Returns the number of all surfaces, weathered ones included; indices are below it.
+pub fn count() -> usize {
+    COUNT + worn::count()
+}
 
 /// Returns every surface in the table.
 pub fn all() -> &'static [Surface] {

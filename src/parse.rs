@@ -11,11 +11,12 @@ pub use builtin::builtin;
 pub use values::{Seen, Values};
 
 use crate::ast::Document;
-use crate::diagnostic::messages::file as say;
+use crate::diagnostic::messages::{file as say, limits};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::source::{Limits, NoFiles, Source, SourceCache, World};
 
 mod builtin;
+mod columns;
 mod expr;
 pub(crate) mod meanings;
 mod reporter;
@@ -65,7 +66,7 @@ pub fn nearest<'k>(word: &str, known: impl Iterator<Item = &'k str> + Clone) -> 
 
 /// Reads a file of either syntax that includes no other.
 pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
-    let cache = SourceCache::new(0, 0);
+    let cache = SourceCache::new(0, 0, 0);
     let setting = ReadContext::alone(limits, &cache);
     parse_in(source, setting, &mut xml::Trees::default(), out)
 }
@@ -95,7 +96,7 @@ pub fn parse_in<'a>(
 fn is_readable(source: &Source, limits: &Limits, out: &mut dyn FnMut(Diagnostic)) -> bool {
     if source.size() > limits.bytes {
         let start = source.span(0..0);
-        out(say::too_large(start, source.size(), limits.bytes));
+        out(limits::too_large(start, source.size(), limits.bytes));
         return false;
     }
     let text = source.text();

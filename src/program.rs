@@ -2,11 +2,13 @@
 //! every unit knows its part and width. `expand` makes it, `lower` follows it.
 
 use crate::ast::{
-    Era, Finial, Order, Platform, RoofLine, RoofMethod, RoofMode, RoofStyle, StoreyKind, Variant,
+    Era, Finial, Order, Platform, Rare, RoofLine, RoofMethod, RoofMode, RoofStyle, StoreyKind,
+    Usual, Variant,
 };
 use crate::catalog::PartId;
 use crate::source::Span;
 use serde::Serialize;
+use std::sync::LazyLock;
 
 /// All houses of a run, in order.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -60,7 +62,7 @@ pub struct House {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub age: Option<Age>,
     /// The roof section.
-    pub roofs: Roofs,
+    pub roofs: Rare<Roofs>,
 }
 
 /// The age of a house.
@@ -75,7 +77,7 @@ pub struct Age {
 }
 
 /// The roof section, with its defaults filled in.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Roofs {
     /// Automatic roofs or not.
     pub mode: RoofMode,
@@ -87,6 +89,13 @@ pub struct Roofs {
     pub style: RoofStyle,
     /// Written roofs.
     pub lines: Vec<RoofLine>,
+}
+
+impl Usual for Roofs {
+    fn usual() -> &'static Roofs {
+        static USUAL: LazyLock<Roofs> = LazyLock::new(Roofs::default);
+        &USUAL
+    }
 }
 
 /// One storey.

@@ -40,7 +40,7 @@ pub mod skeleton;
 pub mod solid;
 mod storey;
 
-pub use crate::roof::cache::RoofCache;
+pub use crate::roof::cache::{KeptRoofs, RoofCache};
 pub use crate::roof::shape::hipped::over;
 
 /// Roofs all houses, one after another.

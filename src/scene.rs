@@ -6,10 +6,12 @@
 //! left end of its wall's centre line, so that a south front needs no rotation.
 
 mod label;
+mod part;
 mod stats;
 
 pub use label::Label;
-pub use stats::Stats;
+pub use part::ScenePart;
+pub use stats::{Counter, Stats};
 
 use crate::source::Span;
 use compact_str::CompactString;
@@ -20,6 +22,9 @@ use std::sync::Arc;
 /// The input of every back end.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Scene {
+    /// The level of detail.
+    #[serde(skip)]
+    pub detail: Detail,
     /// Materials in the order of first use.
     pub materials: Vec<Material>,
     /// Meshes in the order of first use; shared by the nodes that show them.
@@ -33,6 +38,9 @@ pub struct Scene {
     /// The reflections in walls, one image per plane, if requested.
     #[serde(skip)]
     pub mirrored: Vec<image::RgbImage>,
+    /// The places of houses left out, since they would show too many triangles.
+    #[serde(skip)]
+    pub oversized: Vec<Span>,
 }
 
 /// The level of detail: how joinery is divided into geometry and images.

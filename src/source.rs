@@ -5,41 +5,16 @@
 //! order mark) and make spans with [`Source::span`]; only a report needs the way back,
 //! [`Source::text_range`].
 
-mod reference;
 mod cache;
+mod limits;
+mod reference;
 
-pub use crate::source::cache::SourceCache;
+pub use crate::source::cache::{CacheFull, SourceCache};
+pub use limits::Limits;
 #[cfg(feature = "models")]
 pub(crate) use reference::reference;
 
 use std::ops::Range;
-
-/// Bounds on the input of a build (docs/contract.md 7), each with a flag to raise it.
-#[derive(Clone, Copy, Debug)]
-pub struct Limits {
-    /// Bytes of one file.
-    pub bytes: usize,
-    /// Depth of nested elements.
-    pub nesting: usize,
-    /// Files that others include.
-    pub includes: usize,
-    /// Expanded parts of one house.
-    pub parts: usize,
-    /// Pixels of one image.
-    pub pixels: u64,
-}
-
-impl Default for Limits {
-    fn default() -> Self {
-        Limits {
-            bytes: 16 << 20,
-            nesting: 64,
-            includes: 256,
-            parts: 2_000_000,
-            pixels: 64 << 20,
-        }
-    }
-}
 
 /// The surroundings of a build: images and included files. The passes do no input or output of their own. Houses may
 /// be made on several threads, so all of them can ask at once.

@@ -1,14 +1,17 @@
 //! The building in triangles: walls and parts in the tree house > storey > facade > part, roofs beside the
 //! storeys. After this no code, unit or region is left, only meshes with names.
 //!
-//! A mesh is made once for each part, width, height and neighbourhood, and once for roofs that are alike; it is
-//! shown as often as it stands somewhere: the caches live through all houses of a run.
+//! Houses are tessellated by a [`Tessellator`] as drafts, on any thread and in any order; a [`SceneBuilder`] puts the
+//! drafts together in the order of the houses. A mesh is made once for each part, width, height and neighbourhood, and
+//! the scene keeps one of equal meshes, so it is shown as often as it stands somewhere.
 
+mod assembly;
 mod bake;
 mod trim;
 mod wall;
 mod fittings;
 mod hasher;
+mod lean;
 mod mesh;
 mod part;
 pub mod part_sheet;
@@ -17,12 +20,11 @@ mod store;
 mod weather;
 
 use crate::ast::{RoofKind, StoreyKind};
-use crate::building::{
-    Building, Ceiling, Face, House, HouseRoofs, Ring, Roof, Soffit, Solid, Storey,
-};
+use crate::building::{Building, Built, Ceiling, Face, House, Ring, Roof, Soffit, Solid, Storey};
 use crate::catalog::Catalog;
 use crate::geometry::{Heading, SAME};
 use crate::scene::{Detail, Kind, Node, NodeId, Scene};
+use crate::source::Limits;
 use crate::tessellate::roof::bulk::{Walls, is_fill};
 use crate::tessellate::roof::mesh_key::{MeshKey, Roofs};
 use crate::tessellate::roof::plaster;
@@ -31,56 +33,136 @@ use crate::tessellate::wall::Line;
 use crate::tessellate::wall::index::{Place, WallIndex};
 use crate::tessellate::wall::room::Rooms;
 use crate::tessellate::weather::exposure::{Aged, WallExposure};
+pub use assembly::{HouseDrafts, SceneBuilder};
 use compact_str::{CompactString, format_compact};
 use fittings::FittingMeshes;
 use glam::{DVec2, DVec3, dvec2, dvec3};
+use rayon::prelude::*;
 use std::cell::OnceCell;
 use std::collections::hash_map::Entry;
 use store::Store;
+use store::bank::Bank;
 use weather::Weather;
 
-/// Every house of a building as a scene. Pure; shares meshes among all houses.
-pub fn tessellate(building: &Building, catalog: &Catalog, detail: Detail) -> Scene {
-    let mut walker = Walker {
-        catalog,
-        detail,
-        store: Store::new(detail),
-        roofs: Roofs::default(),
-        fitting_meshes: FittingMeshes::default(),
-        rooms: Rooms::default(),
-        aged: None,
-        air: None,
-        nodes: Vec::with_capacity(nodes(building)),
-        root: NodeId(0),
-    };
-    for (built, number) in building.houses.iter().zip(1..) {
-        walker.house(&built.house, &built.roofs, number);
-        let root = walker.root;
-        walker.weather(|aged| aged.even("fittings", 0.5));
-        for (fitting, number) in built.fittings.iter().zip(1..) {
-            walker.fitting(root, fitting, number);
-        }
+/// The number of houses that one thread tessellates at a time. What they share is made once, and nothing else depends on
+/// it.
+const TOGETHER: usize = 64;
+
+/// The number of houses of which drafts are kept until the scene takes them.
+const BATCH: usize = 512;
+
+/// Returns the houses of a building as a scene, except those that exceed a limit. Pure; shares meshes among all houses and
+/// runs on the threads of the current `rayon` pool.
+pub fn tessellate(building: &Building, catalog: &Catalog, options: Options) -> Scene {
+    let tessellator = Tessellator::new(catalog, options);
+    let mut scene = SceneBuilder::new(options.detail);
+    for (batch, number) in building.houses.chunks(BATCH).zip(0..) {
+        let first = |group: usize| 1 + number * BATCH + group * TOGETHER;
+        let groups = batch.par_chunks(TOGETHER).enumerate();
+        let drafts = groups.map(|(group, houses)| tessellator.houses(houses, first(group)));
+        let drafts: Vec<HouseDrafts> = drafts.collect();
+        drafts.into_iter().for_each(|houses| scene.add(houses));
     }
     let pictures = building.images.iter();
-    walker
-        .store
-        .into_scene(walker.nodes, pictures.map(|p| p.path.clone()).collect())
+    scene.finish(pictures.map(|p| p.path.clone()).collect())
 }
 
-/// About how many nodes there will be: a part and a post a unit, and some members a wall.
-fn nodes(building: &Building) -> usize {
-    let houses = building.houses.iter();
-    let rings = houses.flat_map(|b| &b.house.storeys).flat_map(|s| &s.rings);
-    let walls = rings.flat_map(|r| &r.walls);
-    let units: usize = walls.map(|w| 2 * w.units.len() + 5).sum();
-    units + 8 * building.houses.len()
+/// How houses are tessellated.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// The level of detail.
+    pub detail: Detail,
+    /// The most triangles that a house may show.
+    pub triangles: usize,
 }
 
-/// Walks over the building and writes nodes.
+impl From<Detail> for Options {
+    /// Returns options with the default limit.
+    fn from(detail: Detail) -> Options {
+        Options {
+            detail,
+            triangles: Limits::default().triangles,
+        }
+    }
+}
+
+/// Tessellates houses at one level of detail, on any number of threads at once.
+#[derive(Debug)]
+pub struct Tessellator<'c> {
+    catalog: &'c Catalog,
+    options: Options,
+    bank: Bank,
+}
+
+impl<'c> Tessellator<'c> {
+    /// Creates one for houses with these parts.
+    pub fn new(catalog: &'c Catalog, options: Options) -> Tessellator<'c> {
+        Tessellator {
+            catalog,
+            options,
+            bank: Bank::default(),
+        }
+    }
+
+    /// Tessellates some houses, the first of which has this number in the run, counted from 1.
+    pub fn houses(&self, houses: &[Built], first: usize) -> HouseDrafts {
+        let Options { detail, triangles } = self.options;
+        let mut walker = Walker {
+            catalog: self.catalog,
+            detail,
+            store: Store::new(detail, &self.bank),
+            roofs: Roofs::default(),
+            fitting_meshes: FittingMeshes::default(),
+            rooms: Rooms::default(),
+            aged: None,
+            air: None,
+            nodes: Vec::with_capacity(nodes(houses).min(MANY_NODES)),
+            root: NodeId(0),
+            budget: Budget::default(),
+        };
+        let mut oversized = vec![];
+        for (built, number) in houses.iter().zip(first..) {
+            let before = walker.nodes.len();
+            walker.budget = Budget::new(before, triangles);
+            // Those that no house can have are not begun.
+            walker.budget.exceeded = parts(&built.house) * Budget::NODE > triangles;
+            walker.house(built, number);
+            if walker.is_full() {
+                walker.nodes.truncate(before);
+                oversized.push(built.house.span);
+            } else if detail == Detail::Body {
+                lean::join(&mut walker.nodes, walker.root, &mut walker.store);
+            }
+        }
+        HouseDrafts {
+            nodes: walker.nodes,
+            drafts: walker.store.into_drafts(),
+            oversized,
+        }
+    }
+}
+
+/// Returns about how many nodes there will be: a part and a post a unit, and some others.
+fn nodes(houses: &[Built]) -> usize {
+    let parts: usize = houses.iter().map(|built| parts(&built.house)).sum();
+    2 * parts + 40 * houses.len()
+}
+
+/// Returns the number of units in the walls of a house.
+fn parts(house: &House) -> usize {
+    let rings = house.storeys.iter().flat_map(|storey| &storey.rings);
+    let walls = rings.flat_map(|ring| &ring.walls);
+    walls.map(|wall| wall.units.len()).sum()
+}
+
+/// Room is made beforehand for this many nodes at most: houses with more may exceed a limit.
+const MANY_NODES: usize = 1 << 16;
+
+/// Walks over houses and writes nodes.
 struct Walker<'a> {
     catalog: &'a Catalog,
     detail: Detail,
-    store: Store,
+    store: Store<'a>,
     roofs: Roofs<'a>,
     fitting_meshes: FittingMeshes<'a>,
     rooms: Rooms,
@@ -91,6 +173,30 @@ struct Walker<'a> {
     aged: Option<Aged>,
     /// Exposure of the current wall, if the house has an age.
     air: Option<WallExposure>,
+    budget: Budget,
+}
+
+/// The triangles that a house may still show.
+#[derive(Clone, Copy, Debug, Default)]
+struct Budget {
+    left: usize,
+    /// The number of nodes whose triangles have been subtracted.
+    counted: usize,
+    exceeded: bool,
+}
+
+impl Budget {
+    /// A node takes as much memory as this many triangles.
+    const NODE: usize = 16;
+
+    /// Creates one for a house that begins with this node.
+    fn new(first: usize, left: usize) -> Budget {
+        Budget {
+            left,
+            counted: first,
+            exceeded: false,
+        }
+    }
 }
 
 /// Data shared by the walls of a storey.
@@ -150,7 +256,23 @@ impl<'a> Walker<'a> {
         NodeId(self.nodes.len() as u32 - 1)
     }
 
-    fn house(&mut self, house: &House, roofs: &'a HouseRoofs, number: usize) {
+    /// Returns true once the house in the making shows more triangles than it may. What follows is then not made.
+    fn is_full(&mut self) -> bool {
+        let new = &self.nodes[self.budget.counted..];
+        let meshes = new.iter().filter_map(|node| node.mesh);
+        let shown: usize = meshes.map(|id| self.store.draft(id).triangles()).sum();
+        let triangles = shown + Budget::NODE * new.len();
+        self.budget.counted = self.nodes.len();
+        self.budget.exceeded |= triangles > self.budget.left;
+        self.budget.left = self.budget.left.saturating_sub(triangles);
+        self.budget.exceeded
+    }
+
+    fn house(&mut self, built: &'a Built, number: usize) {
+        if self.is_full() {
+            return;
+        }
+        let (house, roofs) = (&built.house, &built.roofs);
         let name = match house.name.as_str() {
             "" => format_compact!("house {number}"),
             name => format_compact!("house {name}"),
@@ -168,12 +290,19 @@ impl<'a> Walker<'a> {
             house.storeys.iter().map(|_| OnceCell::new()).collect();
         for (storey, standing) in house.storeys.iter().zip(&standing) {
             self.storey(root, house, storey, &roofs.ceilings, standing);
+            if self.is_full() {
+                return;
+            }
         }
         self.weather(|aged| aged.even("soffits", 0.0));
         for (i, soffit) in roofs.soffits.iter().enumerate() {
             self.soffit(root, soffit, i + 1);
         }
-        let neighbours = Neighbours::of(roofs);
+        // Only trim needs them.
+        let neighbours = match self.detail {
+            Detail::Body => Neighbours::default(),
+            _ => Neighbours::of(roofs),
+        };
         let shares = crate::tessellate::roof::bulk::shares(&roofs.roofs, self.detail);
         for (i, (roof, shown)) in roofs.roofs.iter().zip(shares).enumerate() {
             let walls = self.below(house, roof, shown, &standing);
@@ -182,6 +311,13 @@ impl<'a> Walker<'a> {
             let weather = self.store.weather;
             let alike = MeshKey::new(roof, shown, walls, beyond, weather, i + 1);
             self.roof(root, roof, alike, i + 1);
+            if self.is_full() {
+                return;
+            }
+        }
+        self.weather(|aged| aged.even("fittings", 0.5));
+        for (fitting, number) in built.fittings.iter().zip(1..) {
+            self.fitting(root, fitting, number);
         }
     }
 
@@ -296,6 +432,9 @@ impl<'a> Walker<'a> {
         for (i, line) in lines.iter().enumerate() {
             let (before, after) = Line::beside(lines, i);
             self.facade(level, line, before, after);
+            if self.is_full() {
+                return;
+            }
         }
     }
 

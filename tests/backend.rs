@@ -4,7 +4,9 @@ mod plain;
 
 use glam::{dvec2, dvec3};
 use hsd::backend::{Images, NoImages, PictureBytes, SurfaceFiles, dump, gltf, obj, sound, stl};
-use hsd::scene::{Image, Kind, Material, MaterialId, Mesh, MeshId, Node, NodeId, Primitive, Scene};
+use hsd::scene::{
+    Detail, Image, Kind, Material, MaterialId, Mesh, MeshId, Node, NodeId, Primitive, Scene,
+};
 use hsd::source::{FileId, Span};
 use std::borrow::Cow;
 
@@ -120,6 +122,7 @@ fn scene() -> Scene {
         ..pane(2, 1.0, 1.0)
     };
     Scene {
+        detail: Detail::Everything,
         materials: vec![
             material("cedar", Image::Surface("cedar")),
             glass,
@@ -151,6 +154,7 @@ fn scene() -> Scene {
         pictures: vec!["textures/看板 1.png".into()],
         baked: vec![],
         mirrored: vec![],
+        oversized: vec![],
     }
 }
 
@@ -400,7 +404,7 @@ fn numbers_that_are_none_are_left_out() {
             .chunks_exact(4)
             .all(|b| f32::from_le_bytes(b.try_into().unwrap()).is_finite())
     );
-    let names: Vec<_> = sound::flaws(&scene).map(|f| f.name).collect();
+    let names: Vec<_> = sound::flaws(scene.whole()).map(|f| f.name).collect();
     assert_eq!(names, ["GDE 2", "GDE 2", "sign"]);
     let text = String::from_utf8(
         obj::obj(&scene, &NoImages, "a")

@@ -178,7 +178,7 @@ fn endings_choose_the_format() {
     let folder = folder();
     for (out, begins) in [
         ("a.glb", &b"glTF"[..]),
-        ("a.gltf", b"{\"accessors\""),
+        ("a.gltf", b"{\"asset\""),
         ("a.obj", b"# hsd "),
         ("a.STL", b"hsd "),
     ] {

@@ -58,7 +58,7 @@ fn built(text: &str) -> Vec<u8> {
     let program = program(&[&source], documents, catalog, &Pictures, expand, &mut out);
     let mut building = building(program, catalog, &mut out);
     for built in &mut building.houses {
-        built.house.roofs = Roofs::default();
+        built.house.roofs = Roofs::default().into();
     }
     essence(&building)
 }

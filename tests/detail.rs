@@ -11,6 +11,9 @@ use std::fmt::Write as _;
 /// gutters, studs and the like vanish.
 const OUTLINE: f64 = 0.35;
 
+/// How far ridges with their end tiles and finials stand over a roof at most, metres.
+const RIDGE: f64 = 2.0;
+
 /// The scenes of an example at all details.
 fn scenes(run: &crate::support::Run) -> [Scene; 4] {
     Detail::ALL.map(|detail| driver::scene(&run.building, &run.catalog, detail))
@@ -43,7 +46,7 @@ fn every_example_is_sound_at_every_detail() {
         let run = compile_file(&path);
         for (detail, scene) in Detail::ALL.into_iter().zip(scenes(&run)) {
             let name = stem(&path);
-            assert_eq!(sound::flaws(&scene).count(), 0, "{name} {detail:?}");
+            assert_eq!(sound::flaws(scene.whole()).count(), 0, "{name} {detail:?}");
             for mesh in &scene.meshes {
                 for p in &mesh.primitives {
                     assert!(slivers(p) == 0, "{name} {detail:?} {}", mesh.name);
@@ -86,10 +89,11 @@ fn less_detail_has_fewer_triangles_and_the_same_outline() {
             let apart = (least - lo).abs().max((most - hi).abs());
             assert!(apart.max_element() < OUTLINE, "{name} {detail:?}: {apart}");
         }
-        // Bodies leave out what stands before the walls, but keep their walls and roofs.
+        // Bodies leave out what stands before the walls and on the roofs, but keep their walls and roofs.
         let (least, most) = extent(&all[0]);
-        let tall = (most.z - hi.z).abs().max((least.z - lo.z).abs());
-        assert!(tall < OUTLINE, "{name}: {tall}");
+        let (foot, ridge) = ((least.z - lo.z).abs(), hi.z - most.z);
+        assert!(foot < OUTLINE, "{name}: {foot}");
+        assert!((-OUTLINE..RIDGE).contains(&ridge), "{name}: {ridge}");
     }
 }
 
@@ -169,13 +173,7 @@ fn walls_of_a_body_meet_at_their_corners() {
         b"0 0\n9\n\nKSKO KSKO \nKSKO \nKSKO KSKO \nKSKO \n",
     );
     let scene = driver::scene(&run.building, &run.catalog, Detail::Body);
-    let storey = scene
-        .nodes
-        .iter()
-        .find(|n| n.kind == Kind::Storey && n.mesh.is_some());
-    let mesh = storey
-        .and_then(|n| n.mesh)
-        .expect("the storey shows its walls");
+    let mesh = scene.nodes[0].mesh.expect("the house shows its walls");
     let points = scene.meshes[mesh.0 as usize]
         .primitives
         .iter()
@@ -184,12 +182,24 @@ fn walls_of_a_body_meet_at_their_corners() {
         .map(|p| p.map(|x| (f64::from(x) * 1000.0).round() as i64))
         .collect();
     corners.sort_unstable();
-    // Four corners, each with a foot, a top of the stones and a top; every one belongs to two walls.
+    // Every corner of a wall belongs to two of them, and every corner of the roof to several faces.
     corners
         .chunk_by(|a, b| a == b)
         .for_each(|same| assert!(same.len() >= 2, "{same:?}"));
     let (lo, hi) = extent(&scene);
     assert!(hi.cmpgt(lo + dvec3(1.0, 0.5, 2.0)).all());
+}
+
+#[test]
+fn a_plain_body_is_walls_and_a_roof() {
+    for (shape, most) in [("KIR", 40), ("YOS", 32)] {
+        let wall = |units: usize| "KSKO ".repeat(units) + "\n";
+        let walls = [wall(8), wall(5), wall(8), wall(5)].concat();
+        let text = format!("0 0\n9\n\n{walls}\nK X * {shape} 0 0 8 5\n");
+        let run = compile("plain.hsd", text.as_bytes());
+        let count = triangles(&driver::scene(&run.building, &run.catalog, Detail::Body));
+        assert!(count <= most, "{shape}: {count}");
+    }
 }
 
 #[test]

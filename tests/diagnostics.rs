@@ -27,6 +27,8 @@ const WITHOUT_FIXTURE: &[(u16, &str)] = &[
     (901, "a file of more than 16 MiB: tests/robust.rs"),
     (903, "more than 256 files: tests/language"),
     (905, "a picture of too many pixels: tests/pictures.rs"),
+    (908, "more than 10,000 variants: tests/variants.rs"),
+    (910, "more than 64 MiB of files: tests/language"),
     (
         909,
         "more than 500 messages: tests/parse_legacy.rs, tests/parse_xml",
@@ -57,6 +59,8 @@ const WITHOUT_EXAMPLE: &[(u16, &str)] = &[
     (902, "the nesting is too deep to print"),
     (903, "the files are too many to print"),
     (905, "the picture is too large"),
+    (908, "an option of the command line"),
+    (910, "the files are too large to print"),
     (906, "the roofs are too many to print"),
     (909, "the messages are too many to print"),
 ];

@@ -98,7 +98,7 @@ fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
         storeys: storeys.collect(),
         platform: None,
         finials: vec![],
-        roofs: Roofs::default(),
+        roofs: Roofs::default().into(),
     };
     let mut out = Diagnostics::new();
     let shell = lower(
@@ -319,7 +319,8 @@ fn spread_rings_are_exact_whatever_their_shape() {
     }
     // So thin that the error is no small one along its depth: corners move, and it closes all the same.
     let (shell, said) = lowered(vec![vec![facades("50R 0.2R 50R 0.8R")]]);
-    assert!(said.is_empty(), "{said:?}");
+    let codes: Vec<u16> = said.iter().map(|told| told.0).collect();
+    assert_eq!(codes, [419], "the corners are squared again");
     let walls = &shell.houses[0].storeys[0].rings[0].walls;
     assert_eq!(walls[3].to, walls[0].from);
 }
@@ -335,4 +336,84 @@ fn a_comb_of_many_teeth_is_judged_in_linear_time() {
         let (shell, said) = lowered(vec![vec![comb.clone()]]);
         assert!(shell.houses[0].storeys[0].rings[0].closed && said.is_empty());
     });
+}
+
+/// The lines of a walk through some corners, as someone measures them: turns to a hundredth of a degree, lengths to a
+/// thousandth.
+fn measured(corners: &[(f64, f64)]) -> String {
+    let at = |k: usize| {
+        let (a, b) = corners[k % corners.len()];
+        dvec2(a, b)
+    };
+    let lines = (0..corners.len()).map(|k| {
+        let (way, next) = (at(k + 1) - at(k), at(k + 2) - at(k + 1));
+        let turn = way.perp_dot(next).atan2(way.dot(next)).to_degrees();
+        format!("{:.3}@{turn:.2}", way.length())
+    });
+    lines.collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn measured_rings_are_squared() {
+    // An L with a court of its own, every corner a little off.
+    let outer = [
+        (0.0, 0.0),
+        (9.0, 0.0),
+        (9.03, 5.02),
+        (4.01, 4.97),
+        (3.98, 8.03),
+        (0.02, 8.0),
+    ];
+    let (shell, said) = lowered(vec![vec![walk(&measured(&outer))]]);
+    let ring = &shell.houses[0].storeys[0].rings[0];
+    assert_eq!(said.iter().map(|s| s.0).collect::<Vec<_>>(), [419]);
+    assert!(ring.closed);
+    for ((wall, next), (a, b)) in
+        (ring.walls.iter().zip(ring.walls.iter().cycle().skip(1))).zip(outer)
+    {
+        let way = wall.to - wall.from;
+        assert!((way.x == 0.0) != (way.y == 0.0), "{wall:?}");
+        assert!((way.normalize() - wall.direction).length() < 1e-12);
+        assert_eq!(wall.to, next.from);
+        assert!(wall.from.distance(dvec2(a, b)) < 0.05, "{wall:?}");
+        let length: f64 = wall.units.iter().map(|unit| unit.width).sum();
+        assert!((length - way.length()).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn walls_in_one_line_stay_in_one_line() {
+    let bent = [
+        (0.0, 0.0),
+        (5.0, 0.0),
+        (10.0, 0.06),
+        (10.0, 4.0),
+        (0.0, 4.0),
+    ];
+    let (shell, said) = lowered(vec![vec![walk(&measured(&bent))]]);
+    assert_eq!(said.iter().map(|s| s.0).collect::<Vec<_>>(), [419]);
+    let walls = &shell.houses[0].storeys[0].rings[0].walls;
+    assert_eq!(walls.len(), 5);
+    assert_eq!(walls[0].to.y, walls[0].from.y);
+    assert_eq!(walls[1].to.y, walls[0].from.y);
+}
+
+#[test]
+fn what_slants_on_purpose_is_not_squared() {
+    let silent = |text: &str| {
+        let (shell, said) = lowered(vec![vec![walk(text)]]);
+        let slants = |w: &hsd::building::Wall| w.direction.x != 0.0 && w.direction.y != 0.0;
+        let walls = &shell.houses[0].storeys[0].rings[0].walls;
+        assert!(walls.iter().any(slants), "{text}");
+        assert!(said.iter().all(|told| told.0 != 419), "{text}: {said:?}");
+    };
+    // More than a degree.
+    silent(&measured(&[(0.0, 0.0), (9.0, 0.0), (9.0, 5.0), (0.0, 5.2)]));
+    // Less, but a corner would move by more than 0.3 m, since the wall is long.
+    silent(&measured(&[
+        (0.0, 0.0),
+        (99.0, 0.0),
+        (99.0, 5.0),
+        (0.0, 6.5),
+    ]));
 }

@@ -53,6 +53,7 @@ mod roof_shapes;
 mod schema;
 mod seen;
 mod sheet;
+mod streams;
 mod tea_shop_pictures;
 mod tessellate;
 mod textures;

@@ -289,8 +289,7 @@ fn every_detail_is_sound() {
     for detail in Detail::ALL {
         let scene = hsd::driver::scene(&run.building, &run.catalog, detail);
         assert_none(&open_fittings(&scene));
-        let triangles = scene.meshes.iter().flat_map(|m| &m.primitives);
-        let count: usize = triangles.map(|p| p.indices.len() / 3).sum();
+        let count = scene.stats().triangles;
         assert!(count > before, "{detail:?}: {count} after {before}");
         before = count;
     }

@@ -2,6 +2,8 @@
 //! examples and with smaller inputs; the seconds of a mebibyte are shown by `cargo bench --bench reading`.
 
 pub(crate) mod heaps;
+#[cfg(target_os = "linux")]
+mod mebibyte;
 mod mutations;
 
 use crate::support::cpu::{assert_linear, growth, spent};

@@ -122,7 +122,7 @@ fn building(storeys: Vec<Storey>) -> Building {
         raised: 0.0,
         platform: None,
         finials: vec![],
-        roofs: Roofs::default(),
+        roofs: Roofs::default().into(),
     };
     Building {
         houses: vec![Built {
@@ -140,7 +140,7 @@ fn roofs_of(building: &mut Building) -> &mut HouseRoofs {
 }
 
 fn scene(building: &Building) -> Scene {
-    let scene = tessellate(building, hsd::parse::builtin(), Detail::Everything);
+    let scene = tessellate(building, hsd::parse::builtin(), Detail::Everything.into());
     for mesh in &scene.meshes {
         sound(mesh);
     }

@@ -50,6 +50,28 @@ fn essence(made: &Compiled, house: usize) -> String {
 }
 
 #[test]
+fn there_are_no_more_variants_than_the_limit() {
+    let made = |text: &str, most: u32, asked: u32| {
+        let mut out = Diagnostics::new();
+        let source = Source::new(FileId(0), "variants.hsd", text.as_bytes());
+        let mut options = Options {
+            detail: Detail::Body,
+            variants: NonZeroU32::new(asked),
+            ..Options::default()
+        };
+        options.expand.limits.variants = most;
+        let made = hsd::compile(&[&source], &NoFiles, &options, &mut out);
+        let codes: Vec<u16> = out.iter().map(|d| d.code.0).collect();
+        (made.building.houses.len(), codes)
+    };
+    let wall = "0 0\n9\n\nKSK  \nKSK  \nKSK  \nKSK  \n";
+    assert_eq!(made(wall, 4, 4), (4, vec![]));
+    assert_eq!(made(wall, 4, u32::MAX), (4, vec![908]));
+    let long = format!("{wall}\n{}", "# as written in 1706\n".repeat(1_600));
+    assert_eq!(made(&long, 8, 9), (3, vec![908]), "larger files have fewer");
+}
+
+#[test]
 fn a_variant_is_the_text_built_with_its_seed() {
     for word in ["chu-nikai", "ura-nagaya", "office"] {
         let text = Template::named(word).expect("is a type").text();

@@ -383,6 +383,34 @@ fn links_lead_nowhere_else() {
     assert_eq!(shown.web.get("/api/state?file=way/secret.hsd").status, 404);
 }
 
+/// However a file is named, it is one document: what changes it by one name is shown by the others.
+#[cfg(unix)]
+#[test]
+fn names_of_one_file_are_one_document() {
+    let shown = show(
+        &[("a.hsd", HOUSE), ("street/b.hsd", HOUSE)],
+        None,
+        Files::default(),
+    );
+    let root = shown.folder.path();
+    std::os::unix::fs::symlink(root.join("a.hsd"), root.join("link.hsd")).expect("can be made");
+    std::os::unix::fs::symlink(root.join("street"), root.join("way")).expect("can be made");
+    let revision = |name: &str| shown.web.state(name)["revision"].clone();
+    for (name, others) in [
+        ("a.hsd", ["./a.hsd", "link.hsd", "street/../a.hsd"]),
+        (
+            "street/b.hsd",
+            ["street//b.hsd", "street/./b.hsd", "way/b.hsd"],
+        ),
+    ] {
+        let first = revision(name);
+        for other in others {
+            assert_eq!(revision(other), first, "{other}");
+        }
+    }
+    assert_eq!(shown.web.get("/api/state?file=../a.hsd").status, 404);
+}
+
 #[cfg(unix)]
 #[test]
 fn a_link_in_the_place_of_a_shown_file_is_not_followed() {

@@ -74,6 +74,151 @@ pub fn machiya(count: usize) -> String {
     vec![house; count].join("\n%\n")
 }
 
+/// Numbers that look random, the same in every run.
+struct Draw(u64);
+
+impl Draw {
+    /// Draws a number between two others.
+    fn between(&mut self, low: usize, high: usize) -> usize {
+        let next = self.0.wrapping_mul(6_364_136_223_846_793_005);
+        self.0 = next.wrapping_add(1_442_695_040_888_963_407);
+        low + (self.0 >> 33) as usize % (high - low + 1)
+    }
+}
+
+/// `count` plain houses of one storey and one kind of wall, all unlike: rectangles, L, T, U, crosses and Z in quarter
+/// units, with roofs of this shape.
+pub fn plain(count: usize, shape: &str) -> String {
+    let mut draw = Draw(count as u64);
+    let mut houses = String::from("<Houses>\n");
+    for n in 0..count {
+        let mut quarters = |low: usize, high: usize| draw.between(4 * low, 4 * high) as f64 / 4.0;
+        let [a, b, c, d, e] = [
+            quarters(4, 12),
+            quarters(3, 7),
+            quarters(2, 4),
+            quarters(2, 5),
+            quarters(2, 4),
+        ];
+        let (l, r) = (" turn=\"L\"", "");
+        let walls = match n % 6 {
+            0 => vec![(a, r), (b, r), (a, r), (b, r)],
+            1 => vec![(a + c, r), (b, r), (c, l), (d, r), (a, r), (b + d, r)],
+            2 => vec![
+                (a + c + e, r),
+                (b, r),
+                (a, l),
+                (d, r),
+                (c, r),
+                (d, l),
+                (e, r),
+                (b, r),
+            ],
+            3 => vec![
+                (a + c + e, r),
+                (b + d, r),
+                (c, r),
+                (d, l),
+                (a, l),
+                (d, r),
+                (e, r),
+                (b + d, r),
+            ],
+            4 => vec![
+                (c, r),
+                (d, l),
+                (e, r),
+                (b, r),
+                (e, l),
+                (d, r),
+                (c, r),
+                (d, l),
+                (a, r),
+                (b, r),
+                (a, l),
+                (d, r),
+            ],
+            _ => {
+                let e = e.min(a - 1.0);
+                vec![
+                    (a, r),
+                    (b, r),
+                    (e, l),
+                    (d, r),
+                    (a, r),
+                    (b, r),
+                    (e, l),
+                    (d, r),
+                ]
+            }
+        };
+        let height = draw.between(85, 100) as f64 / 10.0;
+        houses += &format!(
+            "<House x=\"{}\" y=\"{}\"><Storey height=\"{height}\">",
+            n % 100 * 30,
+            n / 100 * 30
+        );
+        for (width, turn) in walls {
+            houses += &format!("<Row{turn}><Part code=\"KOB\" width=\"{width}\"/></Row>");
+        }
+        let pitch = draw.between(30, 55) as f64 / 10.0;
+        houses += &format!("</Storey><Roofs shape=\"{shape}\" pitch=\"{pitch}\"/></House>\n");
+    }
+    houses + "</Houses>\n"
+}
+
+/// `count` town houses of one or two storeys with doors, lattices and windows of three shaku, all unlike. One in `aged`
+/// has stood for 1 to 200 years; with 0, none.
+pub fn facades(count: usize, aged: usize) -> String {
+    const FRONT: [&str; 10] = [
+        "GSI  ", "TKD 2", "KTU  ", "KKS  ", "MRE  ", "TIT 2", "GDE 2", "KSK  ", "TSH 2", "MMU 2",
+    ];
+    const SIDE: [&str; 4] = ["KSK  ", "APW  ", "KKS  ", "KTU  "];
+    let mut draw = Draw(count as u64 + 1);
+    let mut houses = String::from("<Houses>\n");
+    for n in 0..count {
+        let (a, b) = (draw.between(3, 8), draw.between(4, 10));
+        let age = match aged > 0 && draw.between(1, aged) == 1 {
+            true => format!(" age=\"{}\"", draw.between(1, 200)),
+            false => String::new(),
+        };
+        let turn = draw.between(0, 359);
+        houses += &format!(
+            "<House x=\"{}\" y=\"{}\" azimuth=\"{turn}\"{age}>",
+            n % 100 * 14,
+            n / 100 * 14
+        );
+        for _ in 0..draw.between(1, 2) {
+            houses += &format!(
+                "<Storey height=\"{}\">",
+                draw.between(70, 110) as f64 / 10.0
+            );
+            for (units, codes) in [(a, &FRONT[..]), (b, &SIDE), (a, &FRONT), (b, &SIDE)] {
+                houses += &format!("<Row>{}</Row>", row(units, codes, &mut draw));
+            }
+            houses += "</Storey>";
+        }
+        let shape = ["KIR", "YOS", "IRI"][draw.between(0, 2)];
+        let pitch = draw.between(30, 55) as f64 / 10.0;
+        houses += &format!("<Roofs shape=\"{shape}\" pitch=\"{pitch}\"/></House>\n");
+    }
+    houses + "</Houses>\n"
+}
+
+/// Parts for so many units.
+fn row(units: usize, codes: &[&str], draw: &mut Draw) -> String {
+    let (mut row, mut done) = (String::new(), 0);
+    while done < units {
+        let code = codes[draw.between(0, codes.len() - 1)];
+        let width = if code.ends_with('2') { 2 } else { 1 };
+        if done + width <= units {
+            row += code;
+            done += width;
+        }
+    }
+    row
+}
+
 /// A wall of so many units, then a right turn, or a left one.
 fn wall(units: usize, left: bool) -> String {
     "KSK  ".repeat(units) + if left { "L\n" } else { "\n" }

@@ -38,7 +38,7 @@ impl RoofMethod {
 }
 
 /// The roof section of a house.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Roofs {
     /// The start tag of the section, if it has one.
     pub span: Option<Span>,
@@ -175,7 +175,7 @@ pub enum RoofDirection {
 }
 
 /// Options of a roof; `None` = by kind, shape and span.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct RoofStyle {
     /// Covering.
     pub kind: Option<Spanned<RoofKind>>,
@@ -202,7 +202,7 @@ pub struct RoofStyle {
 }
 
 /// One roof line, or one `Roof` element.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RoofLine {
     /// The whole line.
     pub span: Span,

@@ -55,7 +55,7 @@ pub fn primitives<'a>(scene: &'a Scene, node: &Node) -> impl Iterator<Item = &'a
     let mesh = node.mesh.and_then(|m| scene.meshes.get(m.0 as usize));
     mesh.into_iter()
         .flat_map(|m| &m.primitives)
-        .filter(|p| sound::primitive(p, scene))
+        .filter(|p| sound::primitive(p, &scene.materials))
 }
 
 /// Converts a vertex to a point.

@@ -1,9 +1,12 @@
 //! glTF 2.0: `.glb`, or `.gltf` with separate files.
 //!
 //! Frame: (x, y, z) = (east, up, -north); a south front faces +Z. Vertices are written once per mesh and shared by all
-//! nodes that show it. There are at most five buffer views regardless of the size of the scene: positions, normals,
-//! tangents, texture coordinates and indices; accessors differ by offset only. Everything except the nodes uses the
-//! types of the `gltf` crate, which the tests use to read it back.
+//! nodes that show it. There is one buffer view per kind of array regardless of the size of the scene: positions,
+//! normals, tangents, texture coordinates and indices; accessors differ by offset only. Everything except the nodes uses
+//! the types of the `gltf` crate, which the tests use to read it back.
+//!
+//! A [`Writer`] takes houses one after another and keeps their JSON and arrays in [`Spool`]s until the model is
+//! complete: the lists at the start of the file are known last. A whole scene is written the same way.
 //!
 //! Texture coordinates of textured surfaces are metres in the scene; they are divided here by the length of one repeat
 //! in metres, since a primitive has one material.
@@ -13,27 +16,28 @@ mod buffer;
 #[cfg(feature = "compress")]
 mod compress;
 mod container;
-mod document;
-mod geometry;
 mod materials;
 mod nodes;
 mod shading;
-mod shown;
+mod shapes;
+mod spool;
+mod writer;
 
 #[cfg(feature = "compress")]
 pub use compress::Ktx2;
 pub use container::Glb;
+pub use spool::{NewSpool, Spool, in_memory};
+pub use writer::Writer;
+#[cfg(feature = "view")]
+pub(crate) use writer::{glb_of_houses, written_nodes};
 
 use super::{Images, OutFile};
 use crate::scene::Scene;
 use crate::source::reference;
-use geometry::Geometry;
-use gltf::json::{Asset, Buffer, Root};
+use gltf::json::{Buffer, Root};
 use materials::Materials;
-use nodes::Tree;
-use shown::Shown;
+use spool::{List, Section};
 use std::io::{self, Write};
-use std::ops::Range;
 
 /// Returns a `.glb` with all images embedded.
 pub fn glb(scene: &Scene, images: &dyn Images) -> Vec<u8> {
@@ -53,11 +57,11 @@ pub fn glb_beside<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> V
 /// Returns a `.gltf` named `stem.gltf`, its `stem.bin`, and its images in the folder `stem_textures`. The file that
 /// refers to the others comes last.
 pub fn gltf<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile<'a>> {
-    let mut model = Model::new(scene, images, None);
+    let mut model = Model::of(scene, images);
     let mut files = model.files(stem);
     let name = format!("{stem}.bin");
     model.add_buffer(Some(reference(&name)));
-    let (mut json, mut bin) = (vec![], Vec::with_capacity(model.length));
+    let (mut json, mut bin) = (vec![], Vec::with_capacity(model.length as usize));
     let written = model.json(&mut json).and_then(|()| model.buffer(&mut bin));
     written.expect("memory takes every byte");
     if !bin.is_empty() {
@@ -73,92 +77,38 @@ pub fn gltf<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> Vec<Out
     files
 }
 
-/// The content of the scene, laid out but not yet written.
+/// A complete model, not yet in a file.
 struct Model<'a> {
-    /// The root, except the long lists of geometry and nodes.
+    /// The root, except the long lists.
     root: Root,
+    accessors: List,
+    meshes: List,
+    nodes: List,
+    /// The buffer up to the images.
+    sections: Vec<Section>,
     materials: Materials<'a>,
-    geometry: Geometry<'a>,
-    places: Places<'a>,
     /// True if the images are in the buffer.
     embedded: bool,
     /// Length of the buffer, bytes.
-    length: usize,
-}
-
-/// The nodes and placements of the shapes.
-enum Places<'a> {
-    Tree(Tree<'a>),
-    /// Flat, with the arrays of the shapes.
+    length: u64,
+    /// Length of a second buffer without bytes, for readers that do not unpack the first; 0 if there is none.
     #[cfg(feature = "compress")]
-    Packed(compress::Packed<'a>),
+    unpacked: usize,
 }
 
 impl<'a> Model<'a> {
-    /// Lays out a whole scene, or some of its houses, given by their nodes, with the materials of all.
-    fn new(scene: &'a Scene, images: &'a dyn Images, houses: Option<&[Range<usize>]>) -> Model<'a> {
-        let (mut root, materials, mut geometry) = Model::shapes(scene, images, houses);
-        geometry.add_views(&mut root);
-        let tree = Tree::new(scene, houses, &geometry, &mut root);
-        Model {
-            length: geometry.length(),
-            root,
-            materials,
-            geometry,
-            places: Places::Tree(tree),
-            embedded: false,
-        }
-    }
-
-    #[cfg(feature = "compress")]
-    fn packed(scene: &'a Scene, images: &'a dyn Images) -> Model<'a> {
-        let (mut root, materials, geometry) = Model::shapes(scene, images, None);
-        let packed = compress::Packed::new(scene, &geometry, &mut root);
-        Model {
-            length: packed.bytes.len(),
-            root,
-            materials,
-            geometry,
-            places: Places::Packed(packed),
-            embedded: false,
-        }
-    }
-
-    fn shapes(
-        scene: &'a Scene,
-        images: &'a dyn Images,
-        houses: Option<&[Range<usize>]>,
-    ) -> (Root, Materials<'a>, Geometry<'a>) {
-        let mut root = Root {
-            asset: Asset {
-                generator: Some(concat!("hsd ", env!("CARGO_PKG_VERSION")).into()),
-                ..Asset::default()
-            },
-            ..Root::default()
-        };
-        let all = Shown::new(scene, &scene.nodes);
-        let materials = Materials::new(scene, &all, images, &mut root);
-        let shown = match houses {
-            None => all,
-            Some(some) => Shown::new(scene, some.iter().flat_map(|h| &scene.nodes[h.clone()])),
-        };
-        let geometry = Geometry::new(scene, shown, &materials);
-        (root, materials, geometry)
-    }
-
-    /// Returns the approximate number of nodes.
-    fn nodes(&self) -> usize {
-        match &self.places {
-            Places::Tree(tree) => tree.len(),
-            #[cfg(feature = "compress")]
-            Places::Packed(packed) => packed.nodes.len(),
-        }
+    /// Lays out a whole scene.
+    fn of(scene: &'a Scene, images: &'a dyn Images) -> Model<'a> {
+        let mut writer = Writer::new(&in_memory).expect("memory takes every byte");
+        let added = writer.add(scene.whole(), images);
+        let model = added.and_then(|()| writer.model(&scene.materials, images, &[]));
+        model.expect("memory takes every byte")
     }
 
     /// Adds the images to the buffer.
     fn embed(&mut self) {
         self.embedded = true;
-        self.length = self.materials.embed(&mut self.root, self.length);
+        self.length = self.materials.embed(&mut self.root, self.length as usize) as u64;
     }
 
     /// Returns the images as files in the folder of the model.
@@ -178,32 +128,48 @@ impl<'a> Model<'a> {
             });
         }
         #[cfg(feature = "compress")]
-        if let Places::Packed(packed) = &self.places {
-            packed.add_fallback(&mut self.root);
-        }
+        compress::add_fallback(self.unpacked, &mut self.root);
     }
 
-    /// Writes the JSON.
-    fn json(&self, out: &mut impl Write) -> io::Result<()> {
-        match &self.places {
-            Places::Tree(tree) => document::write(&self.root, &self.geometry, tree, out),
-            #[cfg(feature = "compress")]
-            Places::Packed(packed) => {
-                document::write_packed(&self.root, &self.geometry, packed, out)
+    /// Returns the bytes of its lists, of its arrays by kind and of its images.
+    fn sizes(&self) -> Vec<(&'static str, u64)> {
+        let lists = [
+            ("accessors", self.accessors.length()),
+            ("meshes", self.meshes.length()),
+            ("nodes", self.nodes.length()),
+        ];
+        let arrays = self.sections.iter().map(|s| (s.name(), s.length()));
+        let images = ("images", self.materials.length());
+        lists.into_iter().chain(arrays).chain([images]).collect()
+    }
+
+    /// Writes the JSON: the root, and the lists that are empty in it.
+    fn json(&mut self, out: &mut impl Write) -> io::Result<()> {
+        let root = serde_json::to_vec(&self.root)?;
+        // An asset is always in it, so something stands between the braces.
+        out.write_all(&root[..root.len() - 1])?;
+        let lists = [
+            ("accessors", &mut self.accessors),
+            ("meshes", &mut self.meshes),
+            ("nodes", &mut self.nodes),
+        ];
+        for (name, list) in lists {
+            if list.count() > 0 {
+                write!(out, ",\"{name}\":")?;
+                list.write(out)?;
             }
         }
+        out.write_all(b"}")
     }
 
     /// Writes the buffer.
-    fn buffer(&self, out: &mut impl Write) -> io::Result<()> {
-        match &self.places {
-            Places::Tree(_) => self.geometry.write(out)?,
-            #[cfg(feature = "compress")]
-            Places::Packed(packed) => out.write_all(&packed.bytes)?,
+    fn buffer(&mut self, out: &mut impl Write) -> io::Result<()> {
+        for section in &mut self.sections {
+            section.write(out)?;
         }
-        if self.embedded {
-            self.materials.write(out)?;
+        match self.embedded {
+            true => self.materials.write(out),
+            false => Ok(()),
         }
-        Ok(())
     }
 }

@@ -51,17 +51,25 @@ impl Library {
         pixels: u64,
         mut trouble: impl FnMut(usize, PictureError),
     ) -> Library {
-        let one = |(i, path): (usize, &String)| {
-            let read = world.picture_bytes(path);
-            let bytes = read.map_err(|e| PictureError::Unreadable(e.to_string()));
-            let file = bytes.and_then(|b| fit(path, b, pixels));
-            file.map_err(|t| trouble(i, t)).ok()
-        };
-        Library {
-            parts: paths.iter().enumerate().map(one).collect(),
-            baked: vec![],
-            mirrored: vec![],
+        let mut library = Library::default();
+        for (i, path) in paths.iter().enumerate() {
+            library.add(path, world, pixels, |error| trouble(i, error));
         }
+        library
+    }
+
+    /// Loads one more part texture; calls `trouble` if it cannot be shown.
+    pub fn add(
+        &mut self,
+        path: &str,
+        world: &dyn World,
+        pixels: u64,
+        trouble: impl FnOnce(PictureError),
+    ) {
+        let read = world.picture_bytes(path);
+        let bytes = read.map_err(|e| PictureError::Unreadable(e.to_string()));
+        let file = bytes.and_then(|b| fit(path, b, pixels));
+        self.parts.push(file.map_err(trouble).ok());
     }
 
     /// Adds the images baked for a scene.
@@ -182,7 +190,7 @@ fn fit(path: &str, bytes: Vec<u8>, limit: u64) -> Result<(String, Vec<u8>), Pict
     if pixels > limit {
         return Err(PictureError::TooLarge(pixels));
     }
-    if png::is_whole(&bytes) {
+    if png::is_sound(&bytes) {
         return Ok((format!("{stem}.png"), bytes));
     }
     if whole_jpeg(&bytes) {
@@ -261,6 +269,10 @@ mod tests {
             "{fixed:?}"
         );
         let mut cut = encoded(image::ImageFormat::Png);
+        let last = cut.len() - 20; // in the pixels
+        let mut wrong = cut.clone();
+        wrong[last] ^= 0x55;
+        assert_eq!(fit("a.png", wrong, 8), Err(PictureError::NoPicture));
         cut.truncate(40);
         assert_eq!(fit("a.png", cut, 8), Err(PictureError::NoPicture));
         assert_eq!(

@@ -1,7 +1,7 @@
 //! Finds content that back ends must not write: non-finite numbers, and indices out of range. Earlier passes do not
 //! produce them; if one does, the shape is left out and reported.
 
-use crate::scene::{Node, Primitive, Scene};
+use crate::scene::{Material, Mesh, Node, Primitive, ScenePart};
 use crate::source::Span;
 
 /// Limit of coordinates, metres: f32 still resolves a decimetre there, and it exceeds map coordinates.
@@ -16,18 +16,17 @@ pub struct Flaw {
     pub span: Option<Span>,
 }
 
-/// Returns everything that the back ends leave out of a scene.
-pub fn flaws(scene: &Scene) -> impl Iterator<Item = Flaw> + '_ {
-    let bad: Vec<bool> = scene
-        .meshes
-        .iter()
-        .map(|m| !m.primitives.iter().all(|p| primitive(p, scene)))
-        .collect();
+/// Returns everything that the back ends leave out of some houses.
+pub fn flaws<'s>(part: ScenePart<'s>) -> impl Iterator<Item = Flaw> + 's {
+    let whole = |m: &Mesh| m.primitives.iter().all(|p| primitive(p, part.materials));
+    let bad: Vec<bool> = part.meshes.iter().map(|m| !whole(m)).collect();
     let flawed = move |n: &&Node| {
-        let mesh = n.mesh.map(|m| bad.get(m.0 as usize).copied());
+        // Meshes that are not there were judged with the houses for which they were made.
+        let at = n.mesh.map(|m| m.0.checked_sub(part.first_mesh));
+        let mesh = at.flatten().map(|at| bad.get(at as usize).copied());
         !node(n) || mesh.is_some_and(|b| b.unwrap_or(true))
     };
-    scene.nodes.iter().filter(flawed).map(|n| Flaw {
+    part.nodes.iter().filter(flawed).map(|n| Flaw {
         name: n.name.to_string(),
         span: n.span,
     })
@@ -40,7 +39,7 @@ pub fn node(node: &Node) -> bool {
 }
 
 /// Returns true if triangles can be written.
-pub fn primitive(p: &Primitive, scene: &Scene) -> bool {
+pub fn primitive(p: &Primitive, materials: &[Material]) -> bool {
     let count = p.positions.len();
     count > 0
         && p.normals.len() == count
@@ -49,8 +48,7 @@ pub fn primitive(p: &Primitive, scene: &Scene) -> bool {
         && !p.indices.is_empty()
         && p.indices.len().is_multiple_of(3)
         && p.indices.iter().all(|&i| (i as usize) < count)
-        && scene
-            .materials
+        && materials
             .get(p.material.0 as usize)
             .is_some_and(|m| m.mirrored.is_none() || !p.mirror_uvs.is_empty())
         && p.positions

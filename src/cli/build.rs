@@ -1,6 +1,8 @@
 //! `hsd build`: builds 3D models from house files.
 
 mod bake;
+mod statistics;
+mod town;
 mod variants;
 pub(in crate::cli) mod watch;
 
@@ -12,7 +14,7 @@ use crate::backend::images::Library;
 use crate::cli::files::input::{Inputs, STDIN};
 use crate::cli::files::output;
 use crate::cli::files::output::Model;
-use crate::cli::files::terminal::{HOUSE, bytes, counted};
+use crate::cli::files::terminal::counted;
 use crate::diagnostic::{Diagnostic, Diagnostics, Language, Noun, Text, noun};
 use crate::driver::{self, Compiled};
 use crate::report::{Format, Report};
@@ -21,6 +23,7 @@ use crate::source::Source;
 use crate::text;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
+use statistics::{statistics, summary};
 use std::cell::OnceCell;
 use std::io::{self, IsTerminal, Write};
 use std::num::NonZeroU32;
@@ -172,6 +175,14 @@ impl Build {
 
     /// Runs one job; returns whether its source files have errors.
     fn one(&self, job: &Job, progress: &Progress) -> Result<bool, Failure> {
+        match self.streams(job) {
+            true => self.stream(job, progress),
+            false => self.whole(job, progress),
+        }
+    }
+
+    /// Runs one job with the whole scene in memory; returns whether its source files have errors.
+    fn whole(&self, job: &Job, progress: &Progress) -> Result<bool, Failure> {
         let start = Instant::now();
         let mut out = Diagnostics::new();
         let limits = self.input_args.limits();
@@ -218,7 +229,8 @@ impl Build {
             progress.line(&summary(&job.output, counts, size, start.elapsed()))?;
         }
         if self.stats {
-            progress.line(&statistics(scene, &times))?;
+            let counts = (scene.stats(), scene.materials.len());
+            progress.line(&statistics(counts, &[], &times))?;
         }
         Ok(false)
     }
@@ -397,36 +409,6 @@ fn compressed(scene: &Scene, library: &Library, output: &Path) -> Result<u64, Fa
 #[cfg(not(feature = "compress"))]
 fn compressed(_: &Scene, _: &Library, _: &Path) -> Result<u64, Failure> {
     Err(Failure::Usage(NO_COMPRESS.into()))
-}
-
-/// The summary of a model: `wrote shop.glb: 1 house, 5230 triangles, 1.2 MB in 12 ms`.
-fn summary(output: &Path, (houses, triangles): (usize, usize), size: u64, took: Duration) -> Text {
-    let place = match output.as_os_str() == STDIN {
-        true => text!("the model", "モデル"),
-        false => output.display().to_string().into(),
-    };
-    let houses = counted(houses, HOUSE);
-    let triangles = counted(triangles, noun("triangle", "三角形{}枚"));
-    let (size, took) = (bytes(size as usize), took.as_millis());
-    text!([place, houses, triangles, size, took]
-        "wrote {place}: {houses}, {triangles}, {size} in {took} ms",
-        "{place} を書きました: {houses}、{triangles}、{size}、{took} ms"
-    )
-}
-
-fn statistics(scene: &Scene, times: &[(&'static str, Duration)]) -> Text {
-    let nodes = counted(scene.nodes.len(), noun("node", "ノード{}個"));
-    let meshes = counted(scene.meshes.len(), noun("mesh", "メッシュ{}個"));
-    let materials = counted(scene.materials.len(), noun("material", "材質{}種"));
-    let time = |(name, took): &(&str, Duration)| {
-        format!("  {name:<16} {:9.3} ms", took.as_secs_f64() * 1e3)
-    };
-    let times: Vec<String> = times.iter().map(time).collect();
-    let times = times.join("\n");
-    text!([nodes, meshes, materials, times]
-        "  {nodes}, {meshes}, {materials}\n{times}",
-        "  {nodes}、{meshes}、{materials}\n{times}"
-    )
 }
 
 /// Progress on standard error; with a progress bar if there are several jobs, they take long and it is a terminal.

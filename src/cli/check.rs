@@ -38,12 +38,12 @@ impl Check {
         let options = self.input_args.options(&inputs, &mut out)?;
         let sources = inputs.accepted();
         let world = self.input_args.world(&self.input_args.inputs);
-        let checked = driver::check(&sources, &world, &options, &mut out);
+        let checked = driver::inspect(&sources, &world, &options, &mut out);
         let list = out.into_sorted();
         let format = Format::from(self.format);
         let (failed, files) = (inputs.failed(), inputs.sources.len());
         if format == Format::Human && list.is_empty() {
-            let houses = checked.building.houses.len();
+            let houses = checked.houses;
             let files = counted(files, FILE);
             let houses = counted(houses, HOUSE);
             let clean = text!([files, houses]

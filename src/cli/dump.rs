@@ -8,7 +8,6 @@ use crate::cli::files::input::Inputs;
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
 use crate::report::{Format, Report};
-use crate::scene::Detail;
 use crate::source::Source;
 use crate::text;
 use clap::{Args, ValueEnum};
@@ -114,7 +113,7 @@ impl Dump {
             Stage::Regions if self.format == DumpFormat::Svg => Ok(regions_svg(&building)),
             Stage::Regions => dump::regions(&building),
             Stage::Scene => {
-                let scene = driver::scene(&building, &catalog, Detail::default());
+                let scene = driver::scene(&building, &catalog, options.shapes());
                 dump::scene(&scene)
             }
             _ => dump::building(&building),

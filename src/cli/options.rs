@@ -80,9 +80,25 @@ pub(super) struct ReadArgs {
     #[arg(long, value_name = "N", default_value_t = Limits::default().includes)]
     max_includes: usize,
 
+    /// Reject files that include more than N bytes together.
+    #[arg(long, value_name = "N", default_value_t = Limits::default().included_bytes)]
+    max_included_bytes: usize,
+
     /// Reject houses with more than N parts after expansion.
     #[arg(long, value_name = "N", default_value_t = Limits::default().parts)]
     max_parts: usize,
+
+    /// Reject houses that bring the parts which repetitions add in all of them above N.
+    #[arg(long, value_name = "N", default_value_t = Limits::default().repeated_parts)]
+    max_repeated_parts: usize,
+
+    /// Reject houses that show more than N triangles at the level of detail.
+    #[arg(long, value_name = "N", default_value_t = Limits::default().triangles)]
+    max_triangles: usize,
+
+    /// Build at most N variants; fewer of source files above 16 KiB.
+    #[arg(long, value_name = "N", default_value_t = Limits::default().variants)]
+    max_variants: u32,
 
     /// Reject images with more than N pixels.
     #[arg(long, value_name = "N", default_value_t = Limits::default().pixels)]
@@ -116,7 +132,11 @@ impl ReadArgs {
             bytes: self.max_bytes.min(u32::MAX as usize), // spans count in 32 bits
             nesting: self.max_nesting,
             includes: self.max_includes,
+            included_bytes: self.max_included_bytes,
             parts: self.max_parts,
+            repeated_parts: self.max_repeated_parts,
+            triangles: self.max_triangles,
+            variants: self.max_variants,
             pixels: self.max_pixels,
         }
     }

@@ -5,6 +5,7 @@ pub mod catalog;
 pub mod file;
 pub mod fittings;
 pub mod legacy;
+pub mod limits;
 pub mod parts;
 pub mod pictures;
 pub mod plan;

@@ -83,7 +83,7 @@ fn walls_and_roofs(source: &Source, world: &dyn World, options: &Options) -> Opt
     let mut built = building(program, catalog, &mut out);
     // The roof section may be written in another way; the resulting roofs are compared.
     for built in &mut built.houses {
-        built.house.roofs = Roofs::default();
+        built.house.roofs = Roofs::default().into();
     }
     Some(print::essence(&built))
 }

@@ -1,8 +1,8 @@
 //! A house is the unit of work: from its syntax and an id to walls, roofs and fittings. A run, a variant, a tile or a
 //! thread is a loop over houses; one made alone with its id is identical to the last bit to the one in a run.
 
-use super::Read;
-use crate::ast;
+use super::{Options, Read};
+use crate::ast::{self, Document};
 use crate::building::{Building, Built};
 use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
@@ -10,9 +10,10 @@ use crate::expand::{self, Expander, HouseContext, HouseId};
 use crate::fit;
 use crate::lower;
 use crate::program::{self, Picture};
-use crate::roof::{self, RoofCache};
+use crate::roof::{self, KeptRoofs, RoofCache};
 use crate::source::{Source, World};
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// Makes one house: expands its syntax, places its walls, roofs and fits it. Returns `None` if it would exceed a limit.
 /// Parts refer by index to the images that are returned with it. To make many houses use a [`HouseBuilder`], which
@@ -84,66 +85,167 @@ pub(super) fn finish(
 }
 
 /// The number of houses finished at a time: enough work for many threads, without keeping more syntax in memory.
-const BATCH: usize = 512;
+pub(super) const BATCH: usize = 128;
+
+/// The number of wall lines after which a batch takes no more houses: roofs of plans with many corners need most of the
+/// memory.
+const BATCH_LINES: usize = 16 * BATCH;
+
+/// The number of parts after which it takes no more houses.
+const BATCH_PARTS: usize = 256 * BATCH;
 
 /// The number of houses that share a cache of roofs. It is fixed, so that nothing depends on the number of threads.
-const CHUNK: usize = 32;
+const CHUNK: usize = 16;
 
-/// Makes all houses of the documents on the threads of the current `rayon` pool and drops the syntax of each when it is
-/// expanded. The id of an unnamed house is its index in its document.
+/// Expands the houses of documents batch by batch, and drops the syntax of each when it is expanded.
+pub(super) struct Expansion<'a> {
+    expander: Expander<'a>,
+    houses: Box<dyn Iterator<Item = (ast::House, HouseId, HouseContext<'a>)> + Send + 'a>,
+}
+
+/// Expanded houses with what was found in them; `None` for one that would exceed a limit.
+#[derive(Default)]
+pub(super) struct Batch {
+    pub(super) houses: Vec<(Option<program::House>, Diagnostics)>,
+    /// The number of their wall lines, and of the parts in them.
+    lines: usize,
+    parts: usize,
+    /// The images that no house before these uses, by number.
+    pub(super) images: Range<usize>,
+}
+
+impl<'a> Expansion<'a> {
+    /// The id of an unnamed house is its index in its document.
+    pub(super) fn new(
+        documents: Vec<Document>,
+        catalog: &'a Catalog,
+        sources: &'a [&'a Source],
+        world: &'a dyn World,
+        options: &'a expand::Options,
+    ) -> Expansion<'a> {
+        // With variants there are the documents of all sources several times.
+        let sources = sources.iter().copied().cycle();
+        let documents = sources.zip(documents).enumerate();
+        let houses = documents.flat_map(move |(number, (source, document))| {
+            let variant = document.variant;
+            let houses = document.houses.into_iter().enumerate();
+            houses.map(move |(index, house)| {
+                let context = HouseContext {
+                    source,
+                    scope: catalog.known_in(number, index),
+                    variant,
+                };
+                (house, HouseId(index as u64), context)
+            })
+        });
+        Expansion {
+            expander: Expander::new(catalog, world, options),
+            houses: Box::new(houses),
+        }
+    }
+
+    /// Expands the next houses, at most this many; `None` if there are none.
+    pub(super) fn batch(&mut self, most: usize) -> Option<Batch> {
+        let before = self.expander.images().len();
+        let mut batch = Batch::default();
+        while !batch.is_full(most)
+            && let Some((house, id, context)) = self.houses.next()
+        {
+            let mut found = Diagnostics::new();
+            let house = self.expander.house(&house, id, context, &mut found);
+            batch.push(house, found);
+        }
+        batch.images = before..self.expander.images().len();
+        (!batch.houses.is_empty()).then_some(batch)
+    }
+
+    /// Returns the images of all houses so far.
+    pub(super) fn images(&self) -> &[Picture] {
+        self.expander.images()
+    }
+
+    /// Returns the images of all houses.
+    pub(super) fn into_images(self) -> Vec<Picture> {
+        self.expander.into_images()
+    }
+}
+
+impl Batch {
+    fn push(&mut self, house: Option<program::House>, found: Diagnostics) {
+        let storeys = house.iter().flat_map(|house| &house.storeys);
+        let loops = storeys.flat_map(|storey| &storey.loops);
+        for line in loops.flat_map(|walk| &walk.lines) {
+            self.lines += 1;
+            self.parts += line.units.len();
+        }
+        self.houses.push((house, found));
+    }
+
+    fn is_full(&self, most: usize) -> bool {
+        self.houses.len() >= most || self.lines >= BATCH_LINES || self.parts >= BATCH_PARTS
+    }
+
+    /// Finishes the houses in parallel, some at a time, and hands them to `then`; returns its results in order.
+    pub(super) fn finish<T: Send>(
+        self,
+        catalog: &Catalog,
+        roofs: Option<&KeptRoofs>,
+        then: impl Fn(usize, Vec<(Option<Built>, Diagnostics)>) -> T + Sync,
+    ) -> Vec<T> {
+        let chunks = self.houses.into_par_iter().chunks(CHUNK).enumerate();
+        let chunks = chunks.map(|(number, chunk)| {
+            let mut cache = roofs.map(KeptRoofs::cache).unwrap_or_default();
+            let finished = chunk.into_iter().map(|(house, mut found)| {
+                let built = house.map(|house| finish(house, catalog, &mut cache, &mut found));
+                (built, found)
+            });
+            then(number * CHUNK, finished.collect())
+        });
+        chunks.collect()
+    }
+}
+
+/// Makes all houses of the documents, as [`each_house`] does.
 pub(super) fn houses(
     read: &mut Read,
     sources: &[&Source],
     world: &dyn World,
-    options: &expand::Options,
+    options: &Options,
     out: &mut Diagnostics,
 ) -> Building {
-    let documents = std::mem::take(&mut read.documents);
-    let catalog = &*read.catalog;
-    let mut expander = Expander::new(catalog, world, options);
-    let (mut batch, mut houses) = (Vec::new(), vec![]);
-    // With variants there are the documents of all sources several times.
-    let sources = sources.iter().copied().cycle();
-    for (number, (source, document)) in sources.zip(documents).enumerate() {
-        let variant = document.variant;
-        for (index, house) in document.houses.into_iter().enumerate() {
-            let context = HouseContext {
-                source,
-                scope: catalog.known_in(number, index),
-                variant,
-            };
-            let mut found = Diagnostics::new();
-            let house = expander.house(&house, HouseId(index as u64), context, &mut found);
-            batch.push((house, found));
-            if batch.len() == BATCH {
-                finish_all(std::mem::take(&mut batch), catalog, &mut houses, out);
-            }
-        }
-    }
-    finish_all(batch, catalog, &mut houses, out);
-    Building {
-        houses,
-        images: expander.into_images(),
-    }
+    let mut houses = vec![];
+    let images = each_house(read, sources, world, options, out, &mut |built, _| {
+        houses.push(built);
+    });
+    Building { houses, images }
 }
 
-/// Finishes expanded houses in parallel; houses and diagnostics are collected in their order.
-fn finish_all(
-    expanded: Vec<(Option<program::House>, Diagnostics)>,
-    catalog: &Catalog,
-    houses: &mut Vec<Built>,
+/// Makes the houses of the documents on the threads of the current `rayon` pool and drops the syntax of each when it is
+/// expanded: while some are finished, those after them are. The id of an unnamed house is its index in its document.
+/// `each` receives them in their order, with the number of images found so far. Returns the images.
+pub(super) fn each_house(
+    read: &mut Read,
+    sources: &[&Source],
+    world: &dyn World,
+    options: &Options,
     out: &mut Diagnostics,
-) {
-    let chunks = expanded.into_par_iter().chunks(CHUNK).map(|chunk| {
-        let mut cache = RoofCache::default();
-        let finished = chunk.into_iter().map(|(house, mut found)| {
-            let built = house.map(|house| finish(house, catalog, &mut cache, &mut found));
-            (built, found)
-        });
-        finished.collect::<Vec<_>>()
-    });
-    for (built, found) in chunks.collect::<Vec<_>>().into_iter().flatten() {
-        houses.extend(built);
-        out.append(found);
+    each: &mut dyn FnMut(Built, usize),
+) -> Vec<Picture> {
+    let documents = std::mem::take(&mut read.documents);
+    let catalog = &*read.catalog;
+    let mut expansion = Expansion::new(documents, catalog, sources, world, &options.expand);
+    let mut next = expansion.batch(BATCH);
+    while let Some(batch) = next {
+        let images = expansion.images().len();
+        let (finished, ahead) = rayon::join(
+            || batch.finish(catalog, options.roofs.as_ref(), |_, houses| houses),
+            || expansion.batch(BATCH),
+        );
+        for (built, found) in finished.into_iter().flatten() {
+            built.into_iter().for_each(|built| each(built, images));
+            out.append(found);
+        }
+        next = ahead;
     }
+    expansion.into_images()
 }

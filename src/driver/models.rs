@@ -3,13 +3,14 @@
 use super::{Options, arrange, documents, house, spare_expressions, timed, variants};
 use crate::backend::images::{Library, PictureError};
 use crate::backend::{gltf, sound};
-use crate::building::Building;
+use crate::building::{Building, Built};
 use crate::catalog::Catalog;
+use crate::diagnostic::messages::limits::too_many_triangles;
 use crate::diagnostic::messages::pictures as say;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expand;
 use crate::program::{Content, PictureId, Unit};
-use crate::scene::{Detail, Scene};
+use crate::scene::Scene;
 use crate::source::{FileId, Limits, NoFiles, Source, Span, World};
 use crate::tessellate;
 use std::borrow::Cow;
@@ -30,6 +31,80 @@ pub struct Compiled {
     pub times: Vec<(&'static str, Duration)>,
 }
 
+/// The result of [`inspect`].
+#[derive(Debug)]
+pub struct Inspected {
+    /// Files that the sources include, for reports.
+    pub included: Vec<Source>,
+    /// The number of houses.
+    pub houses: usize,
+}
+
+/// Runs the chain up to the roofs as [`check`](super::check) does, and keeps nothing of a house but what is wrong with it.
+pub fn inspect(
+    sources: &[&Source],
+    world: &dyn World,
+    options: &Options,
+    out: &mut Diagnostics,
+) -> Inspected {
+    let mut read = documents(sources, world, options, out);
+    let (mut houses, mut uses) = (0, ImageUses::default());
+    let limits = &options.expand.limits;
+    let images = house::each_house(
+        &mut read,
+        sources,
+        world,
+        options,
+        out,
+        &mut |built, images| {
+            houses += 1;
+            uses.note(&built, images);
+        },
+    );
+    let paths: Vec<String> = images.into_iter().map(|image| image.path).collect();
+    load(&paths, world, limits, out, |index| uses.first(index));
+    spare_expressions(sources, &read.included, out);
+    Inspected {
+        included: read.included,
+        houses,
+    }
+}
+
+/// The first place that refers to each image.
+#[derive(Default)]
+struct ImageUses(Vec<Option<Span>>);
+
+impl ImageUses {
+    /// Records the uses in a house, made when there were this many images.
+    fn note(&mut self, built: &Built, images: usize) {
+        self.0.resize(images.max(self.0.len()), None);
+        if self.0.iter().any(Option::is_none) {
+            units(built).for_each(|unit| self.note_unit(unit));
+        }
+    }
+
+    fn note_unit(&mut self, unit: &Unit) {
+        let own = match &unit.content {
+            Content::Picture(own) => Some(*own),
+            Content::Split(split) => {
+                let halves = split.upper.iter().chain(&split.lower);
+                halves.for_each(|half| self.note_unit(half));
+                None
+            }
+            Content::Void | Content::Part(_) => None,
+        };
+        for id in unit.picture.into_iter().chain(own) {
+            if let Some(first) = self.0.get_mut(id.0 as usize) {
+                first.get_or_insert(unit.span);
+            }
+        }
+    }
+
+    fn first(&self, index: usize) -> Option<Span> {
+        self.0.get(index).copied().flatten()
+    }
+}
+
 /// Runs the whole chain. It does not stop at errors: everything valid is built.
 pub fn compile(
     sources: &[&Source],
@@ -37,6 +112,7 @@ pub fn compile(
     options: &Options,
     out: &mut Diagnostics,
 ) -> Compiled {
+    let limits = &options.expand.limits;
     let mut times = vec![];
     let mut read = timed(&mut times, "parse", || match options.variants {
         Some(count) => variants::documents(sources, world, options, count, out),
@@ -44,7 +120,7 @@ pub fn compile(
     });
     let mut found = Diagnostics::new();
     let mut building = timed(&mut times, "houses", || {
-        house::houses(&mut read, sources, world, &options.expand, &mut found)
+        house::houses(&mut read, sources, world, options, &mut found)
     });
     let (included, catalog) = (read.included, read.catalog);
     match options.variants {
@@ -56,7 +132,14 @@ pub fn compile(
         None => out.append(found),
     }
     let scene = timed(&mut times, "tessellate", || {
-        scene(&building, &catalog, options.detail)
+        let scene = scene(&building, &catalog, options.shapes());
+        let message = |place: &Span| too_many_triangles(*place, limits.triangles);
+        scene
+            .oversized
+            .iter()
+            .map(message)
+            .for_each(|d| out.push(d));
+        scene
     });
     spare_expressions(sources, &included, out);
     Compiled {
@@ -92,8 +175,12 @@ pub fn compile_bytes(name: &str, bytes: &[u8]) -> usize {
 }
 
 /// Builds the scene of a building: meshes, materials and nodes.
-pub fn scene(building: &Building, catalog: &Catalog, detail: Detail) -> Scene {
-    tessellate::tessellate(building, catalog, detail)
+pub fn scene(
+    building: &Building,
+    catalog: &Catalog,
+    options: impl Into<tessellate::Options>,
+) -> Scene {
+    tessellate::tessellate(building, catalog, options.into())
 }
 
 /// Loads the images of a building and reports those that cannot be shown. `paths` are those of [`Scene::pictures`], or
@@ -105,19 +192,41 @@ pub fn pictures(
     limits: &Limits,
     out: &mut Diagnostics,
 ) -> Library {
+    load(paths, world, limits, out, |index| {
+        let images = &mut building.images.iter();
+        let id = images.position(|p| p.path == *paths[index])?;
+        let mut houses = building.houses.iter();
+        houses.find_map(|built| use_by(built, PictureId(id as u32)))
+    })
+}
+
+/// Loads images and reports those that cannot be shown at their first uses.
+fn load(
+    paths: &[String],
+    world: &dyn World,
+    limits: &Limits,
+    out: &mut Diagnostics,
+    first_use: impl Fn(usize) -> Option<Span>,
+) -> Library {
     Library::load(paths, world, limits.pixels, |index, trouble| {
         let path = &paths[index];
-        let id = building.images.iter().position(|p| p.path == *path);
-        let used = id.and_then(|id| first_use(building, PictureId(id as u32)));
-        let span = used.unwrap_or_default();
-        out.push(match trouble {
-            PictureError::Unreadable(why) => say::unreadable(span, path, &why),
-            PictureError::NoPicture => say::no_picture(span, path),
-            PictureError::TooLarge(pixels) => {
-                say::too_many_pixels(span, path, pixels, limits.pixels)
-            }
-        });
+        let span = first_use(index).unwrap_or_default();
+        out.push(not_shown(trouble, path, span, limits));
     })
+}
+
+/// Reports an image that cannot be shown.
+pub(super) fn not_shown(
+    error: PictureError,
+    path: &str,
+    span: Span,
+    limits: &Limits,
+) -> Diagnostic {
+    match error {
+        PictureError::Unreadable(why) => say::unreadable(span, path, &why),
+        PictureError::NoPicture => say::no_picture(span, path),
+        PictureError::TooLarge(pixels) => say::too_many_pixels(span, path, pixels, limits.pixels),
+    }
 }
 
 /// Reports shapes that the back ends leave out.
@@ -127,18 +236,22 @@ pub fn flaws(compiled: &Compiled, out: &mut Diagnostics) {
     let message =
         |f: sound::Flaw| -> Diagnostic { say::shape_left_out(f.span.unwrap_or(place), &f.name) };
     // One broken mesh may be shown a thousand times.
-    sound::flaws(&compiled.scene)
+    sound::flaws(compiled.scene.whole())
         .take(20)
         .map(message)
         .for_each(|d| out.push(d));
 }
 
-/// Returns the first place that refers to an image.
-fn first_use(building: &Building, id: PictureId) -> Option<Span> {
-    let storeys = building.houses.iter().flat_map(|h| &h.house.storeys);
+/// Returns the first place of a house that refers to an image.
+pub(super) fn use_by(built: &Built, id: PictureId) -> Option<Span> {
+    units(built).find_map(|u| use_in(u, id))
+}
+
+/// Returns the units of all walls of a house.
+fn units(built: &Built) -> impl Iterator<Item = &Unit> {
+    let storeys = built.house.storeys.iter();
     let walls = storeys.flat_map(|s| &s.rings).flat_map(|r| &r.walls);
-    let mut units = walls.flat_map(|w| &w.units);
-    units.find_map(|u| use_in(u, id))
+    walls.flat_map(|w| &w.units)
 }
 
 fn use_in(unit: &Unit, id: PictureId) -> Option<Span> {

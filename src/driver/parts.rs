@@ -80,5 +80,5 @@ fn beside<'a>(source: &Source, setting: ReadContext<'a>) -> Option<&'a Source> {
         return Some(there);
     }
     let bytes = setting.world.text_bytes(&path, setting.limits.bytes).ok()?;
-    setting.cache.add(&path, &bytes)
+    setting.cache.add(&path, &bytes).ok()
 }

@@ -4,6 +4,7 @@ use super::Read;
 use crate::ast::{Document, Variant};
 use crate::building::Building;
 use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::limits;
 use crate::driver::Options;
 use crate::parse::xml::Trees;
 use crate::source::{Source, World};
@@ -18,7 +19,13 @@ pub(super) fn documents(
     out: &mut Diagnostics,
 ) -> Read {
     let first = options.expand.seed.unwrap_or(0);
-    let seeds = (0..variants.get()).map(|number| Variant {
+    let bytes = sources.iter().map(|source| source.size()).sum();
+    let most = options.expand.limits.variants_of(bytes);
+    if let Some(source) = sources.first().filter(|_| variants.get() > most) {
+        let place = source.span(0..0);
+        out.push(limits::too_many_variants(place, variants.get(), most));
+    }
+    let seeds = (0..variants.get().min(most)).map(|number| Variant {
         number,
         seed: first.wrapping_add(u64::from(number)),
     });

@@ -7,7 +7,7 @@ use super::floors::{Bases, FloorAt};
 use super::repeat::{Flat, Scoped};
 use super::rows::bare_unit;
 use super::split::fit;
-use super::{Pass, positive};
+use super::{Pass, bounds, positive};
 use crate::ast::{self, Order, StoreyKind};
 use crate::diagnostic::messages::parts as say;
 use crate::geometry::{SAME, SHAKU};
@@ -107,6 +107,7 @@ impl Pass<'_, '_> {
             place,
             strips: vec![],
         };
+        self.charge_frame(bounds::FACADE, facade.span);
         if wall.floors.ones.is_empty() && !self.stopped() {
             self.charge(1, facade.span);
             let span = self.head(facade.span);
@@ -177,6 +178,7 @@ impl Pass<'_, '_> {
                 };
                 let strip = self.floor(&at, &bases);
                 self.charge(u64::from(strip.units.is_empty()), floor.span);
+                self.charge_frame(bounds::ROW, floor.span);
                 wall.strips.push(strip);
                 if self.stopped() {
                     return;

@@ -13,7 +13,7 @@ mod pagoda;
 use super::Pass;
 use crate::ast::{self, Given, Monument, RoofStyle};
 use crate::diagnostic::messages::fittings::{self as say, Scarce};
-use crate::diagnostic::messages::parts;
+use crate::diagnostic::messages::limits;
 use crate::program::{Content, House, Storey, Unit};
 use crate::source::{Span, Spanned};
 use draft::Draft;
@@ -43,7 +43,7 @@ impl<'c> Pass<'_, 'c> {
             self.over = true;
             return Some(draft);
         }
-        match monument {
+        match &**monument {
             Monument::Pagoda(it) => self.pagoda(it, &mut draft),
             Monument::Gate(it) => self.gate(it, &mut draft),
             Monument::Hall(it) => self.hall(it, &mut draft),
@@ -76,7 +76,7 @@ impl<'c> Pass<'_, 'c> {
 
     /// Returns the maximum number of storeys that all monuments of a run may have together.
     fn most_storeys(&self) -> u64 {
-        self.limit / PARTS_A_STOREY
+        self.bounds.own / PARTS_A_STOREY
     }
 
     /// Counts storeys of a monument against the limit: a few letters make a storey with its roof, posts and brackets,
@@ -86,7 +86,7 @@ impl<'c> Pass<'_, 'c> {
         self.written_short = self.written_short.saturating_add(storeys);
         if self.written_short > most && !self.over {
             self.over = true;
-            self.out.push(parts::too_many_storeys(span, most));
+            self.out.push(limits::too_many_storeys(span, most));
         }
     }
 

@@ -5,9 +5,10 @@
 //! as well. Operations inside a repetition act on the output of that repetition.
 
 use super::Pass;
+use super::bounds::Exceeded;
 use super::edits::{EditRef, numbered};
 use crate::ast::{Edit, Facade, Floor, Item, Loop, Piece, Repeat, Row, Storey};
-use crate::diagnostic::messages::parts as say;
+use crate::diagnostic::messages::limits as say;
 use crate::source::Span;
 
 /// Estimates the number of parts that a construct makes; 1 for empty ones, which cost memory as well.
@@ -55,7 +56,7 @@ impl Weigh for Facade {
     }
 }
 
-fn weigh_all<T: Weigh>(items: &[Item<T>]) -> u64 {
+pub(super) fn weigh_all<T: Weigh>(items: &[Item<T>]) -> u64 {
     let weigh = |item: &Item<T>| match item {
         Item::One(one) => one.weigh(),
         Item::Repeat(repeat) => weigh_repeat(repeat),
@@ -135,8 +136,8 @@ impl Pass<'_, '_> {
     /// Returns the number of repetitions: 0 if they would make nothing or exceed the limit.
     pub(super) fn rounds<T: Weigh>(&mut self, repeat: &Repeat<T>) -> u32 {
         let weight = weigh_repeat(repeat);
-        if weight > self.room() {
-            self.stop(repeat.num.span);
+        if let Some(exceeded) = self.bounds.exceeded_by(self.spent, weight) {
+            self.stop(exceeded, repeat.num.span);
         }
         if weight == 0 || self.stopped() {
             return 0;
@@ -147,33 +148,43 @@ impl Pass<'_, '_> {
     /// Counts parts against the limit; returns false if it is exceeded.
     #[inline]
     pub(super) fn charge(&mut self, parts: u64, span: Span) -> bool {
-        self.parts += parts;
-        if self.parts > self.limit {
-            self.stop(span);
-        }
-        !self.stopped()
+        self.spent.parts += parts;
+        self.judge(span)
+    }
+
+    /// Counts what holds parts against the limit of the run; returns false if it is exceeded.
+    pub(super) fn charge_frame(&mut self, frame: u64, span: Span) -> bool {
+        self.spent.frames += frame;
+        self.judge(span)
     }
 
     /// Counts steps of an operation against the limit; returns false if it is exceeded. Operations times parts grow
     /// faster than the file.
     pub(super) fn work(&mut self, steps: u64, span: Span) -> bool {
-        self.steps += steps;
-        if self.steps > self.limit.saturating_mul(STEPS_A_PART) {
-            self.stop(span);
+        self.spent.steps += steps;
+        self.judge(span)
+    }
+
+    #[inline]
+    fn judge(&mut self, span: Span) -> bool {
+        if let Some(exceeded) = self.bounds.exceeded(self.spent) {
+            self.stop(exceeded, span);
         }
         !self.stopped()
     }
 
-    fn room(&self) -> u64 {
-        self.limit.saturating_sub(self.parts)
+    pub(super) fn room(&self) -> u64 {
+        self.bounds.room(self.spent)
     }
 
     #[cold]
-    fn stop(&mut self, span: Span) {
+    fn stop(&mut self, exceeded: Exceeded, span: Span) {
         if !self.over {
             self.over = true;
-            let limit = self.limit;
-            self.out.push(say::too_many_parts(span, limit));
+            self.out.push(match exceeded {
+                Exceeded::House(limit) => say::too_many_parts(span, limit),
+                Exceeded::Run(limit) => say::too_many_repeated(span, limit),
+            });
         }
     }
 
@@ -182,9 +193,6 @@ impl Pass<'_, '_> {
         self.over
     }
 }
-
-/// Steps of operations that one part of the limit allows for.
-const STEPS_A_PART: u64 = 10;
 
 /// Recording an operation costs memory, more than a step.
 const EDIT_ROOM: u64 = 10;

@@ -6,6 +6,7 @@
 
 use super::codes::{Mode, Which};
 use super::edits::{EditRef, Strip, numbered};
+use super::repeat::weigh_all;
 use super::{Pass, positive};
 use crate::ast::{CodeText, Half, Item, Part, Piece, Random};
 use crate::program::Unit;
@@ -77,7 +78,8 @@ impl Pass<'_, '_> {
         mode: Mode,
     ) -> Strip {
         let mut strip = Strip {
-            units: Vec::with_capacity(pieces.len()),
+            // A growing list would need twice the memory while it moves.
+            units: Vec::with_capacity(weigh_all(pieces).min(self.room()) as usize),
             place,
             mode,
             natural: false,

@@ -3,7 +3,7 @@
 use super::codes::Mode;
 use super::edits::{EditRef, Strip, numbered};
 use super::repeat::storey_edits;
-use super::{Pass, positive};
+use super::{Pass, bounds, positive};
 use crate::ast;
 use crate::diagnostic::messages::parts as say;
 use crate::program::{Loop, Storey, WallLine};
@@ -47,6 +47,7 @@ impl Pass<'_, '_> {
         place: Place,
     ) -> Storey {
         self.charge(u64::from(storey.loops.is_empty()), storey.span);
+        self.charge_frame(bounds::STOREY, storey.span);
         let given = storey.height.as_ref().or(header);
         let height = given.and_then(positive);
         let mut made = Storey {
@@ -54,7 +55,7 @@ impl Pass<'_, '_> {
             height: height.unwrap_or(HEIGHT),
             kind: storey.kind,
             order: storey.order.clone(),
-            loops: vec![],
+            loops: Vec::with_capacity(storey.loops.len()),
         };
         for (index, walk) in storey.loops.iter().enumerate() {
             let lines = self.walk(walk, place.at(index as u64));
@@ -102,6 +103,7 @@ impl Pass<'_, '_> {
         for (index, row) in flat.ones.iter().enumerate() {
             let strip = self.strip(&row.pieces, place.at(index as u64), Mode::Row);
             self.charge(u64::from(strip.units.is_empty()), row.span);
+            self.charge_frame(bounds::ROW, row.span);
             lines.push(WallLine {
                 span: row.span,
                 units: strip.units,

@@ -9,10 +9,11 @@ use crate::source::Span;
 use glam::{DVec2, dvec2};
 use std::ops::Range;
 
-/// A closing error up to this share of the length is spread over a ring of facades (docs/contract.md 3).
-const RING_ERROR: f64 = 0.01;
-/// The same for walks with odd angles, whose corners cannot be written exactly.
-const ODD_ERROR: f64 = 0.001;
+/// A closing error up to this share of the length is spread over a ring of facades, and over a walk with odd angles, whose
+/// corners are measured or cannot be written exactly (docs/contract.md 3).
+const MEASURED_ERROR: f64 = 0.01;
+/// The sine of the angle by which a measured wall may miss its axis: one degree.
+pub(super) const MEASURED_ANGLE: f64 = 0.017_452_406_437_283_51;
 /// Walks with up to this many degrees of written turns may stay open: a facade, not a house.
 const OPEN_TURNS: f64 = 180.0;
 /// Plans beyond this many U are taken for a mistake, and exceed the precision of later passes.
@@ -36,12 +37,10 @@ pub(super) fn close(walk: &mut Walk, ring: bool, out: &mut Diagnostics) -> bool 
     let gap = walk.end - start;
     let length: f64 = walk.walls.iter().map(|w| w.from.distance(w.to)).sum();
     let odd = walk.turns.iter().any(|t| t.rem_euclid(90.0) != 0.0);
-    let allowed = if ring {
-        length * RING_ERROR
-    } else {
-        length * ODD_ERROR
+    let allowed = match ring || odd {
+        true => (length * MEASURED_ERROR).max(SAME),
+        false => SAME,
     };
-    let allowed = if ring || odd { allowed.max(SAME) } else { SAME };
     if gap.length() > allowed {
         report_gap(walk, ring, gap, length, out);
         return false;
@@ -177,7 +176,7 @@ fn fixes(walk: &Walk, gap: DVec2) -> Vec<Vec<ClosingFix>> {
             .walls
             .iter()
             .rev()
-            .filter(|w| w.direction.perp_dot(axis).abs() < 1e-9);
+            .filter(|w| w.direction.perp_dot(axis).abs() < MEASURED_ANGLE);
         let fitting = along.filter_map(|w| {
             let (length, by) = (w.from.distance(w.to), missing * w.direction.dot(axis));
             (length + by > SAME).then_some(ClosingFix {

@@ -29,8 +29,8 @@ pub(super) fn walk(steps: Loop, facade: &mut u32) -> Walk {
     let mut out = Walk {
         span: steps.span,
         hole: steps.hole,
-        walls: vec![],
-        turns: vec![],
+        walls: Vec::with_capacity(steps.lines.len()),
+        turns: Vec::with_capacity(steps.lines.len()),
         end: at,
     };
     let mut started = false;

@@ -4,7 +4,9 @@ use super::lines::{Encoding, Lines};
 use super::settings::Settings;
 use super::uri;
 use super::world::{MARK, Open, Overlay, key, marked};
+use crate::driver::Options;
 use crate::ide::Analysis;
+use crate::roof::KeptRoofs;
 use crate::source::{FileId, Source};
 use gen_lsp_types::{Range, TextDocumentContentChangeEvent};
 use std::collections::{BTreeMap, BTreeSet};
@@ -42,7 +44,10 @@ impl Document {
 
     /// Discards the analysis.
     fn forget(&mut self) {
-        self.analysis = None;
+        if let Some(old) = self.analysis.take() {
+            // Nobody waits until the trees of a town are gone.
+            rayon::spawn(move || drop(old));
+        }
         self.given_up = false;
     }
 
@@ -81,6 +86,8 @@ pub(super) struct Documents {
     pub(super) files: Open,
     /// Incremented whenever anything may have changed.
     pub(super) edition: u64,
+    /// The roofs of all documents: a key changes those of one house.
+    roofs: KeptRoofs,
 }
 
 impl Documents {
@@ -218,7 +225,11 @@ impl Documents {
         let world = Overlay::new(folder, settings, &self.files);
         let name = path.as_deref().and_then(Path::to_str).unwrap_or(uri);
         let source = Source::new(FileId(0), name, marked(text).as_bytes());
-        let analysis = Analysis::new(source, &world, &world.options(settings));
+        let options = Options {
+            roofs: Some(self.roofs.clone()),
+            ..world.options(settings)
+        };
+        let analysis = Analysis::new(source, &world, &options);
         (analysis, world.into_asked())
     }
 }

@@ -46,6 +46,20 @@ pub struct Wear {
     pub luck: Luck,
 }
 
+/// How far a surface has weathered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct State {
+    /// The number of the material's look, from the youngest.
+    pub stage: usize,
+    /// The shade, from the brightest.
+    pub shade: usize,
+}
+
+/// Returns the share of light that a shade leaves.
+pub fn dimmed(shade: usize) -> f32 {
+    1.0 - SHADE * shade.min(SHADES - 1) as f32
+}
+
 /// The weathered surfaces, and their index by surface of the table, stage and shade.
 struct Worn {
     surfaces: Vec<Surface>,
@@ -59,12 +73,20 @@ pub(super) fn surface(index: usize) -> &'static Surface {
     &WORN.surfaces[index]
 }
 
+/// Returns the number of weathered surfaces.
+pub(super) fn count() -> usize {
+    WORN.surfaces.len()
+}
+
 /// Returns the weathered variant of a surface of the table.
 pub(super) fn after(id: SurfaceId, wear: Wear) -> SurfaceId {
+    state(id, wear).map_or(id, |state| in_state(id, state))
+}
+
+/// Returns the state of a surface of the table after some weather; `None` if it does not weather.
+pub(super) fn state(id: SurfaceId, wear: Wear) -> Option<State> {
     let surface = &TABLE[id.index()];
-    let Some(material) = surface.material else {
-        return id;
-    };
+    let material = surface.material?;
     let years = match material.renewed.map(f64::from) {
         Some(cycle) if wear.years > cycle => cycle * wear.luck.share(),
         _ => wear.years,
@@ -74,7 +96,18 @@ pub(super) fn after(id: SurfaceId, wear: Wear) -> SurfaceId {
     let brown = usize::from(browns(material) && years >= BROWN);
     let stage = reached.unwrap_or(0).max(brown).max(least(surface));
     let shade = shade(material.class, years, weathered, wear.luck);
-    let place = (id.index() * STAGES + stage) * SHADES + shade;
+    Some(State { stage, shade })
+}
+
+/// Returns a surface of the table in a state, or the nearest that it can be in.
+pub(super) fn in_state(id: SurfaceId, state: State) -> SurfaceId {
+    let surface = &TABLE[id.index()];
+    let Some(material) = surface.material else {
+        return id;
+    };
+    let stage = state.stage.max(least(surface));
+    let stage = stage.min(material.stages.len() - 1);
+    let place = (id.index() * STAGES + stage) * SHADES + state.shade.min(SHADES - 1);
     SurfaceId(WORN.places[place])
 }
 
@@ -129,7 +162,7 @@ fn make() -> Worn {
         };
         for (stage, look) in material.stages.iter().enumerate() {
             for shade in 0..SHADES {
-                let dim = 1.0 - SHADE * shade as f32;
+                let dim = dimmed(shade);
                 // The shades here account for the years under eaves.
                 let own = match base.tint[..3] == SHELTERED {
                     true => [1.0; 3],

@@ -96,7 +96,7 @@ pub fn parse_lines(
     }
     out.append(reporter.finish());
     if let Some(tag) = xml {
-        let cache = SourceCache::new(0, 0);
+        let cache = SourceCache::new(0, 0, 0);
         let rest = super::xml::parse_from(
             source,
             tag,
@@ -389,6 +389,7 @@ impl<'a> Reader<'a> {
         }
         house.span = span;
         house.storeys = walls.finish(&mut self.reporter);
+        house.heights.shrink_to_fit();
         let storeys = house.storeys.len();
         if let Some(surplus) = house
             .heights

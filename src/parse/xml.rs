@@ -37,7 +37,7 @@ const DEEPEST: usize = 256;
 /// Reads a self-contained file in the XML form: its parameters are at their defaults, and it can include nothing.
 /// Errors are reported, and the rest is read.
 pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
-    let cache = SourceCache::new(0, 0);
+    let cache = SourceCache::new(0, 0, 0);
     let setting = ReadContext::alone(limits, &cache);
     parse_from(source, 0, setting, &mut Trees::default(), out)
 }

@@ -13,23 +13,34 @@ use crate::program::Roofs;
 use crate::source::{Span, Spanned};
 use glam::DVec2;
 use std::collections::HashMap;
-use std::sync::Arc;
+use std::fmt;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Maximum size of a cache in words of 8 bytes, approximately: 4 MiB. Beyond it everything is dropped, since similar
 /// houses tend to be near each other.
 const MOST_WORDS: usize = 1 << 19;
 
+/// The same of what is kept from run to run: 64 MiB.
+const MOST_KEPT: usize = 1 << 23;
+
 /// Everything that the roofs of a house depend on, to the last bit.
-#[derive(PartialEq, Eq, Hash)]
+#[derive(Clone, PartialEq, Eq, Hash)]
 pub(super) struct Key(Box<[u64]>);
 
 /// The roofs of the houses roofed so far, by key.
-#[derive(Default)]
 pub struct RoofCache {
     /// Only looked up, never iterated over, so its order cannot matter.
-    kept: HashMap<Key, Kept>,
+    kept: HashMap<Key, Arc<Kept>>,
     words: usize,
+    most: usize,
+    /// Where it looks for what it does not know.
+    others: Option<KeptRoofs>,
 }
+
+/// Roofs that are kept from run to run: an editor reads a source file again at every key, and one house of it has
+/// changed. A copy refers to the same roofs; all threads may use it.
+#[derive(Clone)]
+pub struct KeptRoofs(Arc<Mutex<RoofCache>>);
 
 /// The roofs of a house.
 struct Kept {
@@ -47,7 +58,8 @@ impl RoofCache {
         house: &House,
         key: &Key,
     ) -> Option<(Arc<HouseRoofs>, Vec<Diagnostic>)> {
-        let kept = self.kept.get(key)?;
+        let kept = self.kept.get(key).cloned();
+        let kept = kept.or_else(|| self.others.as_ref()?.find(key))?;
         let mut roofs = Arc::clone(&kept.roofs);
         let mut diagnostics = kept.diagnostics.clone();
         if !kept.places.is_empty() {
@@ -76,20 +88,69 @@ impl RoofCache {
     ) {
         let placed = !diagnostics.is_empty() || roofs.roofs.iter().any(|r| r.span.is_some());
         let places = if placed { places(house) } else { vec![] };
-        let kept = Kept {
+        let kept = Arc::new(Kept {
             roofs: Arc::clone(roofs),
             diagnostics: diagnostics.to_vec(),
             places: places.into(),
-        };
+        });
+        if let Some(others) = &self.others {
+            others.lock().insert(key.clone(), kept.clone());
+        }
+        self.insert(key, kept);
+    }
+
+    fn new(most: usize, others: Option<KeptRoofs>) -> RoofCache {
+        RoofCache {
+            kept: HashMap::new(),
+            words: 0,
+            most,
+            others,
+        }
+    }
+
+    fn insert(&mut self, key: Key, kept: Arc<Kept>) {
         let words = key.0.len() + kept.words();
-        if self.words + words > MOST_WORDS {
+        if self.words + words > self.most {
             self.kept.clear();
             self.words = 0;
         }
-        if words <= MOST_WORDS {
+        if words <= self.most {
             self.words += words;
             self.kept.insert(key, kept);
         }
+    }
+}
+
+impl Default for RoofCache {
+    fn default() -> RoofCache {
+        RoofCache::new(MOST_WORDS, None)
+    }
+}
+
+impl KeptRoofs {
+    /// Returns a cache for some houses of a run that knows these roofs, and adds its own to them.
+    pub fn cache(&self) -> RoofCache {
+        RoofCache::new(MOST_WORDS, Some(self.clone()))
+    }
+
+    fn find(&self, key: &Key) -> Option<Arc<Kept>> {
+        self.lock().kept.get(key).cloned()
+    }
+
+    fn lock(&self) -> MutexGuard<'_, RoofCache> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Default for KeptRoofs {
+    fn default() -> KeptRoofs {
+        KeptRoofs(Arc::new(Mutex::new(RoofCache::new(MOST_KEPT, None))))
+    }
+}
+
+impl fmt::Debug for KeptRoofs {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("KeptRoofs").finish_non_exhaustive()
     }
 }
 
@@ -204,7 +265,7 @@ impl Key {
             wished,
             style,
             lines,
-        } = roofs;
+        } = &**roofs;
         let mut words = Words(Vec::with_capacity(64));
         words.number(*unit);
         words.flags(&[*street, wished.is_some()]);

@@ -94,7 +94,7 @@ pub(in crate::roof) struct HalfPlane {
 }
 
 impl HalfPlane {
-    fn depth(&self, p: DVec2) -> f64 {
+    pub(in crate::roof) fn depth(&self, p: DVec2) -> f64 {
         self.normal.dot(p) - self.at
     }
 

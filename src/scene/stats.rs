@@ -1,6 +1,6 @@
 //! The size of a scene.
 
-use super::Scene;
+use super::{Mesh, Scene, ScenePart};
 
 /// Counts of a scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -15,20 +15,39 @@ pub struct Stats {
     pub nodes: usize,
 }
 
+/// Counts houses as they pass.
+#[derive(Clone, Debug, Default)]
+pub struct Counter {
+    stats: Stats,
+    /// The triangles of each mesh.
+    sizes: Vec<u32>,
+}
+
+impl Counter {
+    /// Counts some houses, after all that stand before them.
+    pub fn add(&mut self, part: ScenePart<'_>) {
+        let size = |mesh: &Mesh| mesh.primitives.iter().map(|p| p.indices.len() / 3).sum();
+        let sizes: Vec<usize> = part.meshes.iter().map(size).collect();
+        self.sizes.extend(sizes.iter().map(|size| *size as u32));
+        let shown = part.nodes.iter().filter_map(|node| node.mesh);
+        let shown = shown.filter_map(|mesh| self.sizes.get(mesh.0 as usize));
+        self.stats.triangles += shown.map(|size| *size as usize).sum::<usize>();
+        self.stats.unique_triangles += sizes.iter().sum::<usize>();
+        self.stats.meshes += sizes.len();
+        self.stats.nodes += part.nodes.len();
+    }
+
+    /// Returns the counts of all houses.
+    pub fn stats(&self) -> Stats {
+        self.stats
+    }
+}
+
 impl Scene {
     /// Counts its triangles, meshes and nodes.
     pub fn stats(&self) -> Stats {
-        let sizes: Vec<usize> = self
-            .meshes
-            .iter()
-            .map(|mesh| mesh.primitives.iter().map(|p| p.indices.len() / 3).sum())
-            .collect();
-        let shown = self.nodes.iter().filter_map(|node| node.mesh);
-        Stats {
-            triangles: shown.map(|mesh| sizes[mesh.0 as usize]).sum(),
-            unique_triangles: sizes.iter().sum(),
-            meshes: self.meshes.len(),
-            nodes: self.nodes.len(),
-        }
+        let mut counter = Counter::default();
+        counter.add(self.whole());
+        counter.stats()
     }
 }

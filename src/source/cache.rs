@@ -1,21 +1,33 @@
 //! Files that the sources of a run include, each read once.
 
 use crate::source::{FileId, Source};
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
+
+/// The limit that a file would exceed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CacheFull {
+    /// That of files.
+    Files,
+    /// That of bytes of all files.
+    Bytes,
+}
 
 /// Files in the order of reading. They can be added while others are in use, and stay where they are.
 #[derive(Debug)]
 pub struct SourceCache {
     slots: Vec<OnceCell<Source>>,
     first: usize,
+    /// The number of bytes that may still be added.
+    room: Cell<usize>,
 }
 
 impl SourceCache {
-    /// Creates a cache with room for this many files, numbered from `first`.
-    pub fn new(first: usize, room: usize) -> SourceCache {
+    /// Creates a cache with room for this many files and bytes; files are numbered from `first`.
+    pub fn new(first: usize, files: usize, bytes: usize) -> SourceCache {
         SourceCache {
-            slots: std::iter::repeat_with(OnceCell::new).take(room).collect(),
+            slots: std::iter::repeat_with(OnceCell::new).take(files).collect(),
             first,
+            room: Cell::new(bytes),
         }
     }
 
@@ -25,11 +37,17 @@ impl SourceCache {
         there.into_iter().find(|s| s.name() == name)
     }
 
-    /// Adds a file; `None` if the cache is full.
-    pub fn add(&self, name: &str, bytes: &[u8]) -> Option<&Source> {
-        let index = self.slots.iter().position(|s| s.get().is_none())?;
-        let id = u32::try_from(self.first + index).ok()?;
-        Some(self.slots[index].get_or_init(|| Source::new(FileId(id), name, bytes)))
+    /// Adds a file.
+    ///
+    /// # Errors
+    /// If there is no room for it.
+    pub fn add(&self, name: &str, bytes: &[u8]) -> Result<&Source, CacheFull> {
+        let index = self.slots.iter().position(|s| s.get().is_none());
+        let index = index.ok_or(CacheFull::Files)?;
+        let id = u32::try_from(self.first + index).map_err(|_| CacheFull::Files)?;
+        let room = self.room.get().checked_sub(bytes.len());
+        self.room.set(room.ok_or(CacheFull::Bytes)?);
+        Ok(self.slots[index].get_or_init(|| Source::new(FileId(id), name, bytes)))
     }
 
     /// Returns the files.

@@ -12,7 +12,7 @@ mod veranda;
 use super::Walker;
 use super::hasher::NumberHasher;
 use super::mesh::Bodies;
-use super::store::Share;
+use super::store::look::Share;
 use super::weather::Weather;
 use crate::building::fittings::{Beam, Brackets, Fitting, FittingKind, Head};
 use crate::material::SurfaceId;
@@ -105,7 +105,7 @@ impl<'a> Walker<'a> {
     /// Adds an unshared mesh; `None` if it is empty.
     fn own(&mut self, name: &str, bodies: Bodies) -> Option<MeshId> {
         let mesh = self.store.finish(name.to_owned(), bodies, Share::default());
-        (!mesh.primitives.is_empty()).then(|| self.store.push(mesh))
+        (!mesh.is_empty()).then(|| self.store.push(mesh))
     }
 
     fn placed(

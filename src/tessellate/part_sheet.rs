@@ -6,13 +6,16 @@
 use crate::catalog::{PartDef, Stance};
 use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
-use crate::scene::{Detail, Kind, Mesh, Node, NodeId, Scene};
+use crate::scene::{Detail, Kind, Node, NodeId, Scene};
+use crate::tessellate::assembly::{HouseDrafts, SceneBuilder};
 use crate::tessellate::bake::{Lens, Picture, bake};
 use crate::tessellate::mesh::panel::extent;
 use crate::tessellate::mesh::{Bodies, Soup};
 use crate::tessellate::part::bay::{Bay, HALF_POST, Layer};
 use crate::tessellate::part::detail;
-use crate::tessellate::store::{Share, Store};
+use crate::tessellate::store::Store;
+use crate::tessellate::store::bank::Bank;
+use crate::tessellate::store::look::Share;
 use compact_str::CompactString;
 use glam::{DVec3, dvec3};
 use image::{Rgb, RgbImage};
@@ -37,7 +40,8 @@ const PAPER: [u8; 3] = [0xf6, 0xf3, 0xec];
 
 /// Returns a scene of all parts, one row per class, from the front row to the back.
 pub fn scene(parts: &[&PartDef], detail: Detail) -> Scene {
-    let mut store = Store::new(detail);
+    let bank = Bank::default();
+    let mut store = Store::new(detail, &bank);
     let mut nodes = vec![Node::new(None, Kind::House, "parts".into(), DVec3::ZERO)];
     let classes = parts.chunk_by(|a, b| a.class() == b.class());
     for (row, class) in classes.enumerate() {
@@ -49,8 +53,8 @@ pub fn scene(parts: &[&PartDef], detail: Detail) -> Scene {
         for definition in class {
             let code = definition.code();
             let made = bodies(definition, detail);
-            let mesh: Mesh = store.finish(code.trim_end().to_owned(), made, share(definition));
-            if mesh.primitives.is_empty() {
+            let mesh = store.finish(code.trim_end().to_owned(), made, share(definition));
+            if mesh.is_empty() {
                 continue; // the void
             }
             let mut part = Node::new(
@@ -65,7 +69,13 @@ pub fn scene(parts: &[&PartDef], detail: Detail) -> Scene {
             x += definition.width() * UNIT + APART;
         }
     }
-    store.into_scene(nodes, vec![])
+    let mut scene = SceneBuilder::new(detail);
+    scene.add(HouseDrafts {
+        nodes,
+        drafts: store.into_drafts(),
+        oversized: vec![],
+    });
+    scene.finish(vec![])
 }
 
 fn share(part: &PartDef) -> Share {
@@ -105,7 +115,7 @@ pub fn picture(definition: &PartDef, density: f64) -> Option<RgbImage> {
         density,
         panes: true,
     };
-    Some(lit(&bake(&soups, rect, lens)?))
+    Some(lit(&bake(&soups, |id| id, rect, lens)?))
 }
 
 /// Shears a soup into the oblique projection, with its normals.

@@ -1,23 +1,29 @@
-//! Stores the meshes and materials of the scene, each made once.
+//! The meshes of some houses, each made once, as drafts. Those of parts and rows are shared with other houses.
 
+pub(super) mod bank;
+pub(super) mod draft;
+pub(super) mod look;
 mod part_images;
 
 use super::hasher::NumberHasher;
 use super::mesh::{Bodies, Soup};
-use super::weather::{AgedSurfaces, Weather};
+use super::weather::Weather;
+use super::weather::panel_look::PanelLook;
 use crate::building::Solid;
 use crate::catalog::{PartDef, PartId};
 use crate::material::SurfaceId;
-use crate::scene::{Detail, Image, Material, MaterialId, Mesh, MeshId, Node, Primitive, Scene};
-use crate::tessellate::bake::atlas::Atlas;
+use crate::scene::{Detail, MeshId};
 use crate::tessellate::roof::Given;
 use crate::tessellate::trim;
 use crate::tessellate::trim::{Body, Row};
+use bank::Bank;
+use draft::{ImageQuad, MeshDraft};
 use glam::DVec2;
-use part_images::PanelImage;
+use look::{Look, Share};
+use part_images::ShadedImage;
 use std::collections::HashMap;
 use std::hash::BuildHasherDefault;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// The key of a mesh. Lengths in tenths of a millimetre.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -50,21 +56,6 @@ pub(super) struct PartKey {
     pub(super) picture: u32,
 }
 
-/// Share of reflected light in thousandths; zero for surfaces that do not reflect.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub(super) struct Share(pub(super) u16);
-
-impl Share {
-    /// Converts a share between 0 and 1.
-    pub(super) fn new(share: f64) -> Share {
-        Share((share.clamp(0.0, 1.0) * 1000.0).round() as u16)
-    }
-
-    fn value(self) -> f32 {
-        f32::from(self.0) / 1000.0
-    }
-}
-
 /// Converts a length from metres to tenths of a millimetre.
 pub(super) fn tenths(metres: f64) -> u32 {
     // The cast cuts off what is below zero; `round` would be a call of its own on most machines.
@@ -74,60 +65,60 @@ pub(super) fn tenths(metres: f64) -> u32 {
 /// Distance of panes behind the image of their frame, metres.
 const BEHIND: f64 = 0.010;
 
-/// The image or surface of a material.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Look {
-    Surface(SurfaceId, Share),
-    Picture(u32, Share),
-    Baked(u32),
-}
-
-/// Meshes and materials.
-#[derive(Debug, Default)]
-pub(super) struct Store {
-    materials: Vec<Material>,
-    meshes: Vec<Mesh>,
-    atlas: Atlas,
+/// The meshes of some houses. The [`MeshId`]s it gives are indices into its drafts.
+#[derive(Debug)]
+pub(super) struct Store<'b> {
+    bank: &'b Bank,
+    drafts: Vec<Arc<MeshDraft>>,
     detail: Detail,
-    looks: Vec<Look>,
     /// The weather that applies to the meshes under construction.
     pub(super) weather: Weather,
     cache: HashMap<(Key, Weather), MeshId, BuildHasherDefault<NumberHasher>>,
-    /// Weathered meshes by result: the same surfaces on the same triangles.
-    worn: HashMap<(Key, AgedSurfaces), MeshId>,
-    /// Images of the panels of parts, by the key of the images and the weather.
-    images: HashMap<(PartKey, Weather), Rc<[PanelImage]>>,
-    /// The same by result.
-    worn_images: HashMap<(PartKey, AgedSurfaces), Rc<[PanelImage]>>,
     /// The most recently requested part.
     last: Option<(PartKey, Weather, MeshId)>,
 }
 
-impl Store {
+impl<'b> Store<'b> {
     /// Creates an empty store for meshes of this detail.
-    pub(super) fn new(detail: Detail) -> Store {
+    pub(super) fn new(detail: Detail, bank: &'b Bank) -> Store<'b> {
         Store {
+            bank,
+            drafts: vec![],
             detail,
-            ..Store::default()
+            weather: Weather::None,
+            cache: HashMap::default(),
+            last: None,
         }
     }
 
     /// Returns the mesh of a key, made on first use.
-    pub(super) fn mesh(&mut self, key: Key, make: impl FnOnce(&mut Store) -> Mesh) -> MeshId {
+    pub(super) fn mesh(&mut self, key: Key, make: impl FnOnce(&mut Self) -> MeshDraft) -> MeshId {
         let key = (key, self.weather);
         if let Some(id) = self.cache.get(&key) {
             return *id;
         }
-        let mesh = make(self);
-        let id = self.push(mesh);
-        self.cache.insert(key, id);
-        id
+        let draft = self.bank.draft(&key).unwrap_or_else(|| {
+            let draft = Arc::new(make(self));
+            self.bank.keep(key.clone(), &draft);
+            draft
+        });
+        self.known(key, draft)
     }
 
     /// Adds an unshared mesh.
-    pub(super) fn push(&mut self, mesh: Mesh) -> MeshId {
-        self.meshes.push(mesh);
-        MeshId(self.meshes.len() as u32 - 1)
+    pub(super) fn push(&mut self, draft: MeshDraft) -> MeshId {
+        self.add(Arc::new(draft))
+    }
+
+    fn add(&mut self, draft: Arc<MeshDraft>) -> MeshId {
+        self.drafts.push(draft);
+        MeshId(self.drafts.len() as u32 - 1)
+    }
+
+    fn known(&mut self, key: (Key, Weather), draft: Arc<MeshDraft>) -> MeshId {
+        let id = self.add(draft);
+        self.cache.insert(key, id);
+        id
     }
 
     /// Returns the mesh of bodies, made on first use of the key. Different weather with the same result shares one
@@ -136,31 +127,40 @@ impl Store {
         &mut self,
         key: Key,
         make: impl FnOnce() -> Bodies,
-        finish: impl FnOnce(&mut Store, Bodies) -> Mesh,
+        looks: impl FnOnce(&Self, &Bodies) -> Vec<PanelLook>,
+        finish: impl FnOnce(&mut Self, Bodies, Vec<PanelLook>) -> MeshDraft,
     ) -> MeshId {
-        let known = (key, self.weather);
-        if let Some(id) = self.cache.get(&known) {
+        let key = (key, self.weather);
+        if let Some(id) = self.cache.get(&key) {
             return *id;
         }
+        if let Some(draft) = self.bank.draft(&key) {
+            return self.known(key, draft);
+        }
         let bodies = make();
-        let aged = (known.0.clone(), self.weather.aged_surfaces(&bodies));
-        let id = match self.worn.get(&aged) {
-            Some(id) => *id,
-            None => {
-                let mesh = finish(self, bodies);
-                let id = self.push(mesh);
-                self.worn.insert(aged, id);
-                id
+        let looks = looks(self, &bodies);
+        let by_look = (self.weather != Weather::None).then(|| {
+            let surfaces = self.weather.aged_surfaces(&bodies);
+            (key.0.clone(), (surfaces, looks.clone()))
+        });
+        let worn = by_look.as_ref().and_then(|key| self.bank.worn(key));
+        let draft = worn.unwrap_or_else(|| {
+            let draft = Arc::new(finish(self, bodies, looks));
+            if let Some(key) = by_look {
+                self.bank.keep_worn(key, &draft);
             }
-        };
-        self.cache.insert(known, id);
-        id
+            draft
+        });
+        self.bank.keep(key.clone(), &draft);
+        self.known(key, draft)
     }
 
     /// Returns the mesh of bodies that are no part, made on first use of the key.
     pub(super) fn bodies(&mut self, key: Key, name: &str, make: impl FnOnce() -> Bodies) -> MeshId {
-        self.aged(key, make, |store, bodies| {
-            store.finish(name.to_owned(), bodies, Share::default())
+        let looks = |store: &Self, bodies: &Bodies| store.own_looks(&bodies.panels);
+        self.aged(key, make, looks, |store, bodies, looks| {
+            let images = store.panel_images(&bodies.panels, &looks);
+            store.finish_with(name.to_owned(), bodies, &images, (Share::default(), None))
         })
     }
 
@@ -174,8 +174,9 @@ impl Store {
         }
         let detail = self.detail;
         let make = || key.bodies(part, detail);
-        let mesh = self.aged(Key::Part(key), make, |store, bodies| {
-            let images = store.part_images(part, key, &bodies);
+        let looks = |store: &Self, bodies: &Bodies| store.part_looks(part, key, bodies);
+        let mesh = self.aged(Key::Part(key), make, looks, |store, bodies, looks| {
+            let images = store.part_images(part, key, &bodies, looks);
             let (name, picture) = (part.code().trim_end(), key.picture.checked_sub(1));
             store.finish_with(name.to_owned(), bodies, &images, (key.share, picture))
         });
@@ -183,28 +184,29 @@ impl Store {
         mesh
     }
 
-    /// Converts bodies to a mesh of the scene; their glass reflects this share.
-    pub(super) fn finish(&mut self, name: String, bodies: Bodies, share: Share) -> Mesh {
-        let images = self.panel_images(&bodies.panels);
+    /// Converts bodies to a mesh; their glass reflects this share.
+    pub(super) fn finish(&self, name: String, bodies: Bodies, share: Share) -> MeshDraft {
+        let looks = self.own_looks(&bodies.panels);
+        let images = self.panel_images(&bodies.panels, &looks);
         self.finish_with(name, bodies, &images, (share, None))
     }
 
     /// As [`Store::finish`], with images of the panels and for bodies that show this part texture.
     fn finish_with(
-        &mut self,
+        &self,
         name: String,
         bodies: Bodies,
-        images: &[PanelImage],
+        images: &[ShadedImage],
         (share, picture): (Share, Option<u32>),
-    ) -> Mesh {
+    ) -> MeshDraft {
         let Bodies {
             mut soups,
             panels,
             shown,
         } = bodies;
         soups = self.weather.wear(soups);
-        let mut pictures: Vec<(MaterialId, Soup)> = vec![];
-        for (panel, image) in panels.iter().zip(images) {
+        let mut quads = vec![];
+        for (panel, (image, shade)) in panels.iter().zip(images) {
             for (glass, shares) in &image.panes {
                 let rect = panel.rect.part(*shares);
                 let at = soups.iter().position(|(id, _)| id == glass);
@@ -216,31 +218,19 @@ impl Store {
                 let uv = metres.map(|corner| corner.map(|t| t as f32));
                 soups[at].1.front(rect, panel.front - BEHIND, uv);
             }
-            if let Some(spot) = image.spot {
-                let material = self.baked(spot.page);
-                let at = pictures.iter().position(|(id, _)| *id == material);
-                let at = at.unwrap_or_else(|| {
-                    pictures.push((material, Soup::default()));
-                    pictures.len() - 1
-                });
-                pictures[at].1.front(panel.rect, panel.front, spot.uv);
-            }
+            quads.extend(image.baked.clone().map(|image| ImageQuad {
+                image,
+                rect: panel.rect,
+                front: panel.front,
+                shade: *shade,
+            }));
         }
-        let mut primitives: Vec<Primitive> = Vec::with_capacity(soups.len() + pictures.len());
-        for (finish, soup) in soups {
-            let material = self.surface(finish, share);
-            primitives.push(primitive(material, soup));
-        }
+        let of_surface = |(id, soup)| (Look::surface(id, share), soup);
+        let mut looks: Vec<(Look, Soup)> = soups.into_iter().map(of_surface).collect();
         if let Some(number) = picture.filter(|_| !shown.indices.is_empty()) {
-            let material = self.picture(number, share);
-            primitives.push(primitive(material, shown));
+            looks.push((Look::Picture(number, share), shown));
         }
-        primitives.extend(
-            pictures
-                .into_iter()
-                .map(|(material, soup)| primitive(material, soup)),
-        );
-        Mesh { name, primitives }
+        MeshDraft::new(name, looks, quads)
     }
 
     /// Adds one mesh of solids and their trim; `None` if there are none.
@@ -257,13 +247,7 @@ impl Store {
         if soups.is_empty() {
             return None;
         }
-        let primitives = soups.into_iter().map(|(finish, soup)| {
-            let material = self.surface(finish, Share::default());
-            primitive(material, soup)
-        });
-        let primitives = primitives.collect();
-        let name = name.to_owned();
-        Some(self.push(Mesh { name, primitives }))
+        Some(self.push(plain(name, soups)))
     }
 
     /// Returns the mesh of a row of bodies in this direction.
@@ -273,140 +257,34 @@ impl Store {
         let mesh = self.mesh(Key::Row(row.clone()), |store| {
             let (mut soups, bodies) = (vec![], row.bodies().collect::<Vec<_>>());
             trim::pour(&bodies, &mut soups);
-            let soups = store.weather.wear(soups);
-            let primitives = soups.into_iter().map(|(finish, soup)| {
-                let material = store.surface(finish, Share::default());
-                primitive(material, soup)
-            });
-            Mesh {
-                name: row.name.to_owned(),
-                primitives: primitives.collect(),
-            }
+            plain(row.name, store.weather.wear(soups))
         });
         self.weather = own;
         mesh
     }
 
-    /// Returns the material of a surface weathered at a height.
-    pub(super) fn surface_at(&mut self, id: SurfaceId, z: f64) -> MaterialId {
-        self.surface(self.weather.at(id, z), Share::default())
+    /// Returns a mesh.
+    pub(super) fn draft(&self, id: MeshId) -> &MeshDraft {
+        &self.drafts[id.0 as usize]
     }
 
-    /// Returns the material of a surface; surfaces other than glass share one for every share of reflection.
-    pub(super) fn surface(&mut self, id: SurfaceId, share: Share) -> MaterialId {
-        let surface = id.surface();
-        let share = if surface.glass {
-            share
-        } else {
-            Share::default()
-        };
-        let detail = self.detail;
-        self.material(Look::Surface(id, share), || Material {
-            name: match share.0 {
-                0 => surface.name.to_owned(),
-                per_mille => format!("{} {}.{}%", surface.name, per_mille / 10, per_mille % 10),
-            },
-            image: surface.picture.map_or(Image::None, Image::Surface),
-            tint: match surface.glass && detail <= Detail::Flat {
-                true => shut(surface.tint),
-                false => surface.tint,
-            },
-            roughness: surface.roughness,
-            metallic: surface.metallic,
-            double_sided: surface.thin,
-            cutout: false,
-            reflection: surface.glass.then(|| share.value()),
-            mirrored: None,
-        })
+    /// Returns the look of a surface weathered at a height.
+    pub(super) fn surface_at(&self, id: SurfaceId, z: f64) -> Look {
+        Look::surface(self.weather.at(id, z), Share::default())
     }
 
-    /// Returns the material of a part texture.
-    pub(super) fn picture(&mut self, number: u32, share: Share) -> MaterialId {
-        self.material(Look::Picture(number, share), || Material {
-            name: match share.0 {
-                0 => format!("picture {}", number + 1),
-                n => format!("picture {} {}.{}%", number + 1, n / 10, n % 10),
-            },
-            image: Image::Picture(number),
-            tint: [1.0; 4],
-            roughness: if share.0 == 0 { 0.8 } else { 0.3 },
-            metallic: 0.0,
-            double_sided: false,
-            cutout: false,
-            reflection: (share.0 > 0).then(|| share.value()),
-            mirrored: None,
-        })
-    }
-
-    /// Returns the finished scene, with the pages cropped to their used height.
-    pub(super) fn into_scene(mut self, nodes: Vec<Node>, pictures: Vec<String>) -> Scene {
-        let (baked, grown) = self.atlas.finish();
-        for primitive in self.meshes.iter_mut().flat_map(|m| &mut m.primitives) {
-            if let Look::Baked(page) = self.looks[primitive.material.0 as usize] {
-                let grown = grown[page as usize];
-                for [_, v] in &mut primitive.uvs {
-                    *v = 1.0 - (1.0 - *v) * grown;
-                }
-            }
-        }
-        Scene {
-            materials: self.materials,
-            meshes: self.meshes,
-            nodes,
-            pictures,
-            baked,
-            mirrored: vec![],
-        }
-    }
-
-    /// Returns the material of a page of baked images.
-    fn baked(&mut self, page: u32) -> MaterialId {
-        let cutout = self.atlas.has_holes(page);
-        self.material(Look::Baked(page), || Material {
-            name: format!("joinery {}", page + 1),
-            image: Image::Baked(page),
-            tint: [1.0; 4],
-            roughness: 1.0,
-            metallic: 1.0,
-            double_sided: false,
-            cutout,
-            reflection: None,
-            mirrored: None,
-        })
-    }
-
-    fn material(&mut self, look: Look, make: impl FnOnce() -> Material) -> MaterialId {
-        let at = self.looks.iter().position(|l| *l == look);
-        let at = at.unwrap_or_else(|| {
-            self.looks.push(look);
-            self.materials.push(make());
-            self.looks.len() - 1
-        });
-        MaterialId(at as u32)
+    /// Returns the drafts by the ids given for them.
+    pub(super) fn into_drafts(self) -> Vec<Arc<MeshDraft>> {
+        self.drafts
     }
 }
 
-/// Returns the colour of glass in front of a dark room, for details without interiors: it is opaque.
-fn shut([r, g, b, opacity]: [f32; 4]) -> [f32; 4] {
-    const DUSK: f32 = 0.035;
-    let [r, g, b] = [r, g, b].map(|c| c * opacity + DUSK * (1.0 - opacity));
-    [r, g, b, 1.0]
-}
-
-/// Converts a soup to a primitive of its material.
-pub(super) fn primitive(material: MaterialId, soup: Soup) -> Primitive {
-    let Soup {
-        positions,
-        normals,
-        uvs,
-        indices,
-    } = soup;
-    Primitive {
-        material,
-        positions,
-        normals,
-        uvs,
-        mirror_uvs: vec![],
-        indices,
-    }
+/// Returns a mesh of surfaces without reflection.
+fn plain(name: &str, soups: Vec<(SurfaceId, Soup)>) -> MeshDraft {
+    let look = |(id, soup)| (Look::surface(id, Share::default()), soup);
+    MeshDraft::new(
+        name.to_owned(),
+        soups.into_iter().map(look).collect(),
+        vec![],
+    )
 }

@@ -6,8 +6,8 @@
 //!
 //! | detail | shows |
 //! |---|---|
-//! | 0 | ridges and hips as plain blocks, finials |
-//! | 1 | end tiles and barge boards as well |
+//! | 0 | nothing: the roof is its surface |
+//! | 1 | ridges and hips as plain blocks, finials, end tiles and barge boards |
 //! | 2 | silhouettes: ridge courses as a picture under a round cap, end tiles, pendants, thick eaves, fascias, plain eaves and verge tiles, flashings, valley gutters |
 //! | 3 | ridge courses and cap tiles one by one, rafters, the fronts of eaves tiles, rows of round tiles, battens and stones, standing seams |
 //!
@@ -63,6 +63,9 @@ pub(super) struct TrimDetail {
 /// walls below are plastered over their posts.
 pub(super) fn build(roof: &Roof, beyond: &Beyond, plastered: bool, detail: Detail) -> TrimDetail {
     let mut worn = TrimDetail::default();
+    if detail == Detail::Body {
+        return worn;
+    }
     let surface = Surface::of(&roof.surface);
     if surface.facets.is_empty() {
         return worn;

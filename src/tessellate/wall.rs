@@ -14,10 +14,12 @@ use crate::catalog::{Catalog, PartDef, PartId, Stance};
 use crate::geometry::{SAME, SHAKU};
 use crate::material::SurfaceId;
 use crate::program::{Content, PictureId, Split, Unit};
-use crate::scene::{Kind, Mesh, MeshId, NodeId};
+use crate::scene::{Kind, MeshId, NodeId};
 use crate::tessellate::part::bay::Layer;
 use crate::tessellate::part::wall_layer;
-use crate::tessellate::store::{Key, PartKey, Share, tenths};
+use crate::tessellate::store::draft::MeshDraft;
+use crate::tessellate::store::look::{Look, Share};
+use crate::tessellate::store::{Key, PartKey, tenths};
 use crate::tessellate::wall::finish::{default_finish, finish_of};
 use crate::tessellate::wall::member::LintelRoom;
 use crate::tessellate::{Level, Walker, part, turn_of};
@@ -242,6 +244,9 @@ impl Walker<'_> {
         let facade = self.facade_node(level, line);
         for (i, placed) in line.units.iter().enumerate() {
             self.placed_unit(level, facade, line, placed, i + 1);
+            if self.is_full() {
+                return;
+            }
         }
         self.posts(level, facade, line, before, after);
         self.store.weather = self.frame((0.0, level.height));
@@ -391,17 +396,13 @@ impl Walker<'_> {
         };
         let size = [tenths(slot.width), tenths(height)];
         let key = Key::Picture([id.0, size[0], size[1], u32::from(share.0)]);
-        self.store.mesh(key, |store| {
+        self.store.mesh(key, |_| {
             let name = format!("picture {}", id.0 + 1);
-            let front = store.picture(id.0, share);
-            let neutral = store.surface(SurfaceId::named("mortar"), Share::default());
+            let front = Look::Picture(id.0, share);
+            let neutral = Look::surface(SurfaceId::named("mortar"), Share::default());
             let [width, height] = size.map(|n| f64::from(n) / 10_000.0);
-            Mesh {
-                name,
-                primitives: crate::tessellate::wall::member::panel(
-                    width, height, PICTURE, front, neutral,
-                ),
-            }
+            let soups = member::panel(width, height, PICTURE, front, neutral);
+            MeshDraft::new(name, soups, vec![])
         })
     }
 

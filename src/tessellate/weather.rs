@@ -5,6 +5,7 @@
 //! of old houses is little larger than one of new ones.
 
 pub(in crate::tessellate) mod exposure;
+pub(in crate::tessellate) mod panel_look;
 
 use super::mesh::{Bodies, Soup};
 use crate::geometry::Heading;
@@ -117,8 +118,13 @@ impl Weather {
 
     /// Returns the aged surface at a height, for a face with this normal.
     fn of(self, id: SurfaceId, z: f64, normal: [f32; 3]) -> SurfaceId {
+        self.wear_at(z, normal).map_or(id, |wear| id.worn(wear))
+    }
+
+    /// Returns the wear at a height, of a face with this normal; `None` if there is none.
+    fn wear_at(self, z: f64, normal: [f32; 3]) -> Option<Wear> {
         let (years, luck, exposure) = match self {
-            Weather::None => return id,
+            Weather::None => return None,
             Weather::Wall {
                 years,
                 luck,
@@ -136,7 +142,7 @@ impl Weather {
                 (years.value() * older, luck, exposure)
             }
         };
-        id.worn(Wear {
+        Some(Wear {
             years,
             exposure,
             luck,
@@ -168,14 +174,13 @@ impl Weather {
         worn
     }
 
-    /// Returns the aged surfaces of the triangles of bodies, in order.
+    /// Returns the aged surfaces of the triangles of bodies, in order, without those of panels.
     pub(super) fn aged_surfaces(self, bodies: &Bodies) -> AgedSurfaces {
         let mut all = vec![];
         if self == Weather::None {
             return all;
         }
-        let panels = bodies.panels.iter().flat_map(|p| &p.soups);
-        for (id, soup) in bodies.soups.iter().chain(panels) {
+        for (id, soup) in &bodies.soups {
             for triangle in soup.indices.chunks_exact(3) {
                 let surface = self.of_triangle(*id, soup, triangle);
                 match all.last_mut() {

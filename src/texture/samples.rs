@@ -22,6 +22,17 @@ pub struct Sample {
     pub metallic: f32,
 }
 
+/// The bytes of the maps of a surface at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Texels {
+    /// Base colour, sRGB.
+    pub color: [u8; 3],
+    /// Normal in tangent space, as [`normal`] decodes it.
+    pub normal: [u8; 3],
+    /// Occlusion, roughness and metalness.
+    pub orm: [u8; 3],
+}
+
 /// A surface without a texture.
 pub const PLAIN: Sample = Sample {
     color: [1.0; 3],
@@ -34,8 +45,10 @@ pub const PLAIN: Sample = Sample {
 #[derive(Debug)]
 pub struct Samples {
     metres: f64,
-    color: RgbImage,
-    normal: RgbImage,
+    /// Width and height of the colours and normals.
+    size: [u32; 2],
+    /// Colour and normal of each pixel, side by side in memory since they are used together.
+    face: Vec<[u8; 6]>,
     orm: RgbImage,
 }
 
@@ -66,38 +79,57 @@ impl Samples {
             }
             Some(picture)
         };
+        let (color, normal) = (small(look.color_file())?, small(surface.normal_file())?);
+        let (w, h) = color.dimensions();
+        let pixels = color.pixels().zip(normal.pixels());
+        let face = pixels.map(|(c, n)| [c.0[0], c.0[1], c.0[2], n.0[0], n.0[1], n.0[2]]);
+        (normal.dimensions() == (w, h)).then_some(())?;
         Some(Samples {
             metres: surface.metres,
-            color: small(look.color_file())?,
-            normal: small(surface.normal_file())?,
+            size: [w, h],
+            face: face.collect(),
             orm: small(surface.orm_file())?,
         })
     }
 
     /// Returns the sample at a point; metres, u to the right, v up.
     pub fn at(&self, u: f64, v: f64) -> Sample {
-        let pixel = |picture: &RgbImage| {
-            picture
-                .get_pixel(
-                    self.index(u, picture.width()),
-                    self.index(-v, picture.height()),
-                )
-                .0
-        };
-        let [_, roughness, metallic] = pixel(&self.orm).map(|c| f32::from(c) / 255.0);
+        let texels = self.texels(u, v);
+        let [_, roughness, metallic] = texels.orm.map(|c| f32::from(c) / 255.0);
         Sample {
-            color: pixel(&self.color).map(linear),
-            normal: pixel(&self.normal).map(|c| f32::from(c) / 127.5 - 1.0),
+            color: texels.color.map(linear),
+            normal: normal(texels.normal),
             roughness,
             metallic,
         }
     }
 
-    fn index(&self, t: f64, size: u32) -> u32 {
-        let repeats = t / self.metres;
-        let share = repeats - repeats.floor();
-        ((share * f64::from(size)) as u32).min(size - 1)
+    /// Returns the bytes of the maps at a point; metres, u to the right, v up.
+    pub fn texels(&self, u: f64, v: f64) -> Texels {
+        let (u, v) = (fraction(u / self.metres), fraction(-v / self.metres));
+        let index = |share: f64, size: u32| ((share * f64::from(size)) as u32).min(size - 1);
+        let [w, h] = self.size;
+        let [r, g, b, x, y, z] = self.face[(index(v, h) * w + index(u, w)) as usize];
+        let (w, h) = self.orm.dimensions();
+        Texels {
+            color: [r, g, b],
+            normal: [x, y, z],
+            orm: self.orm.get_pixel(index(u, w), index(v, h)).0,
+        }
     }
+}
+
+/// Returns what is left of a number above the next lower integer.
+fn fraction(t: f64) -> f64 {
+    // `floor` would be a call of its own on most machines.
+    let cut = t as i64 as f64;
+    let floor = if cut > t { cut - 1.0 } else { cut };
+    t - floor
+}
+
+/// Decodes a normal of a texture: right, up, out.
+pub fn normal(texel: [u8; 3]) -> [f32; 3] {
+    texel.map(|c| f32::from(c) / 127.5 - 1.0)
 }
 
 /// Decodes an sRGB channel to linear light.
@@ -141,6 +173,19 @@ mod tests {
     fn light_and_channels_are_inverse() {
         for channel in 0..=255 {
             assert!(encoded(linear(channel)).abs_diff(channel) <= 1, "{channel}");
+        }
+    }
+
+    #[test]
+    fn fractions_count_from_the_next_lower_integer() {
+        for (t, share) in [
+            (2.25, 0.25),
+            (-2.25, 0.75),
+            (-3.0, 0.0),
+            (0.0, 0.0),
+            (7.0, 0.0),
+        ] {
+            assert_eq!(fraction(t), share, "{t}");
         }
     }
 

@@ -4,7 +4,7 @@
 //! them, since editing a house shifts the locations of all houses after it.
 
 use super::fingerprint::fingerprint;
-use crate::backend::gltf::Glb;
+use crate::backend::gltf::{Glb, glb_of_houses, written_nodes};
 use crate::backend::images::Library;
 use crate::backend::{Images, SurfaceFiles};
 use crate::scene::{Image, Material, Mesh, Node, Primitive, Scene};
@@ -34,8 +34,9 @@ struct House {
 impl Houses {
     /// Divides a scene into houses; returns them with the external textures of the model by name.
     pub(super) fn new(scene: Scene, library: Library) -> (Houses, BTreeMap<String, Vec<u8>>) {
-        let (glb, files) = Glb::beside(&scene, &library, STEM);
-        let nodes: Vec<(usize, &Node)> = glb.nodes().collect();
+        let (_, files) = Glb::beside(&scene, &library, STEM);
+        let written = written_nodes(&scene).into_iter();
+        let nodes: Vec<(usize, &Node)> = written.map(|i| (i, &scene.nodes[i])).collect();
         let houses = houses(&scene, &library, &nodes);
         let mut places = (nodes.len() as u32).to_le_bytes().to_vec();
         for number in nodes.iter().flat_map(|(_, node)| place(node)) {
@@ -90,7 +91,7 @@ impl Houses {
                 .iter()
                 .map(|number| self.houses[*number].nodes.clone());
             let nodes: Vec<_> = nodes.collect();
-            out.extend(Glb::houses(&self.scene, &self.library, STEM, &nodes).bytes());
+            out.extend(glb_of_houses(&self.scene, &self.library, STEM, &nodes).bytes());
         }
         Some(out)
     }

@@ -5,6 +5,7 @@ use super::fingerprint::fingerprint;
 use super::houses::Houses;
 use super::model_file::ModelFile;
 use crate::catalog::Catalog;
+use crate::diagnostic::messages::limits::too_many_triangles;
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver::{self, Options};
 use crate::ide::Analysis;
@@ -206,11 +207,12 @@ type Built = (Houses, BTreeMap<String, Vec<u8>>);
 /// Compiles a source file to houses and their external textures by name.
 fn built(source: Source, world: &dyn World, options: &Options) -> (Analysis, Built, Times) {
     let mut times = vec![];
-    let read = driver::timed(&mut times, "read", || Analysis::new(source, world, options));
+    let mut read = driver::timed(&mut times, "read", || Analysis::new(source, world, options));
     let building = &read.checked.building;
-    let scene = driver::timed(&mut times, "shape", || {
-        driver::scene(building, &read.checked.catalog, options.detail)
+    let mut scene = driver::timed(&mut times, "shape", || {
+        driver::scene(building, &read.checked.catalog, options.shapes())
     });
+    let oversized = std::mem::take(&mut scene.oversized);
     let built = driver::timed(&mut times, "pictures", || {
         // The analysis has reported faulty images already.
         let (mut ignored, limits) = (Diagnostics::new(), &options.expand.limits);
@@ -219,6 +221,9 @@ fn built(source: Source, world: &dyn World, options: &Options) -> (Analysis, Bui
         library.bake(&scene.baked);
         Houses::new(scene, library)
     });
+    let limit = options.expand.limits.triangles;
+    let oversized = oversized.into_iter();
+    read.add(oversized.map(|place| too_many_triangles(place, limit)));
     (read, built, times)
 }
 

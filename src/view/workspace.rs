@@ -150,6 +150,18 @@ impl Workspace {
         }
     }
 
+    /// Returns the one name of a file that is written in several ways: below the root, without dots and links.
+    fn name_of(&self, file: &str) -> String {
+        let written = Path::new(file).components();
+        let plain: PathBuf = written.filter(|c| *c != Component::CurDir).collect();
+        let real = self.root.join(&plain).canonicalize().ok();
+        let real = real
+            .as_deref()
+            .and_then(|p| p.strip_prefix(&self.root).ok());
+        let real = real.map(slashed).filter(|name| self.kind(name).is_some());
+        real.unwrap_or_else(|| slashed(&plain))
+    }
+
     /// Returns the document of a file.
     ///
     /// # Errors
@@ -158,6 +170,7 @@ impl Workspace {
         if let Some(document) = lock(&self.documents).get(file) {
             return Ok(document.clone());
         }
+        let file = &*self.name_of(file);
         let path = Path::new(file);
         let plain = path.components().all(|c| matches!(c, Component::Normal(_)));
         let known = plain && !file.contains('\\') && self.kind(file).is_some();

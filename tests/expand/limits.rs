@@ -54,6 +54,43 @@ fn the_sum_counts_as_well() {
     assert_eq!(numbers(&said), [904]);
 }
 
+/// Houses of a run share a limit of what repetitions add; what is written out does not count, however much it is.
+#[test]
+fn repetitions_of_all_houses_count_together() {
+    let mut options = hsd::Options::default();
+    options.expand.limits.repeated_parts = 1_000;
+    let made = |text: &str| {
+        let source = hsd::source::Source::new(Default::default(), "all.hsd", text.as_bytes());
+        let mut out = hsd::diagnostic::Diagnostics::new();
+        let checked = hsd::driver::check(&[&source], &NoFiles, &options, &mut out);
+        let names = checked.building.houses.iter().map(|b| b.house.name.clone());
+        let told = out.iter().filter(|d| d.code.0 == 907).count();
+        (names.collect::<Vec<_>>().concat(), told)
+    };
+    let house = |name: &str, row: &str| {
+        format!("<House name='{name}'><Storey><Row>{row}</Row></Storey></House>")
+    };
+    let repeated = |name, number| house(name, &format!("<repeat num='{number}'>KSK</repeat>"));
+    let all = |houses: &[String]| format!("<Houses>{}</Houses>", houses.concat());
+    let two = [repeated("a", 500), repeated("b", 600), repeated("c", 700)];
+    assert_eq!(made(&all(&two)), ("ab".into(), 1));
+    let between = [repeated("a", 900), repeated("b", 900), repeated("c", 80)];
+    assert_eq!(made(&all(&between)), ("ac".into(), 1), "later ones may fit");
+    let written = house("w", &"KSK,".repeat(5_000));
+    assert_eq!(made(&written), ("w".into(), 0));
+    let storeys = |number| {
+        let storey = "<Storey><Row>KSK</Row></Storey>";
+        format!("<House name='t'><repeat num='{number}'>{storey}</repeat></House>")
+    };
+    assert_eq!(made(&storeys(60)), ("t".into(), 0));
+    assert_eq!(made(&storeys(100)), (String::new(), 1), "storeys take room");
+    let edits = house(
+        "e",
+        &("KSK,".repeat(200) + &"<replace code='KSK' with='KTU'/>".repeat(200)),
+    );
+    assert_eq!(made(&edits), ("e".into(), 0));
+}
+
 /// What a repetition would make is counted at its number, whatever it repeats, and not at the part that is one too many.
 #[test]
 fn repetitions_are_caught_at_their_number() {

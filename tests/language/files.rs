@@ -1,8 +1,9 @@
 //! Included files: what comes from them, how often they are read, where messages point.
 
-use super::{Texts, codes, read_in, rows, storeys};
+use super::{Texts, codes, options, read_in, rows, storeys};
 use crate::support::Words;
 use hsd::diagnostic::Diagnostics;
+use hsd::driver;
 use hsd::report::{Format, Report, Style};
 use hsd::source::{FileId, Source};
 
@@ -118,6 +119,29 @@ fn no_more_files_than_the_limit() {
     assert_eq!(done.faults()[0], (903, "256.hsd".to_owned()));
     assert_eq!(done.list.len(), 300 - 256);
     assert_eq!(done.included.len(), 256);
+}
+
+#[test]
+fn included_files_have_no_more_bytes_than_the_limit() {
+    let file = |name: &str| format!("<Catalog><define name='{name}'>KSK</define></Catalog>");
+    let mut world = Texts::default();
+    for name in ["a", "b", "c"] {
+        world = world.with(&format!("{name}.hsd"), file(name));
+    }
+    let text = "<House><include href='a.hsd'/><include href='b.hsd'/><include href='a.hsd'/>\
+        <Storey><Row><use name='a'/></Row></Storey></House>";
+    let source = Source::new(FileId(0), "test.hsd", text.as_bytes());
+    let told = |bytes: usize| {
+        let mut options = options(&[]);
+        options.expand.limits.included_bytes = bytes;
+        let mut out = Diagnostics::new();
+        let read = driver::documents(&[&source], &world, &options, &mut out);
+        let codes: Vec<u16> = out.into_sorted().iter().map(|d| d.code.0).collect();
+        (read.included.len(), codes)
+    };
+    let one = file("a").len();
+    assert_eq!(told(2 * one), (2, vec![]));
+    assert_eq!(told(2 * one - 1), (1, vec![910]), "the second has no room");
 }
 
 #[test]

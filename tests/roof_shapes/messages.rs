@@ -2,7 +2,7 @@
 
 use crate::roof_shapes::common::*;
 use crate::support::Words;
-use hsd::ast::{RoofDirection, RoofShape};
+use hsd::ast::{RoofDirection, RoofMethod, RoofShape};
 use hsd::building::{House, Ring};
 use hsd::source::{Span, Spanned};
 
@@ -161,9 +161,14 @@ fn a_wish_for_slopes_over_a_round_plan_is_answered() {
         (0.0, 3.0),
     ];
     let mut house = house(vec![vec![ring(&hexagon)]]);
-    assert_eq!(said(house.clone()), NONE);
+    assert_eq!(said(house.clone()), vec![520]);
     house.roofs.style.shape = Some(spanned(RoofShape::Gable));
-    assert_eq!(said(house), vec![515]);
+    assert_eq!(said(house.clone()), vec![515]);
+    house.roofs.style.shape = Some(spanned(RoofShape::Hip));
+    assert_eq!(said(house.clone()), NONE);
+    house.roofs.style.shape = None;
+    house.roofs.method = RoofMethod::Skeleton;
+    assert_eq!(said(house), NONE);
 }
 
 #[test]

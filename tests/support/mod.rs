@@ -193,6 +193,12 @@ fn compile_in(world: &dyn World, name: &str, bytes: &[u8]) -> Run {
     }
 }
 
+/// The pictures and texts beside a file of the repository.
+pub fn world_of(path: &Path) -> impl World {
+    let folder = path.parent().expect("is in a folder").to_owned();
+    Folder(folder, BTreeMap::new())
+}
+
 /// The root of the repository.
 pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

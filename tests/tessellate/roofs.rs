@@ -128,7 +128,7 @@ fn courses_lie_level_and_run_up_the_slope() {
         surface: hsd::building::RoofSurface::of(std::slice::from_ref(&solid)),
         solids: vec![solid],
     });
-    let scene = tessellate(&building, hsd::parse::builtin(), Detail::Everything);
+    let scene = tessellate(&building, hsd::parse::builtin(), Detail::Everything.into());
     let slope = &scene.meshes[0].primitives[0];
     let close = |a: [f32; 2], b: [f32; 2]| (a[0] - b[0]).abs() + (a[1] - b[1]).abs() < 1e-5;
     assert!(

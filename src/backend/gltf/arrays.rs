@@ -41,6 +41,18 @@ impl Array {
         Array::Indices,
     ];
 
+    /// Returns its name.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Array::Positions => "positions",
+            Array::Normals => "normals",
+            Array::Tangents => "tangents",
+            Array::Uvs => "texture coordinates",
+            Array::MirrorUvs => "mirror coordinates",
+            Array::Indices => "indices",
+        }
+    }
+
     /// Returns the vertex attribute; `None` for indices.
     pub(super) fn semantic(self) -> Option<Semantic> {
         match self {
@@ -66,8 +78,7 @@ impl Array {
     /// Returns the component type of its elements.
     pub(super) fn component(self, p: &Primitive) -> ComponentType {
         match self {
-            Array::Indices if short(p.positions.len()) => ComponentType::U16,
-            Array::Indices => ComponentType::U32,
+            Array::Indices => index_type(p.positions.len()),
             _ => ComponentType::F32,
         }
     }
@@ -78,16 +89,6 @@ impl Array {
             Array::Indices => p.indices.len(),
             _ => p.positions.len(),
         }
-    }
-
-    /// Returns the size of an element, bytes.
-    pub(super) fn stride(self, p: &Primitive) -> usize {
-        self.component(p).size() * self.elements().multiplicity()
-    }
-
-    /// Returns its size in the buffer, bytes; each array begins at a multiple of four.
-    pub(super) fn length(self, p: &Primitive) -> usize {
-        (self.stride(p) * self.count(p)).next_multiple_of(4)
     }
 
     /// Returns true if a primitive of this material has it.
@@ -101,7 +102,7 @@ impl Array {
         }
     }
 
-    /// Appends its bytes.
+    /// Appends its bytes; each array begins at a multiple of four.
     pub(super) fn write(self, p: &Primitive, material: MaterialRef, out: &mut Vec<u8>) {
         match self {
             Array::Positions => write_floats(out, &p.positions, turned),
@@ -116,8 +117,16 @@ impl Array {
                 write_floats(out, &p.uvs, |[u, v]| [u / metres, 1.0 - v / metres]);
             }
             Array::MirrorUvs => write_floats(out, &p.mirror_uvs, |[u, v]| [u, 1.0 - v]),
-            Array::Indices => write_indices(out, &p.indices, p.positions.len()),
+            Array::Indices => write_indices(out, &p.indices, (0, p.positions.len())),
         }
+    }
+}
+
+/// Returns the type of indices into this number of vertices.
+pub(super) fn index_type(vertices: usize) -> ComponentType {
+    match short(vertices) {
+        true => ComponentType::U16,
+        false => ComponentType::U32,
     }
 }
 
@@ -132,9 +141,9 @@ fn turned([x, y, z]: [f32; 3]) -> [f32; 3] {
 }
 
 /// Returns the least and greatest coordinates, y up.
-pub(super) fn bounds(positions: &[[f32; 3]]) -> ([f32; 3], [f32; 3]) {
+pub(super) fn bounds<'p>(arrays: impl IntoIterator<Item = &'p [[f32; 3]]>) -> ([f32; 3], [f32; 3]) {
     let (mut min, mut max) = ([f32::MAX; 3], [f32::MIN; 3]);
-    for p in positions {
+    for p in arrays.into_iter().flatten() {
         for k in 0..3 {
             min[k] = min[k].min(p[k]);
             max[k] = max[k].max(p[k]);
@@ -162,14 +171,15 @@ fn write_floats<const N: usize>(
     }
 }
 
-fn write_indices(out: &mut Vec<u8>, indices: &[u32], vertices: usize) {
-    let start = out.len();
+/// Appends indices into an array that has `first` vertices of others before them, and `vertices` in all.
+pub(super) fn write_indices(out: &mut Vec<u8>, indices: &[u32], (first, vertices): (usize, usize)) {
+    let (start, first) = (out.len(), first as u32);
     if short(vertices) {
         out.resize(start + (2 * indices.len()).next_multiple_of(4), 0);
         for (two, i) in out[start..].chunks_exact_mut(2).zip(indices) {
-            two.copy_from_slice(&(*i as u16).to_le_bytes());
+            two.copy_from_slice(&((first + i) as u16).to_le_bytes());
         }
     } else {
-        out.extend(indices.iter().flat_map(|i| i.to_le_bytes()));
+        out.extend(indices.iter().flat_map(|i| (first + i).to_le_bytes()));
     }
 }

@@ -7,6 +7,7 @@
 //!
 //! The packed arrays are in buffer 0. Buffer 1 has no bytes; readers unpack into it.
 
+mod geometry;
 mod ktx2;
 mod places;
 mod streams;
@@ -14,8 +15,12 @@ mod streams;
 pub use ktx2::Ktx2;
 
 use super::arrays::Array;
-use super::geometry::{Geometry, Piece};
+use super::materials::{MaterialRefs, Materials};
+use super::spool::{List, NewSpool, Section, in_memory};
+use super::{Model, writer};
+use crate::backend::Images;
 use crate::scene::Scene;
+use geometry::{Geometry, Piece};
 use gltf::json::accessor::{ComponentType, GenericComponentType, Type};
 use gltf::json::buffer::{Stride, Target, View};
 use gltf::json::extensions::buffer;
@@ -23,6 +28,7 @@ use gltf::json::validation::Checked::Valid;
 use gltf::json::{self, Accessor, Buffer, Index, Root};
 use places::Node;
 use serde_json::{Map, Value, json};
+use std::io;
 use streams::Stream;
 
 const MESHOPT: &str = "EXT_meshopt_compression";
@@ -38,23 +44,63 @@ const REPEATS: i32 = -13;
 /// Quaternions are multiples of 2 to this power, fine enough for the far end of a long roof.
 const QUATERNIONS: i32 = -21;
 
+/// Lays out a whole scene.
+pub(super) fn model<'a>(scene: &'a Scene, images: &'a dyn Images) -> Model<'a> {
+    packed(scene, images, &in_memory).expect("memory takes every byte")
+}
+
+fn packed<'a>(
+    scene: &'a Scene,
+    images: &'a dyn Images,
+    new: NewSpool<'_>,
+) -> io::Result<Model<'a>> {
+    let (mut root, mut refs) = (writer::root(), MaterialRefs::default());
+    let (mut accessors, mut meshes, mut nodes) =
+        (List::new(new)?, List::new(new)?, List::new(new)?);
+    let mut section = Section::new("packed arrays", new)?;
+    let geometry = Geometry::new(scene, &mut refs, images, &mut meshes)?;
+    let materials = Materials::new(&refs, &scene.materials, images, &mut root);
+    let packed = Packed::new(scene, &geometry, &mut root);
+    for accessor in &packed.accessors {
+        accessors.push(accessor)?;
+    }
+    for node in &packed.nodes {
+        nodes.push(node)?;
+    }
+    section.append(|out| {
+        out.extend(&packed.bytes);
+        Ok(())
+    })?;
+    Ok(Model {
+        root,
+        accessors,
+        meshes,
+        nodes,
+        length: section.length(),
+        sections: vec![section],
+        materials,
+        embedded: false,
+        unpacked: packed.unpacked,
+    })
+}
+
 /// Packed shapes and placements.
 #[derive(Default)]
-pub(super) struct Packed<'a> {
+struct Packed<'a> {
     /// Accessors of the pieces by their numbers, then those of placements.
-    pub(super) accessors: Vec<Accessor>,
-    pub(super) nodes: Vec<Node<'a>>,
+    accessors: Vec<Accessor>,
+    nodes: Vec<Node<'a>>,
     /// The packed arrays.
-    pub(super) bytes: Vec<u8>,
+    bytes: Vec<u8>,
     /// Size of the unpacked arrays, bytes.
     unpacked: usize,
 }
 
 impl<'a> Packed<'a> {
     /// Packs everything, and adds views, the scene and the names of extensions.
-    pub(super) fn new(scene: &'a Scene, geometry: &Geometry<'_>, root: &mut Root) -> Packed<'a> {
+    fn new(scene: &'a Scene, geometry: &Geometry<'_>, root: &mut Root) -> Packed<'a> {
         let mut packed = Packed::default();
-        packed.add_shapes(geometry.pieces(), root);
+        packed.add_shapes(&geometry.pieces, root);
         let instanced = packed.add_places(scene, geometry, root);
         if packed.unpacked > 0 {
             require(root, MESHOPT);
@@ -72,21 +118,6 @@ impl<'a> Packed<'a> {
             }));
         }
         packed
-    }
-
-    /// Adds the buffer without bytes.
-    pub(super) fn add_fallback(&self, root: &mut Root) {
-        if self.unpacked > 0 {
-            root.push(Buffer {
-                byte_length: self.unpacked.into(),
-                uri: None,
-                name: None,
-                extensions: Some(buffer::Buffer {
-                    others: named(MESHOPT, json!({ "fallback": true })),
-                }),
-                extras: None,
-            });
-        }
     }
 
     /// Adds the arrays of all pieces: one view per kind, with 16-bit and 32-bit indices separate.
@@ -204,8 +235,23 @@ impl<'a> Packed<'a> {
     }
 }
 
+/// Adds a buffer of this length without bytes.
+pub(super) fn add_fallback(length: usize, root: &mut Root) {
+    if length > 0 {
+        root.push(Buffer {
+            byte_length: length.into(),
+            uri: None,
+            name: None,
+            extensions: Some(buffer::Buffer {
+                others: named(MESHOPT, json!({ "fallback": true })),
+            }),
+            extras: None,
+        });
+    }
+}
+
 /// Adds an extension to those that readers must support.
-pub(super) fn require(root: &mut Root, extension: &str) {
+fn require(root: &mut Root, extension: &str) {
     root.extensions_used.push(extension.into());
     root.extensions_required.push(extension.into());
 }

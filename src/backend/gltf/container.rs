@@ -1,11 +1,10 @@
 //! The container `.glb`: a header, the JSON, the buffer. Content is streamed to the output and the lengths in the
 //! headers are filled in at the end, so that no second copy of the model is in memory.
 
-use super::{Model, Places};
+use super::Model;
 use crate::backend::{Images, OutFile};
-use crate::scene::{Node, Scene};
+use crate::scene::Scene;
 use std::io::{self, BufWriter, Cursor, Seek, SeekFrom, Write};
-use std::ops::Range;
 
 /// Length of the file header and of the JSON chunk header, bytes.
 const HEADERS: u64 = 12 + 8;
@@ -16,7 +15,10 @@ pub struct Glb<'a>(Model<'a>);
 impl<'a> Glb<'a> {
     /// Creates one with embedded images.
     pub fn inside(scene: &'a Scene, images: &'a dyn Images) -> Glb<'a> {
-        let mut model = Model::new(scene, images, None);
+        Glb::inside_of(Model::of(scene, images))
+    }
+
+    pub(super) fn inside_of(mut model: Model<'a>) -> Glb<'a> {
         model.embed();
         model.add_buffer(None);
         Glb(model)
@@ -28,52 +30,35 @@ impl<'a> Glb<'a> {
         images: &'a dyn Images,
         stem: &str,
     ) -> (Glb<'a>, Vec<OutFile<'a>>) {
-        let mut model = Model::new(scene, images, None);
+        Glb::beside_of(Model::of(scene, images), stem)
+    }
+
+    pub(super) fn beside_of(mut model: Model<'a>, stem: &str) -> (Glb<'a>, Vec<OutFile<'a>>) {
         let files = model.files(stem);
         model.add_buffer(None);
         (Glb(model), files)
-    }
-
-    /// Creates one of some houses of a scene, given by their nodes: the part of [`beside`](Glb::beside) that shows
-    /// them, with its images.
-    pub(crate) fn houses(
-        scene: &'a Scene,
-        images: &'a dyn Images,
-        stem: &str,
-        houses: &[Range<usize>],
-    ) -> Glb<'a> {
-        let mut model = Model::new(scene, images, Some(houses));
-        model.files(stem);
-        model.add_buffer(None);
-        Glb(model)
-    }
-
-    /// Returns the written nodes, each with its number in the scene, in file order; none for a packed model, whose
-    /// nodes differ.
-    pub(crate) fn nodes(&self) -> impl Iterator<Item = (usize, &'a Node)> {
-        let tree = match &self.0.places {
-            Places::Tree(tree) => Some(tree),
-            #[cfg(feature = "compress")]
-            Places::Packed(_) => None,
-        };
-        tree.into_iter().flat_map(|tree| tree.written())
     }
 
     /// Creates one for the web with embedded images: instances and packed arrays. Use it with the images of
     /// [`Ktx2`](super::Ktx2).
     #[cfg(feature = "compress")]
     pub fn compressed(scene: &'a Scene, images: &'a dyn Images) -> Glb<'a> {
-        let mut model = Model::packed(scene, images);
+        let mut model = super::compress::model(scene, images);
         model.embed();
         model.add_buffer(None);
         Glb(model)
+    }
+
+    /// Returns the bytes of its lists, of its arrays by kind and of its images.
+    pub fn sizes(&self) -> Vec<(&'static str, u64)> {
+        self.0.sizes()
     }
 
     /// Writes it at the current position of `out`; returns the number of bytes.
     ///
     /// # Errors
     /// Errors of `out`, and models above 4 GiB, the limit of `.glb`.
-    pub fn write(&self, out: impl Write + Seek) -> io::Result<u64> {
+    pub fn write(mut self, out: impl Write + Seek) -> io::Result<u64> {
         let length = self.pour(out)?;
         if length > u64::from(u32::MAX) {
             let message = "more than 4 GiB do not fit a .glb; write a .gltf or several files";
@@ -83,16 +68,13 @@ impl<'a> Glb<'a> {
     }
 
     /// Returns the whole file.
-    pub fn bytes(&self) -> Vec<u8> {
-        // A guess at the JSON; too much of it costs nothing, since untouched memory is not there.
-        let nodes = self.0.nodes();
-        let room = self.0.length + 200 * nodes + (16 << 10);
-        let mut out = Cursor::new(Vec::with_capacity(room));
+    pub fn bytes(mut self) -> Vec<u8> {
+        let mut out = Cursor::new(Vec::with_capacity(self.0.length as usize + (16 << 10)));
         self.pour(&mut out).expect("memory takes every byte");
         out.into_inner()
     }
 
-    fn pour(&self, out: impl Write + Seek) -> io::Result<u64> {
+    fn pour(&mut self, out: impl Write + Seek) -> io::Result<u64> {
         let mut out = BufWriter::with_capacity(32 << 10, out);
         let start = out.stream_position()?;
         out.write_all(&[0; HEADERS as usize])?;
@@ -106,7 +88,7 @@ impl<'a> Glb<'a> {
             out.write_all(&(self.0.length as u32).to_le_bytes())?;
             out.write_all(b"BIN\0")?;
             self.0.buffer(&mut out)?;
-            length += 8 + self.0.length as u64;
+            length += 8 + self.0.length;
         }
         out.seek(SeekFrom::Start(start))?;
         out.write_all(b"glTF")?;

@@ -2,10 +2,9 @@
 
 use super::arrays::MaterialRef;
 use super::buffer::view;
-use super::shown::Shown;
 use crate::backend::images::{KTX2, mime};
-use crate::backend::{Images, OutFile, PictureBytes, picture_folder};
-use crate::scene::{self, MaterialId, Scene};
+use crate::backend::{Images, OutFile, PictureBytes, SurfaceFiles, picture_folder};
+use crate::scene::{self, MaterialId};
 use crate::source::reference;
 use gltf::json::extensions::material::{
     IndexOfRefraction, Ior, Material as Extensions, Specular, SpecularFactor,
@@ -42,48 +41,95 @@ struct Picture<'a> {
 /// The textures of one [`scene::Image`].
 struct ImageTextures<'a> {
     image: &'a scene::Image,
-    metres: f32,
     color: Index<Texture>,
     normal: Option<Index<Texture>>,
     orm: Option<Index<Texture>>,
 }
 
-/// All materials of a scene.
+/// The materials of written triangles, numbered in the order of first use.
+#[derive(Default)]
+pub(super) struct MaterialRefs {
+    /// True if surfaces have no relief: seen from afar it shows nothing, and tangents are a third of a vertex.
+    pub(super) flat: bool,
+    /// By the scene's number.
+    known: Vec<Option<MaterialRef>>,
+    /// The scene's numbers in the order of the file.
+    order: Vec<MaterialId>,
+}
+
+impl MaterialRefs {
+    /// Returns what geometry needs of a material, which is numbered on first use.
+    pub(super) fn of(
+        &mut self,
+        id: MaterialId,
+        material: &scene::Material,
+        images: &dyn Images,
+    ) -> MaterialRef {
+        let at = id.0 as usize;
+        if self.known.len() <= at {
+            self.known.resize(at + 1, None);
+        }
+        if let Some(known) = self.known[at] {
+            return known;
+        }
+        let shown = |picture: &PictureBytes<'_>| mime(picture.bytes).is_some();
+        let (metres, relief) = match &material.image {
+            scene::Image::None => (None, false),
+            scene::Image::Surface(name) => {
+                let files = images.files(name).filter(|f| shown(&f.color));
+                let relief = |f: &SurfaceFiles<'_>| f.normal.as_ref().is_some_and(shown);
+                let metres = files.as_ref().map(|f| f.metres as f32);
+                (metres, files.as_ref().is_some_and(relief))
+            }
+            // Pages come at the end, when all images on them are known.
+            scene::Image::Baked(_) => (Some(1.0), true),
+            scene::Image::Picture(index) => {
+                let picture = images.picture(*index).filter(shown);
+                (picture.map(|_| 1.0), false)
+            }
+        };
+        let mirrored = material.mirrored.and_then(|index| images.mirrored(index));
+        let made = MaterialRef {
+            number: Index::new(self.order.len() as u32),
+            metres,
+            relief: relief && !self.flat,
+            mirrors: mirrored.as_ref().is_some_and(shown),
+        };
+        self.order.push(id);
+        self.known[at] = Some(made);
+        made
+    }
+}
+
+/// All materials of a model.
 #[derive(Default)]
 pub(super) struct Materials<'a> {
+    /// As in [`MaterialRefs`].
+    flat: bool,
     pictures: Vec<Picture<'a>>,
-    /// By the scene's number.
-    refs: Vec<MaterialRef>,
     textures: Vec<ImageTextures<'a>>,
 }
 
 impl<'a> Materials<'a> {
+    /// Adds the materials in use and their textures to the root.
     pub(super) fn new(
-        scene: &'a Scene,
-        shown: &Shown<'_>,
+        refs: &MaterialRefs,
+        all: &'a [scene::Material],
         images: &'a dyn Images,
         root: &mut Root,
     ) -> Materials<'a> {
-        let mut materials = Materials::default();
-        for (material, &used) in scene.materials.iter().zip(&shown.materials) {
-            let number = Index::new(root.materials.len() as u32);
-            let image = &material.image;
-            let textures = used.then(|| materials.image(image, images, root)).flatten();
-            let mirrored = material.mirrored.filter(|_| used);
-            let mirrored = mirrored.and_then(|index| {
+        let mut materials = Materials {
+            flat: refs.flat,
+            ..Materials::default()
+        };
+        for material in refs.order.iter().map(|id| &all[id.0 as usize]) {
+            let textures = materials.image(&material.image, images, root);
+            let mirrored = material.mirrored.and_then(|index| {
                 let picture = images.mirrored(index)?;
                 materials.texture(picture, WrappingMode::ClampToEdge, root)
             });
             let textures = textures.map(|d| &materials.textures[d]);
-            materials.refs.push(MaterialRef {
-                number,
-                metres: textures.map(|t| t.metres),
-                relief: textures.is_some_and(|t| t.normal.is_some()),
-                mirrors: mirrored.is_some(),
-            });
-            if used {
-                root.push(made(material, textures, mirrored));
-            }
+            root.push(made(material, textures, mirrored));
         }
         if root.materials.iter().any(|m| m.extensions.is_some()) {
             root.extensions_used.extend(GLASS.map(str::to_owned));
@@ -91,9 +137,10 @@ impl<'a> Materials<'a> {
         materials
     }
 
-    /// Returns what geometry needs of a material in use.
-    pub(super) fn of(&self, id: MaterialId) -> MaterialRef {
-        self.refs[id.0 as usize]
+    /// Returns the size of all images, bytes.
+    pub(super) fn length(&self) -> u64 {
+        let lengths = self.pictures.iter().map(|p| p.bytes.len());
+        lengths.sum::<usize>() as u64
     }
 
     /// Places the images in the buffer, from this byte on; returns their end.
@@ -147,6 +194,7 @@ impl<'a> Materials<'a> {
         if let Some(known) = self.textures.iter().position(|t| t.image == image) {
             return Some(known);
         }
+        let flat = self.flat;
         let mut texture = |picture, wrap| self.texture(picture, wrap, root);
         let made = match image {
             scene::Image::None => return None,
@@ -154,9 +202,11 @@ impl<'a> Materials<'a> {
                 let files = images.files(name)?;
                 ImageTextures {
                     image,
-                    metres: files.metres as f32,
                     color: texture(files.color, WrappingMode::Repeat)?,
-                    normal: files.normal.and_then(|f| texture(f, WrappingMode::Repeat)),
+                    normal: files
+                        .normal
+                        .filter(|_| !flat)
+                        .and_then(|f| texture(f, WrappingMode::Repeat)),
                     orm: files.orm.and_then(|f| texture(f, WrappingMode::Repeat)),
                 }
             }
@@ -164,7 +214,6 @@ impl<'a> Materials<'a> {
                 let files = images.baked(*index)?;
                 ImageTextures {
                     image,
-                    metres: files.metres as f32,
                     color: texture(files.color, WrappingMode::ClampToEdge)?,
                     normal: files
                         .normal
@@ -176,7 +225,6 @@ impl<'a> Materials<'a> {
             }
             scene::Image::Picture(index) => ImageTextures {
                 image,
-                metres: 1.0,
                 color: texture(images.picture(*index)?, WrappingMode::ClampToEdge)?,
                 normal: None,
                 orm: None,

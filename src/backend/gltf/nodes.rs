@@ -1,16 +1,15 @@
 //! The tree of nodes: house, storey, facade, part; house, roof. Nodes make up most of the JSON, and a town has half a
 //! million: they are written directly from the scene, in types that borrow from it.
 
-use super::geometry::Geometry;
+use super::spool::{List, NewSpool};
 use crate::backend::number::Number;
 use crate::backend::sound;
-use crate::scene::{self, Scene};
+use crate::scene::{self, MeshId, ScenePart};
 use crate::source::Span;
 use glam::DVec2;
 use gltf::json::{self, Index, Mesh, Root};
 use serde::{Serialize, Serializer};
-use std::iter;
-use std::ops::Range;
+use std::{io, iter};
 
 /// A glTF node. Its translation is f64, unlike in the `gltf` crate: f32 would lose millimetres on a house with map
 /// coordinates.
@@ -45,114 +44,82 @@ struct Extras<'a> {
     shape: Option<&'a str>,
 }
 
-/// The children of a node: the first child, and the tree with the sibling links.
-struct Children<'a>(u32, &'a Tree<'a>);
+/// The children of a node: the first child, and the links to its siblings.
+struct Children<'a>(u32, &'a [Link]);
 
 impl Serialize for Children<'_> {
     fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
-        let Children(first, tree) = *self;
-        s.collect_seq(tree.siblings(Some(first)).map(|i| tree.number(i)))
+        let Children(first, links) = *self;
+        let next = |i: &u32| links[*i as usize].next_sibling;
+        let all = iter::successors(Some(first), next);
+        s.collect_seq(all.map(|i| links[i as usize].number))
     }
 }
 
-/// The nodes to write.
-pub(super) struct Tree<'a> {
-    nodes: &'a [scene::Node],
-    /// By the scene's number.
-    links: Vec<Link>,
-    first_root: Option<u32>,
+/// The nodes written so far.
+pub(super) struct Tree {
+    pub(super) nodes: List,
+    roots: Vec<Index<json::Node>>,
 }
 
-/// The links of a node, as numbers in the scene.
+/// The links of a node, as numbers in its part of the scene.
 #[derive(Clone, Copy, Default)]
 struct Link {
     /// Its glTF number, if it is written.
-    number: Option<u32>,
+    number: u32,
     first_child: Option<u32>,
     next_sibling: Option<u32>,
 }
 
-impl<'a> Tree<'a> {
-    /// Numbers the nodes in preorder, all of them or those of some houses, and adds the scene of the roots if there are
-    /// any.
-    pub(super) fn new(
-        scene: &'a Scene,
-        houses: Option<&[Range<usize>]>,
-        geometry: &Geometry<'_>,
-        root: &mut Root,
-    ) -> Tree<'a> {
-        let mut kept = kept(scene, geometry);
-        if let Some(houses) = houses {
-            let all = std::mem::replace(&mut kept, vec![false; scene.nodes.len()]);
-            for house in houses {
-                kept[house.clone()].copy_from_slice(&all[house.clone()]);
+impl Tree {
+    pub(super) fn new(new: NewSpool<'_>) -> io::Result<Tree> {
+        Ok(Tree {
+            nodes: List::new(new)?,
+            roots: vec![],
+        })
+    }
+
+    /// Writes the nodes of some houses in preorder; `mesh` gives the glTF number of a mesh.
+    pub(super) fn add(
+        &mut self,
+        part: ScenePart<'_>,
+        mesh: impl Fn(MeshId) -> Option<u32>,
+    ) -> io::Result<()> {
+        let kept = kept(part, |id| mesh(id).is_some());
+        let written: Vec<usize> = (0..kept.len()).filter(|i| kept[*i]).collect();
+        let mut links = vec![Link::default(); kept.len()];
+        for (number, i) in (self.nodes.count()..).zip(&written) {
+            links[*i].number = number;
+            if part.parent(*i).is_none() {
+                self.roots.push(Index::new(number));
             }
         }
-        let mut tree = Tree {
-            nodes: &scene.nodes,
-            links: vec![Link::default(); kept.len()],
-            first_root: None,
-        };
-        let written = (0..kept.len()).filter(|i| kept[*i]);
-        for (number, i) in (0..).zip(written.clone()) {
-            tree.links[i].number = Some(number);
-        }
         // From the last to the first, so that each is put before its younger siblings.
-        for i in written.rev() {
-            let first = match parent(scene, i).filter(|p| kept[*p]) {
-                Some(p) => &mut tree.links[p].first_child,
-                None => &mut tree.first_root,
-            };
-            let next = first.replace(i as u32);
-            tree.links[i].next_sibling = next;
+        for i in written.iter().rev() {
+            if let Some(parent) = part.parent(*i) {
+                links[*i].next_sibling = links[parent].first_child.replace(*i as u32);
+            }
         }
-        let roots = tree.siblings(tree.first_root);
-        let roots: Vec<_> = roots.map(|i| Index::new(tree.number(i))).collect();
-        if !roots.is_empty() {
+        for i in written {
+            let node = &part.nodes[i];
+            let children = links[i].first_child.map(|first| Children(first, &links));
+            let shown = node.mesh.and_then(&mesh).map(Index::new);
+            self.nodes.push(&made(node, children, shown))?;
+        }
+        Ok(())
+    }
+
+    /// Adds the scene of the roots if there are any; returns the list of nodes.
+    pub(super) fn into_nodes(self, root: &mut Root) -> List {
+        if !self.roots.is_empty() {
             root.scene = Some(root.push(json::Scene {
-                nodes: roots,
+                nodes: self.roots,
                 name: None,
                 extensions: None,
                 extras: None,
             }));
         }
-        tree
-    }
-
-    /// Returns true if there are no nodes.
-    pub(super) fn is_empty(&self) -> bool {
-        self.first_root.is_none()
-    }
-
-    /// Returns an upper bound of their number, which includes nodes that are left out.
-    pub(super) fn len(&self) -> usize {
-        self.links.len()
-    }
-
-    /// Returns the written nodes, each with its number in the scene.
-    pub(super) fn written(&self) -> impl Iterator<Item = (usize, &'a scene::Node)> + use<'a, '_> {
-        let all = self.nodes.iter().enumerate().zip(&self.links);
-        all.filter_map(|(both, link)| link.number.map(|_| both))
-    }
-
-    /// Returns the glTF nodes in the order of their numbers.
-    pub(super) fn nodes(&self, geometry: &Geometry<'_>) -> impl Iterator<Item = Node<'_>> {
-        let both = self.nodes.iter().zip(&self.links);
-        let written = both.filter(|(_, link)| link.number.is_some());
-        written.map(|(node, link)| {
-            let children = link.first_child.map(|first| Children(first, self));
-            made(node, children, geometry.mesh(node))
-        })
-    }
-
-    /// Returns a node and its following siblings.
-    fn siblings(&self, first: Option<u32>) -> impl Iterator<Item = u32> {
-        iter::successors(first, |i| self.links[*i as usize].next_sibling)
-    }
-
-    /// Returns the glTF number of a written node.
-    fn number(&self, i: u32) -> u32 {
-        self.links[i as usize].number.unwrap_or_default()
+        self.nodes
     }
 }
 
@@ -180,23 +147,18 @@ fn made<'a>(
     }
 }
 
-fn parent(scene: &Scene, i: usize) -> Option<usize> {
-    let parent = scene.nodes[i].parent.map(|p| p.0 as usize);
-    parent.filter(|&p| p < i)
-}
-
 /// Returns for each node true if it is written: if it or a descendant has a mesh, or if it is a house.
-fn kept(scene: &Scene, geometry: &Geometry<'_>) -> Vec<bool> {
-    let count = scene.nodes.len();
+pub(super) fn kept(part: ScenePart<'_>, has_shape: impl Fn(MeshId) -> bool) -> Vec<bool> {
+    let count = part.nodes.len();
     let mut sound = vec![true; count];
-    for (i, node) in scene.nodes.iter().enumerate() {
-        sound[i] = sound::node(node) && parent(scene, i).is_none_or(|p| sound[p]);
+    for (i, node) in part.nodes.iter().enumerate() {
+        sound[i] = sound::node(node) && part.parent(i).is_none_or(|p| sound[p]);
     }
     let mut keep = vec![false; count];
-    for (i, node) in scene.nodes.iter().enumerate().rev() {
-        keep[i] |= parent(scene, i).is_none() || geometry.mesh(node).is_some();
+    for (i, node) in part.nodes.iter().enumerate().rev() {
+        keep[i] |= part.parent(i).is_none() || node.mesh.is_some_and(&has_shape);
         keep[i] &= sound[i];
-        if let Some(p) = parent(scene, i).filter(|_| keep[i]) {
+        if let Some(p) = part.parent(i).filter(|_| keep[i]) {
             keep[p] = true;
         }
     }

@@ -16,6 +16,12 @@ pub(super) fn unit(n: [f32; 3]) -> [f32; 3] {
     }
 }
 
+/// Rounds to a millionth: a direction along an axis is one whatever the scale of the texture coordinates.
+fn rounded(x: f32) -> f32 {
+    const PARTS: f32 = (1 << 20) as f32;
+    (x * PARTS + 0.5f32.copysign(x)) as i32 as f32 / PARTS
+}
+
 /// Returns one tangent per vertex, at right angles to its normal: x, y, z in the scene's frame, then 1 if v grows along
 /// normal x tangent and -1 if the texture is mirrored.
 pub(super) fn tangents(p: &Primitive) -> Vec<[f32; 4]> {
@@ -41,7 +47,8 @@ pub(super) fn tangents(p: &Primitive) -> Vec<[f32; 4]> {
         let t = flat
             .try_normalize()
             .unwrap_or_else(|| normal.any_orthonormal_vector());
-        [t.x, t.y, t.z, if *mirrored < 0.0 { -1.0 } else { 1.0 }]
+        let [x, y, z] = t.to_array().map(rounded);
+        [x, y, z, if *mirrored < 0.0 { -1.0 } else { 1.0 }]
     };
     sums.iter().zip(&p.normals).map(tangent).collect()
 }

@@ -64,6 +64,13 @@ impl Build {
         let Some(count) = self.variants else {
             return Ok(jobs);
         };
+        let most = self.input_args.limits().variants;
+        if count.get() > most {
+            return Err(Failure::Usage(text!([most]
+                "more than {most} variants; raise the limit with `--max-variants`",
+                "変種が {most} 件を超えます。`--max-variants` で上限を上げてください"
+            )));
+        }
         let first = self.input_args.first_seed();
         let last = first.wrapping_add(u64::from(count.get() - 1));
         let digits = last.max(first).to_string().len();

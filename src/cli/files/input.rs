@@ -3,7 +3,7 @@
 use crate::cli::Failure;
 use crate::cli::files::reason;
 use crate::diagnostic::Diagnostics;
-use crate::diagnostic::messages::file as say;
+use crate::diagnostic::messages::{file as say, limits};
 use crate::source::{FileId, Source};
 use crate::text;
 use std::fs::File;
@@ -79,7 +79,7 @@ impl Inputs {
             let start = source.span(0..0);
             inputs.refused.push(size > limit || failure.is_some());
             if size > limit {
-                out.push(say::too_large(start, size, limit));
+                out.push(limits::too_large(start, size, limit));
             }
             if let Some(error) = failure {
                 out.push(say::unreadable(start, reason::of(&error)));

@@ -84,10 +84,7 @@ impl Model {
         match self {
             Model::Glb if beside => {
                 let (glb, beside) = Glb::beside(scene, images, &stem);
-                Files {
-                    main: Content::Glb(Box::new(glb)),
-                    beside,
-                }
+                Files::glb_beside(glb, beside)
             }
             Model::Glb => Files::glb(Glb::inside(scene, images)),
             Model::Gltf => Files::of(gltf::gltf(scene, images, &stem)),
@@ -117,6 +114,22 @@ impl<'a> Files<'a> {
         Files::one(Content::Glb(Box::new(glb)))
     }
 
+    /// A binary glTF and the textures it refers to.
+    pub(in crate::cli) fn glb_beside(glb: Glb<'a>, beside: Vec<OutFile<'a>>) -> Files<'a> {
+        Files {
+            main: Content::Glb(Box::new(glb)),
+            beside,
+        }
+    }
+
+    /// The bytes of a model by kind, as far as they are known before it is written.
+    pub(in crate::cli) fn sizes(&self) -> Vec<(&'static str, u64)> {
+        match &self.main {
+            Content::Glb(glb) => glb.sizes(),
+            Content::Bytes(_) => vec![],
+        }
+    }
+
     /// A single file with these contents.
     pub(in crate::cli) fn bytes(bytes: Vec<u8>) -> Files<'a> {
         Files::one(Content::Bytes(bytes.into()))
@@ -141,17 +154,17 @@ enum Content<'a> {
 
 impl Content<'_> {
     /// Writes to a seekable file; returns the number of bytes.
-    fn write_file(&self, file: &mut fs::File) -> io::Result<u64> {
+    fn write_file(self, file: &mut fs::File) -> io::Result<u64> {
         match self {
-            Content::Bytes(bytes) => file.write_all(bytes).map(|()| bytes.len() as u64),
+            Content::Bytes(bytes) => file.write_all(&bytes).map(|()| bytes.len() as u64),
             Content::Glb(glb) => glb.write(file),
         }
     }
 
     /// Writes to a stream; returns the number of bytes.
-    fn write_stream(&self, out: &mut impl Write) -> io::Result<u64> {
+    fn write_stream(self, out: &mut impl Write) -> io::Result<u64> {
         match self {
-            Content::Bytes(bytes) => out.write_all(bytes).map(|()| bytes.len() as u64),
+            Content::Bytes(bytes) => out.write_all(&bytes).map(|()| bytes.len() as u64),
             Content::Glb(glb) => {
                 let mut made = io::Cursor::new(vec![]);
                 let length = glb.write(&mut made)?;
@@ -209,7 +222,7 @@ pub(in crate::cli) fn write(path: &Path, files: Files<'_>) -> Result<u64, Failur
 fn write_contents<'a>(files: impl Iterator<Item = (PathBuf, Content<'a>)>) -> Result<u64, Failure> {
     let (mut ready, mut length) = (vec![], 0);
     for (target, content) in files {
-        let prepared = prepare(&target, &content);
+        let prepared = prepare(&target, content);
         let (bytes, file) = prepared.map_err(|e| Failure::at(target.display(), e))?;
         length += bytes;
         ready.extend(file);
@@ -231,10 +244,7 @@ pub(in crate::cli) fn folder_of(path: &Path) -> &Path {
 
 /// Writes a temporary file in the folder of the target; returns the number of bytes, the file and the target with
 /// links resolved. Devices and pipes are written directly.
-fn prepare(
-    target: &Path,
-    content: &Content<'_>,
-) -> io::Result<(u64, Option<(Temporary, PathBuf)>)> {
+fn prepare(target: &Path, content: Content<'_>) -> io::Result<(u64, Option<(Temporary, PathBuf)>)> {
     let mut rights = None;
     let target = match fs::metadata(target) {
         Ok(known) if known.is_dir() => {

@@ -1,4 +1,4 @@
-//! Messages about the file as a whole (HSD00xx) and limits (HSD09xx).
+//! Messages about the file as a whole (HSD00xx), and about too many of them (HSD09xx).
 
 use crate::diagnostic::{Code, Diagnostic, Origin, Severity, Text};
 use crate::source::Span;
@@ -122,19 +122,6 @@ pub fn unreadable(span: Span, why: impl Into<Text>) -> Diagnostic {
     Diagnostic::error(8, span, message).help(text!(
         "check that its name is spelled right, that it is a text file, and that you may read it",
         "名前が正しいか、テキストファイルか、読み取りが許可されているかを確かめてください"
-    ))
-}
-
-/// More bytes than the limit.
-#[cold]
-pub fn too_large(span: Span, size: usize, limit: usize) -> Diagnostic {
-    let message = text!([size, limit]
-        "the file has {size} bytes, more than the limit of {limit}",
-        "ファイルが {size} バイトあり、上限の {limit} バイトを超えています"
-    );
-    Diagnostic::error(901, span, message).help(text!(
-        "split it into several files, or raise the limit with `--max-bytes`",
-        "いくつかのファイルに分けるか、`--max-bytes` で上限を上げてください"
     ))
 }
 

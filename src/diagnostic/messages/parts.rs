@@ -1,4 +1,4 @@
-//! Messages about parts and operations (HSD03xx), and the limit on parts (HSD0904).
+//! Messages about parts and operations (HSD03xx).
 
 use super::words::{any_of, shortened};
 use crate::catalog::PartDef;
@@ -434,32 +434,6 @@ pub fn torn_code(span: Span, code: &str) -> Diagnostic {
         "部材コードをコンマで区切るか、コードの中の空白を `_` にして `{joined}` と書いてください"
     ))
     .fix(title, span, joined)
-}
-
-/// Too many parts, or too much work on them.
-#[cold]
-pub fn too_many_parts(span: Span, limit: u64) -> Diagnostic {
-    let message = text!([limit]
-        "this house would exceed the limit of {limit} parts, or of operations on them",
-        "この家は部材数か処理量の上限 ({limit}) を超えます"
-    );
-    Diagnostic::error(904, span, message).help(text!(
-        "repeat less often, split it into several houses, or raise the limit with `--max-parts`",
-        "繰り返しを減らすか、何軒かに分けるか、`--max-parts` で上限を上げてください"
-    ))
-}
-
-/// Too many storeys of monuments.
-#[cold]
-pub fn too_many_storeys(span: Span, limit: u64) -> Diagnostic {
-    let message = text!([limit]
-        "the monuments have more than {limit} storeys in total; this one and those after it are left out",
-        "モニュメントの階が合わせて {limit} を超えます。これ以降の建物は作りません"
-    );
-    Diagnostic::error(904, span, message).help(text!(
-        "split the file, or raise the limit with `--max-parts`: a storey counts as 1250 parts",
-        "ファイルを分けるか、`--max-parts` で上限を上げてください。一階につき部材 1250 個分です"
-    ))
 }
 
 /// An era of a house without an age.

@@ -387,3 +387,18 @@ pub(crate) fn too_large(line: Span, largest: f64) -> Diagnostic {
         "これより前の幅と繰り返しを確かめてください"
     ))
 }
+
+/// A ring that was squared: its largest angle to a right one, degrees, and the farthest move of a corner, metres.
+#[cold]
+pub fn squared(wall: Span, angle: f64, farthest: f64) -> Diagnostic {
+    let angle = (angle * 1000.0).ceil() / 1000.0;
+    let moved = (farthest * 1000.0).ceil();
+    let message = text!([angle, moved]
+        "the walls miss right angles by up to {angle} degrees; the plan is squared, and corners move by up to {moved} mm",
+        "壁が直角から最大 {angle} 度ずれています。平面を直角に直し、隅は最大 {moved} mm 動きます"
+    );
+    Diagnostic::note(419, wall, message).help(text!(
+        "write right angles (`turn=\"R\"`, `angle=\"90\"`), or an angle of more than a degree if it is meant",
+        "直角なら `turn=\"R\"` や `angle=\"90\"` と、わざと斜めにするなら一度より大きい角度を書いてください"
+    ))
+}

@@ -354,6 +354,20 @@ pub fn hipped_only(span: Span, shape: &str) -> Diagnostic {
     .fix(written("RIK"), span, "RIK")
 }
 
+/// A plan that is not at right angles, and gets one hip roof; `wall` is one that slants, of this storey or the one
+/// above.
+#[cold]
+pub fn whole_hip(wall: Span, storey: u32) -> Diagnostic {
+    let message = text!([storey]
+        "not all walls are at right angles, so storey {storey} gets one hip roof over its whole outline",
+        "直角でない壁があるため、{storey}階は平面全体に一つの寄棟屋根を架けます"
+    );
+    Diagnostic::note(520, wall, message).help(text!(
+        "if that is meant, say so: `<Roofs method=\"skeleton\"/>`; for other roofs make the walls square, or write roof lines",
+        "それでよければ `<Roofs method=\"skeleton\"/>` と書き、ほかの屋根なら壁を直角にするか、屋根の行を書いてください"
+    ))
+}
+
 /// A roof line inside the storey above; `height` is the place of its height.
 #[cold]
 pub fn under_storey(line: Span, storey: u32, upper: Span, height: Option<Span>) -> Diagnostic {

@@ -1,25 +1,16 @@
 //! Splits a wall line into codes of five columns.
 //!
-//! Only the form is known here: a code begins with one of the class letters (docs/evidence.md 5.1), five blanks or five
-//! points are a void. If the columns of a line are misaligned, every code after the mistake would be unknown; so the
-//! words are examined instead, and one message proposes the intended line.
+//! If the columns of a line are misaligned, every code after the mistake would be unknown; so the words are examined
+//! instead, and one message proposes the intended line.
 
-use super::line::{CELL, SourceLine};
+use super::line::SourceLine;
 use crate::ast::{CodeText, Item, Piece};
 use crate::diagnostic::messages::legacy as say;
+use crate::parse::columns::{CELL, Cell, Form, POINTS};
 use crate::parse::reporter::Reporter;
 use nom::bytes::complete::take;
 use nom::{IResult, Parser};
 use std::ops::Range;
-
-/// A visible void.
-const POINTS: &str = ".....";
-
-/// A code, or a void, and its place in the text of its line.
-struct Cell<'l> {
-    text: &'l str,
-    range: Range<usize>,
-}
 
 /// Returns the pieces of a part of a line; `turned` = a control letter follows it.
 pub(super) fn pieces(
@@ -31,25 +22,21 @@ pub(super) fn pieces(
     range.start += leading_shift(line, range.clone(), reporter);
     let text = &line.text[range.clone()];
     let mut pieces = Vec::with_capacity(text.len() / CELL + 1);
-    let (mut rest, mut at, mut odd, mut doubtful) = (text, range.start, false, false);
+    let (mut rest, mut at) = (text, range.start);
+    let mut form = Form::default();
     let ascii = text.is_ascii();
     while let Ok((next, cell)) = if ascii { five_bytes(rest) } else { five(rest) } {
-        odd |= !regular(cell);
-        doubtful |= !plain(cell);
+        form.see(cell);
         pieces.push(piece(line, at..at + cell.len(), cell, reporter));
         (rest, at) = (next, at + cell.len());
     }
     // A truncated last code begins like any other.
     let last = rest.trim_end_matches(' ');
-    odd |= !regular(last);
-    doubtful |= !plain(last);
-    if odd || doubtful {
-        let words = in_step(text, range.start);
-        if let Some(cells) = words.filter(|c| odd || c.iter().all(|c| plain(c.text))) {
-            return fixed(line, range, &cells, turned, reporter);
-        }
+    form.see(last);
+    if let Some(cells) = form.in_step(text, range.start) {
+        return fixed(line, range, &cells, turned, reporter);
     }
-    if odd {
+    if form.is_odd() {
         point_voids(line, range.clone(), &mut pieces, reporter);
     }
     remainder(line, at..range.end, rest, &mut pieces, reporter);
@@ -81,35 +68,6 @@ fn five_bytes(input: &str) -> IResult<&str, &str> {
         })?;
     let (cell, rest) = input.split_at(cell.len());
     Ok((rest, cell))
-}
-
-fn class(b: u8) -> bool {
-    matches!(b, b'K' | b'T' | b'M' | b'G' | b'H' | b'A' | b'N')
-}
-
-/// Returns true if a cell has the form of a catalogue code or of a void.
-fn regular(cell: &str) -> bool {
-    match cell.as_bytes() {
-        [b' ', ..] => cell == "     ",
-        [b'.', ..] => cell == POINTS,
-        [first, ..] => class(*first),
-        [] => true,
-    }
-}
-
-/// Returns true if a cell has the strict form of a catalogue code: three capitals, then letters,
-/// and a width. Custom parts may differ, so any other cell is merely doubtful.
-fn plain(cell: &str) -> bool {
-    match *cell.as_bytes() {
-        [] | [b' ' | b'.', ..] => true,
-        [first, second, third, ref tail @ ..] => {
-            let capitals = second.is_ascii_uppercase() && third.is_ascii_uppercase();
-            // A letter after a blank is the first one of the next code.
-            let torn = matches!(tail, [b' ', letter] if letter.is_ascii_uppercase());
-            class(first) && capitals && !torn && !tail.iter().any(|b| matches!(b, b',' | b';'))
-        }
-        _ => false,
-    }
 }
 
 fn piece(
@@ -203,65 +161,6 @@ fn trailing_voids(line: &SourceLine<'_>, text: &str, at: usize, reporter: &mut R
     }
 }
 
-/// Returns the codes of a misaligned line, if its words leave no doubt: each begins with a class letter and two
-/// capitals, or is a void of points, and none is longer than five columns.
-fn in_step(text: &str, at: usize) -> Option<Vec<Cell<'_>>> {
-    let starts = starts(text);
-    let first = *starts.first()?;
-    if !text.is_ascii() || !text[..first].bytes().all(|b| b == b' ') {
-        return None;
-    }
-    let mut cells = vec![];
-    for k in 0..first / CELL {
-        let range = at + k * CELL..at + (k + 1) * CELL;
-        cells.push(Cell { text: "", range });
-    }
-    for (i, &start) in starts.iter().enumerate() {
-        let end = starts.get(i + 1).copied();
-        let segment = &text[start..end.unwrap_or(text.len())];
-        // Some authors separate codes like words.
-        let written = segment.trim_end_matches([' ', ',', ';']);
-        if written.len() > CELL {
-            return None;
-        }
-        let range = at + start..at + start + written.len();
-        cells.push(Cell {
-            text: written,
-            range,
-        });
-        // A gap about five columns wider than a code needs is a void.
-        let voids = end.map_or(0, |_| ((segment.len() + 2) / CELL).saturating_sub(1));
-        let gap = at + start + written.len()..at + start + segment.len();
-        cells.extend((0..voids).map(|_| Cell {
-            text: "",
-            range: gap.clone(),
-        }));
-    }
-    Some(cells)
-}
-
-/// Returns the starts of words that look like codes.
-fn starts(text: &str) -> Vec<usize> {
-    let bytes = text.as_bytes();
-    let (mut at, mut found) = (0, vec![]);
-    while at < bytes.len() {
-        let word = bytes
-            .get(at..at + 3)
-            .is_some_and(|w| class(w[0]) && w[1].is_ascii_uppercase() && w[2].is_ascii_uppercase());
-        let fresh = at == 0 || !bytes[at - 1].is_ascii_uppercase();
-        let points = bytes[at..].starts_with(POINTS.as_bytes());
-        if points || word && fresh {
-            found.push(at);
-        }
-        at += match (points, word && fresh) {
-            (true, _) => CELL,
-            (_, true) => 3,
-            _ => 1,
-        };
-    }
-    found
-}
-
 /// Reports a misaligned line from its first irregular cell on, and returns its words.
 fn fixed(
     line: &SourceLine<'_>,
@@ -279,7 +178,7 @@ fn fixed(
         .map_or(range.start, |c| c.range.start);
     let end = range.start + text.trim_end_matches(' ').len();
     let span = line.span(reporter.source, slip..end);
-    let meant: String = cells.iter().map(|c| format!("{:5}", c.text)).collect();
+    let meant: String = cells.iter().map(|c| format!("{:5}", c.meant())).collect();
     // A correctly placed turn stays after the five columns of the last code.
     let (last, whole) = if turned && text.len().is_multiple_of(CELL) {
         (range.end, &*meant)
@@ -294,6 +193,6 @@ fn fixed(
         meant.trim_end(),
         (all, whole),
     ));
-    let part = |c: &Cell<'_>| piece(line, c.range.clone(), c.text, reporter);
+    let part = |c: &Cell<'_>| piece(line, c.range.clone(), &c.meant(), reporter);
     cells.iter().map(part).collect()
 }

@@ -224,7 +224,7 @@ fn value<'w>(words: &'w [Word<'w>]) -> Vec<(&'w str, Span)> {
 }
 
 fn place(words: &[Word<'_>], house: &mut House, reporter: &mut Reporter<'_>) {
-    let settings = &mut house.settings;
+    let settings = &mut *house.settings;
     let slots = [&mut settings.x, &mut settings.y, &mut settings.azimuth];
     for ((word, range), slot) in words.iter().zip(&PLACE).zip(slots) {
         *slot = within(word.text, word.span, range, reporter);

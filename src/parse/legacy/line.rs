@@ -9,8 +9,7 @@ use crate::source::{Source, Span};
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// Number of columns of one code.
-pub(super) const CELL: usize = 5;
+pub(super) use crate::parse::columns::CELL;
 
 /// A line without its line end, with invalid characters replaced.
 pub(super) struct SourceLine<'a> {

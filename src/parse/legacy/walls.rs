@@ -59,6 +59,7 @@ impl Walls {
             reporter.say(say::last_reset(reset));
         }
         self.close();
+        self.storeys.shrink_to_fit();
         std::mem::take(&mut self.storeys)
     }
 
@@ -129,7 +130,9 @@ impl Walls {
 
     fn close(&mut self) {
         let span = self.span.take().unwrap_or_default();
-        let rows = std::mem::take(&mut self.rows);
+        let mut rows = std::mem::take(&mut self.rows);
+        // Vectors of one element have room for four, which a hundred thousand storeys of a line each do not.
+        rows.shrink_to_fit();
         if !rows.is_empty() {
             self.storeys.push(Item::One(Storey {
                 span,

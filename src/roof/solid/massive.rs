@@ -18,6 +18,7 @@
 //! stay separate solids that penetrate the roof they carry.
 
 mod closed;
+mod lean;
 mod merge;
 mod parts;
 mod union;
@@ -26,6 +27,7 @@ use crate::ast::RoofShape;
 use crate::building::{Finish, Roof, Solid};
 use crate::roof::solid::SUNK;
 use crate::roof::solid::sheet::surface;
+pub use lean::lean;
 use parts::Part;
 
 /// The maximum number of sets of roofs tried if they cannot all become one solid.
@@ -41,8 +43,13 @@ pub fn groups(roofs: &[Roof]) -> impl Iterator<Item = &[Roof]> {
 /// one closed solid: such a group becomes several.
 pub fn massive(roofs: &[Roof]) -> Option<Vec<Solid>> {
     roofs.iter().find(|r| r.attic.filled)?;
-    if let Some(solids) = together(roofs) {
-        return Some(solids);
+    Some(sets(roofs.iter()))
+}
+
+/// Returns the solids of some roofs, as one if that is possible.
+fn sets<'r>(roofs: impl Iterator<Item = &'r Roof> + Clone) -> Vec<Solid> {
+    if let Some(solids) = together(roofs.clone()) {
+        return solids;
     }
     let mut sets: Vec<(Vec<&Roof>, Vec<Solid>)> = vec![];
     for roof in roofs {
@@ -61,7 +68,7 @@ pub fn massive(roofs: &[Roof]) -> Option<Vec<Solid>> {
             }
         }
     }
-    Some(sets.into_iter().flat_map(|set| set.1).collect())
+    sets.into_iter().flat_map(|set| set.1).collect()
 }
 
 /// Returns the solids of some roofs as one, if that is possible.
@@ -93,6 +100,6 @@ fn together<'r>(roofs: impl IntoIterator<Item = &'r Roof>) -> Option<Vec<Solid>>
     Some(solids)
 }
 
-fn is_gable(solid: &Solid) -> bool {
+pub(super) fn is_gable(solid: &Solid) -> bool {
     solid.faces.iter().all(|f| f.finish == Finish::Gable)
 }

@@ -1,8 +1,8 @@
 //! A storey roofed as a whole: one hipped roof by the straight skeleton over each outline with its courts, whatever
 //! its angles; the walls of the storey above cut it, and there are no eaves where they stand on its own walls.
 
-use crate::ast::{RoofMode, RoofShape};
-use crate::building::{House, HouseRoofs, Ring};
+use crate::ast::{RoofMethod, RoofMode, RoofShape};
+use crate::building::{House, HouseRoofs, Ring, Wall};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::roofs as say;
 use crate::geometry::STEPS;
@@ -65,26 +65,11 @@ impl Polygonal<'_, '_> {
         done: &mut HouseRoofs,
         out: &mut Diagnostics,
     ) -> Vec<RoofDraft> {
-        let (level, style) = (self.context.level, &self.house.roofs.style);
+        let level = self.context.level;
         let covered = self.upper.is_some_and(|u| same_plan(level, u));
         let wanted = self.house.roofs.mode == RoofMode::Auto && !covered;
         let parts = if wanted { self.open() } else { vec![] };
-        let corners = parts.iter().flat_map(Part::edges).count();
-        let many = corners > MOST_CORNERS;
-        if many {
-            let (span, number) = (level.storey.span, level.storey.number);
-            out.push(say::too_many_corners(span, number, corners, MOST_CORNERS));
-        }
-        let flat = many || is_flat(self.house, level);
-        if let Some(shape) = style.shape
-            && !matches!(
-                shape.value,
-                RoofShape::Flat | RoofShape::Hip | RoofShape::Pyramid
-            )
-            && !parts.is_empty()
-        {
-            out.push(say::hipped_only(shape.span, shape.value.letters()));
-        }
+        let flat = self.becomes_flat(&parts, out);
         let shape = if flat {
             RoofShape::Flat
         } else {
@@ -117,6 +102,42 @@ impl Polygonal<'_, '_> {
             }),
         };
         parts.iter().map(roof).collect()
+    }
+
+    /// Returns true if the roofs over some parts are flat; reports where that or a hip roof may not be what the author
+    /// expects.
+    fn becomes_flat(&self, parts: &[Part], out: &mut Diagnostics) -> bool {
+        let (level, roofs) = (self.context.level, &self.house.roofs);
+        let corners = parts.iter().flat_map(Part::edges).count();
+        if corners > MOST_CORNERS {
+            let (span, number) = (level.storey.span, level.storey.number);
+            out.push(say::too_many_corners(span, number, corners, MOST_CORNERS));
+            return true;
+        }
+        if parts.is_empty() || is_flat(self.house, level) {
+            return is_flat(self.house, level);
+        }
+        match roofs.style.shape {
+            Some(s) if matches!(s.value, RoofShape::Hip | RoofShape::Pyramid) => {}
+            Some(s) => out.push(say::hipped_only(s.span, s.value.letters())),
+            None if roofs.method == RoofMethod::Skeleton => {}
+            None => {
+                let wall = self.slanting_wall().map(|w| w.span);
+                let number = level.storey.number;
+                if let Some(span) = wall {
+                    out.push(say::whole_hip(span, number));
+                }
+            }
+        }
+        false
+    }
+
+    /// Returns a wall that is parallel to no axis of the plan, of this storey or the one above.
+    fn slanting_wall(&self) -> Option<&Wall> {
+        let levels = [Some(self.context.level), self.upper].into_iter().flatten();
+        let rings = levels.flat_map(|level| level.storey.rings.iter().filter(|r| r.closed));
+        let mut walls = rings.flat_map(|ring| &ring.walls);
+        walls.find(|w| w.direction.x != 0.0 && w.direction.y != 0.0)
     }
 
     /// Returns the parts that no roof line covers. Lines cut rectangles, so they cover all of a storey that is not

@@ -3,8 +3,10 @@
 use crate::scene::Baked;
 use crate::tessellate::bake::Picture;
 use crate::texture::{jpeg, png};
-use image::imageops::crop_imm;
-use image::{DynamicImage, RgbImage, RgbaImage};
+use image::{DynamicImage, ImageBuffer, Pixel, RgbImage, RgbaImage};
+
+/// An image of bytes.
+type Map<P> = ImageBuffer<P, Vec<u8>>;
 
 /// Side of a page, pixels.
 const SIDE: u32 = 1024;
@@ -43,6 +45,8 @@ struct Page {
 #[derive(Debug)]
 enum Content {
     Open(Box<Pixels>),
+    /// Its files are being made.
+    Closing,
     /// The files, and the factor by which distances from the upper edge grow in texture coordinates.
     Closed(Baked, f32),
 }
@@ -64,19 +68,52 @@ impl Pixels {
         }
     }
 
-    /// Encodes the page down to a row.
-    fn encode(&self, used: u32, holes: bool) -> Baked {
-        let color = DynamicImage::from(crop_imm(&self.color, 0, 0, SIDE, used).to_image());
-        let normal = crop_imm(&self.normal, 0, 0, SIDE, used).to_image();
-        let orm = crop_imm(&self.orm, 0, 0, SIDE, used).to_image();
+    /// Encodes the page down to a row, its maps at the same time.
+    fn encode(self, used: u32, holes: bool) -> Baked {
+        let color = cut(self.color, used);
+        let (normal, orm) = (cut(self.normal, used), cut(self.orm, used));
+        let color = move || match holes {
+            true => png(color.into(), false),
+            false => jpeg(&DynamicImage::from(color).into_rgb8(), 90),
+        };
+        let relief = move || rayon::join(|| jpeg(&normal, 92), || png(orm.into(), false));
+        let (color, (normal, orm)) = rayon::join(color, relief);
         Baked {
-            color: match holes {
-                true => png(color, false).into(),
-                false => jpeg(&color.into_rgb8(), 90).into(),
-            },
-            normal: jpeg(&normal, 92).into(),
-            orm: png(orm.into(), false).into(),
+            color: color.into(),
+            normal: normal.into(),
+            orm: orm.into(),
             holes,
+        }
+    }
+}
+
+/// Returns the upper rows of an image.
+fn cut<P: Pixel<Subpixel = u8>>(image: Map<P>, rows: u32) -> Map<P> {
+    let width = image.width();
+    let mut bytes = image.into_raw();
+    bytes.truncate(width as usize * rows as usize * usize::from(P::CHANNEL_COUNT));
+    ImageBuffer::from_raw(width, rows, bytes).expect("has as many bytes as pixels")
+}
+
+/// Copies an image to a place on a page. Its edge goes on into the margin.
+fn copy<P: Pixel<Subpixel = u8>>(from: &Map<P>, to: &mut Map<P>, (x, y): (u32, u32)) {
+    let channels = usize::from(P::CHANNEL_COUNT);
+    let (w, h) = (from.width() as usize, from.height());
+    let row_bytes = to.width() as usize * channels;
+    let margin = MARGIN as usize * channels;
+    for v in 0..h + 2 * MARGIN {
+        let own = v.saturating_sub(MARGIN).min(h - 1) as usize * w * channels;
+        let own = &from.as_raw()[own..own + w * channels];
+        let start = (y + v) as usize * row_bytes + x as usize * channels;
+        let page: &mut [u8] = to;
+        let row = &mut page[start..start + own.len() + 2 * margin];
+        row[margin..margin + own.len()].copy_from_slice(own);
+        let (first, last) = (&own[..channels], &own[own.len() - channels..]);
+        for pixel in row[..margin].chunks_exact_mut(channels) {
+            pixel.copy_from_slice(first);
+        }
+        for pixel in row[margin + own.len()..].chunks_exact_mut(channels) {
+            pixel.copy_from_slice(last);
         }
     }
 }
@@ -99,22 +136,9 @@ impl Atlas {
         let Content::Open(pixels) = &mut self.pages[page as usize].content else {
             unreachable!("shelves are on open pages");
         };
-        for v in 0..h + 2 * MARGIN {
-            for u in 0..w + 2 * MARGIN {
-                // The edge goes on into the margin.
-                let inside = |t: u32, size: u32| t.saturating_sub(MARGIN).min(size - 1);
-                let (i, j) = (inside(u, w), inside(v, h));
-                pixels
-                    .color
-                    .put_pixel(x + u, y + v, *picture.color.get_pixel(i, j));
-                pixels
-                    .normal
-                    .put_pixel(x + u, y + v, *picture.normal.get_pixel(i, j));
-                pixels
-                    .orm
-                    .put_pixel(x + u, y + v, *picture.orm.get_pixel(i, j));
-            }
-        }
+        copy(&picture.color, &mut pixels.color, (x, y));
+        copy(&picture.normal, &mut pixels.normal, (x, y));
+        copy(&picture.orm, &mut pixels.orm, (x, y));
         let share = |t: u32| t as f32 / SIDE as f32;
         let (x, y) = (x + MARGIN, y + MARGIN);
         Spot {
@@ -140,7 +164,7 @@ impl Atlas {
             .into_iter()
             .filter_map(|page| match page.content {
                 Content::Closed(baked, grown) => Some((baked, grown)),
-                Content::Open(_) => None,
+                Content::Open(_) | Content::Closing => None,
             });
         closed.unzip()
     }
@@ -148,14 +172,15 @@ impl Atlas {
     /// Encodes a page without its unused end; it takes no more images.
     fn close(&mut self, page: usize) {
         let Page { holes, content } = &mut self.pages[page];
-        let Content::Open(pixels) = content else {
-            return;
-        };
         let own = self.shelves.iter().filter(|s| s.page as usize == page);
         let used = own.map(|s| s.foot + s.height).max().unwrap_or(SIDE);
         // Blocks of pictures that are packed later are four pixels high.
         let used = used.next_multiple_of(4).min(SIDE);
-        *content = Content::Closed(pixels.encode(used, *holes), SIDE as f32 / used as f32);
+        let grown = SIDE as f32 / used as f32;
+        *content = match std::mem::replace(content, Content::Closing) {
+            Content::Open(pixels) => Content::Closed(pixels.encode(used, *holes), grown),
+            other => other,
+        };
         self.shelves.retain(|s| s.page as usize != page);
     }
 

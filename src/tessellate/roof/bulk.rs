@@ -3,7 +3,7 @@
 
 use crate::building::{Face, Finish, Roof, Solid};
 use crate::material::SurfaceId;
-use crate::roof::solid::massive::{groups, massive};
+use crate::roof::solid::massive::{groups, lean, massive};
 use crate::scene::Detail;
 use crate::tessellate::roof::plaster;
 use glam::DVec2;
@@ -70,7 +70,11 @@ impl<'a> Bulk<'a> {
         detail: Detail,
     ) -> Bulk<'a> {
         let (gables, plastered) = (&walls.gables[..], walls.plastered);
-        let whole = is_massive(detail).then(|| massive(roofs)).flatten();
+        let whole = match detail {
+            Detail::Body => lean(roofs),
+            Detail::Flat => massive(roofs),
+            Detail::Openings | Detail::Everything => None,
+        };
         match (whole, roofs) {
             (Some(solids), _) => {
                 let all = roofs.iter().flat_map(|r| &r.solids).zip(gables);

@@ -6,19 +6,25 @@
 use crate::catalog::PartDef;
 use crate::material::SurfaceId;
 use crate::scene::Detail;
-use crate::tessellate::bake::atlas::Spot;
-use crate::tessellate::bake::{WALL, bake};
+use crate::tessellate::bake::{OLD, WALL, bake};
 use crate::tessellate::mesh::Bodies;
 use crate::tessellate::mesh::panel::{Panel, Rect, panes};
 use crate::tessellate::part;
 use crate::tessellate::part::bay::Bay;
-use crate::tessellate::store::{PartKey, Share, Store};
-use std::rc::Rc;
+use crate::tessellate::store::draft::BakedImage;
+use crate::tessellate::store::look::Share;
+use crate::tessellate::store::{PartKey, Store};
+use crate::tessellate::weather::Weather;
+use crate::tessellate::weather::panel_look::{PanelAreas, PanelLook};
+use std::sync::Arc;
 
 impl PartKey {
-    /// Returns the key of the images on this part: joinery is baked for sizes in steps and stretched by a sixty-fourth
-    /// at most, so that walls of a hundred different heights need a few images only.
-    fn of_images(self) -> PartKey {
+    /// Returns the key of the images on this part: joinery is baked for sizes in steps and stretched to its own, by a
+    /// thirty-second at most, so that walls of a hundred different heights need a few images only. Weathered joinery has
+    /// many more images of each size; it is stretched by a sixteenth at most.
+    fn of_images(self, aged: bool) -> PartKey {
+        let steps = if aged { FEW_STEPS } else { STEPS };
+        let in_steps = |length| in_steps(length, steps);
         PartKey {
             share: Share::default(),
             size: self.size.map(in_steps),
@@ -39,85 +45,134 @@ impl PartKey {
     }
 }
 
-/// Rounds a length to one of 32 steps between a power of two and the next.
-fn in_steps(length: u32) -> u32 {
-    let step = 1 << (u32::BITS - length.leading_zeros()).saturating_sub(6);
+/// The number of sizes between a power of two and the next, as its own power of two.
+const STEPS: u32 = 4;
+
+/// The same for weathered joinery.
+const FEW_STEPS: u32 = 3;
+
+/// Rounds a length to one of `2^steps` steps between a power of two and the next.
+fn in_steps(length: u32, steps: u32) -> u32 {
+    let step = 1 << (u32::BITS - length.leading_zeros()).saturating_sub(steps + 1);
     (length + step / 2) / step * step
 }
 
 /// The image of a panel.
 #[derive(Clone, Debug)]
 pub(super) struct PanelImage {
-    /// Its place in the atlas; `None` if nothing of the panel is visible.
-    pub(super) spot: Option<Spot>,
+    /// The image; `None` if nothing of the panel is visible.
+    pub(super) baked: Option<Arc<BakedImage>>,
     /// The panes behind it, as shares of the panel's width and height.
     pub(super) panes: Vec<(SurfaceId, Rect)>,
 }
 
-impl Store {
-    /// Returns the images of a part's panels, baked for a size close to that of the part and for its own weather: what is
-    /// renewed and what is old differs from part to part, and coarser weather shows old houses as new ones.
-    pub(super) fn part_images(
-        &mut self,
+/// A panel's image, and the shade in which the panel shows it.
+pub(super) type ShadedImage = (Arc<PanelImage>, usize);
+
+impl Store<'_> {
+    /// Returns the looks of a part's panels.
+    pub(super) fn part_looks(
+        &self,
         part: &PartDef,
         key: PartKey,
         bodies: &Bodies,
-    ) -> Rc<[PanelImage]> {
-        if bodies.panels.is_empty() {
-            return Rc::default();
+    ) -> Vec<PanelLook> {
+        match self.shared_areas(part, self.image_key(key), bodies) {
+            Some(areas) => areas.iter().map(|a| a.look(self.weather)).collect(),
+            None => self.own_looks(&bodies.panels),
         }
-        let key = key.of_images();
-        let fits = |images: &Rc<[PanelImage]>| images.len() == bodies.panels.len();
-        if let Some(images) = self.images.get(&(key, self.weather)).filter(|i| fits(i)) {
-            return images.clone();
+    }
+
+    /// Returns the images of a part's panels with these looks, baked for a size close to that of the part.
+    pub(super) fn part_images(
+        &self,
+        part: &PartDef,
+        key: PartKey,
+        bodies: &Bodies,
+        looks: Vec<PanelLook>,
+    ) -> Vec<ShadedImage> {
+        let key = self.image_key(key);
+        if self.shared_areas(part, key, bodies).is_none() {
+            return self.panel_images(&bodies.panels, &looks);
         }
-        let made = key.bodies(part, self.detail);
-        if made.panels.len() != bodies.panels.len() {
-            // One step of size makes the difference of a panel: these images are its own.
-            return self.panel_images(&bodies.panels);
-        }
-        let aged = (key, self.weather.aged_surfaces(&made));
-        let images = match self.worn_images.get(&aged) {
-            Some(images) => images.clone(),
-            None => {
-                let images = self.panel_images(&made.panels);
-                self.worn_images.insert(aged, images.clone());
-                images
-            }
+        let image = |(number, look): (usize, PanelLook)| {
+            let shade = look.shade;
+            let make = || {
+                let made = key.bodies(part, self.detail);
+                Arc::new(self.panel_image(&made.panels[number], &look))
+            };
+            let image = self.bank.image((key, number, look.surfaces.clone()), make);
+            (image, shade)
         };
-        self.images.insert((key, self.weather), images.clone());
-        images
+        looks.into_iter().enumerate().map(image).collect()
+    }
+
+    fn image_key(&self, key: PartKey) -> PartKey {
+        key.of_images(self.weather != Weather::None)
+    }
+
+    /// Returns the areas of the panels of a key; `None` if there are no panels, or if one step of size makes the difference
+    /// of a panel: then the images are the part's own.
+    fn shared_areas(
+        &self,
+        part: &PartDef,
+        key: PartKey,
+        bodies: &Bodies,
+    ) -> Option<Arc<[PanelAreas]>> {
+        if bodies.panels.is_empty() {
+            return None;
+        }
+        let areas = self.bank.areas(key, || {
+            let made = key.bodies(part, self.detail);
+            made.panels.iter().map(PanelAreas::of).collect()
+        });
+        (areas.len() == bodies.panels.len()).then_some(areas)
+    }
+
+    /// Returns the looks of panels that share no image.
+    pub(super) fn own_looks(&self, panels: &[Panel]) -> Vec<PanelLook> {
+        let look = |panel| PanelAreas::of(panel).look(self.weather);
+        panels.iter().map(look).collect()
     }
 
     /// Bakes the images of panels.
-    pub(super) fn panel_images(&mut self, panels: &[Panel]) -> Rc<[PanelImage]> {
-        let image = |panel: &Panel| {
-            let worn = self.weather.wear(panel.soups.clone());
-            let picture = bake(&worn, panel.rect, WALL);
-            PanelImage {
-                spot: picture.map(|picture| self.atlas.place(&picture)),
-                panes: panes(panel)
-                    .map(|(glass, rect)| (glass, panel.rect.shares_of(rect)))
-                    .collect(),
-            }
+    pub(super) fn panel_images(&self, panels: &[Panel], looks: &[PanelLook]) -> Vec<ShadedImage> {
+        let image = |(panel, look): (&Panel, &PanelLook)| {
+            let image = Arc::new(self.panel_image(panel, look));
+            (image, look.shade)
         };
-        panels.iter().map(image).collect()
+        panels.iter().zip(looks).map(image).collect()
+    }
+
+    fn panel_image(&self, panel: &Panel, look: &PanelLook) -> PanelImage {
+        let lens = if look.surfaces.is_empty() { WALL } else { OLD };
+        let picture = bake(&panel.soups, |id| look.shown(id), panel.rect, lens);
+        PanelImage {
+            baked: picture.map(|picture| Arc::new(BakedImage::new(picture))),
+            panes: panes(panel)
+                .map(|(glass, rect)| (glass, panel.rect.shares_of(rect)))
+                .collect(),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::in_steps;
+    use super::{FEW_STEPS, STEPS};
 
     #[test]
     fn sizes_of_images_are_near_those_of_parts() {
-        let mut steps: Vec<u32> = (1..60_000).map(in_steps).collect();
-        for (length, step) in (1..).zip(&steps) {
-            assert!(step.abs_diff(length) * 64 <= length, "{length}: {step}");
+        for (share, in_steps) in [(32, STEPS), (16, FEW_STEPS)]
+            .map(|(share, steps)| (share, move |length| super::in_steps(length, steps)))
+        {
+            let mut steps: Vec<u32> = (1..60_000).map(in_steps).collect();
+            for (length, step) in (1..).zip(&steps) {
+                assert!(step.abs_diff(length) * share <= length, "{length}: {step}");
+            }
+            assert!(steps.is_sorted());
+            steps.dedup();
+            assert!(steps.len() < 400, "{}", steps.len());
+            assert_eq!(in_steps(0), 0);
         }
-        assert!(steps.is_sorted());
-        steps.dedup();
-        assert!(steps.len() < 400, "{}", steps.len());
-        assert_eq!(in_steps(0), 0);
     }
 }

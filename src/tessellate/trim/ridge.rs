@@ -87,7 +87,7 @@ pub(super) fn tiles(context: &TrimContext<'_>, seam: &Seam, bodies: &mut Vec<Bod
             caps(&line, half, top, finish, bodies);
         }
     }
-    if trim.ends && context.detail != Detail::Body {
+    if trim.ends {
         let size = (half + STEP * f64::from(courses) / 2.0, top + CAP);
         ends(context, seam, &line, size, bodies);
     }

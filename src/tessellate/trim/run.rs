@@ -6,7 +6,7 @@ use crate::material::SurfaceId;
 use crate::tessellate::trim::body::Body;
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Tolerance within which shapes are equal, metres.
 const ALIKE: f64 = 1e-5;
@@ -35,7 +35,7 @@ pub(in crate::tessellate) struct Shape {
 pub(in crate::tessellate) struct Row {
     /// Its name.
     pub(in crate::tessellate) name: &'static str,
-    shape: Rc<Shape>,
+    shape: Arc<Shape>,
     /// Offset from one to the next in their frame, thousandths of a millimetre.
     step: [i32; 3],
     count: u32,
@@ -108,7 +108,7 @@ pub(super) fn take(bodies: &mut Vec<Body>) -> Vec<Run> {
         let Some((name, right)) = bodies[group[0]].row else {
             continue;
         };
-        let shape = Rc::new(Shape::of(&bodies[group[0]], right));
+        let shape = Arc::new(Shape::of(&bodies[group[0]], right));
         let places: Vec<DVec3> = group.iter().map(|i| bodies[*i].points[0]).collect();
         rows(&places, right, |at, step, count| {
             let row = Row {

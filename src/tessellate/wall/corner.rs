@@ -9,7 +9,7 @@ use crate::program::Content;
 use crate::scene::{Kind, Node, NodeId};
 use crate::tessellate::mesh::{Axis, Bodies};
 use crate::tessellate::part::shelter;
-use crate::tessellate::store::Share;
+use crate::tessellate::store::look::Share;
 use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::{Walker, turn_of};
 use glam::{DVec2, DVec3, dvec2};

@@ -7,9 +7,11 @@ use crate::catalog::Catalog;
 use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
 use crate::program::{Content, Unit};
-use crate::scene::{MaterialId, Mesh, MeshId};
+use crate::scene::MeshId;
 use crate::tessellate::mesh::Soup;
-use crate::tessellate::store::{Share, primitive};
+use crate::tessellate::store::Store;
+use crate::tessellate::store::draft::MeshDraft;
+use crate::tessellate::store::look::{Look, Share};
 use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::{Level, Walker, part, turn_of};
 use glam::{DVec3, dvec2};
@@ -25,7 +27,7 @@ const LONGEST: f64 = 4.0;
 struct Band {
     /// Foot and top above the storey's floor, metres.
     z: (f64, f64),
-    material: MaterialId,
+    look: Look,
     /// True if the material is an image that spans the band once.
     picture: bool,
 }
@@ -44,7 +46,7 @@ struct Stretch {
 impl Walker<'_> {
     /// Returns the mesh of a storey's walls; `None` if it has none.
     pub(in crate::tessellate) fn body(&mut self, level: Level<'_>) -> Option<MeshId> {
-        let mut soups: Vec<(MaterialId, Soup)> = vec![];
+        let mut soups: Vec<(Look, Soup)> = vec![];
         for ring in &level.storey.rings {
             self.walls(level, ring, &mut soups);
         }
@@ -52,14 +54,11 @@ impl Walker<'_> {
         if soups.is_empty() {
             return None;
         }
-        let primitives = soups.into_iter().map(|(id, soup)| primitive(id, soup));
-        Some(self.store.push(Mesh {
-            name: format!("walls {}", level.storey.number),
-            primitives: primitives.collect(),
-        }))
+        let name = format!("walls {}", level.storey.number);
+        Some(self.store.push(MeshDraft::new(name, soups, vec![])))
     }
 
-    fn walls(&mut self, level: Level<'_>, ring: &Ring, soups: &mut Vec<(MaterialId, Soup)>) {
+    fn walls(&mut self, level: Level<'_>, ring: &Ring, soups: &mut Vec<(Look, Soup)>) {
         let lines = self.lines(level, ring);
         for (i, line) in lines.iter().enumerate() {
             let (before, after) = Line::beside(&lines, i);
@@ -96,11 +95,15 @@ impl Walker<'_> {
             // One weather for the wall: neighbours of one look stay one face.
             self.store.weather = self.frame((0.0, level.height));
             self.bands(placed.unit, placed, (0.0, placed.top()), &mut bands);
-            if level.grounded() {
+            // Walls go down to the ground; no picture does, since it would be stretched.
+            let lowest = bands.iter_mut().find(|b| b.z.0.abs() < 1e-3 && !b.picture);
+            if let Some(band) = lowest.filter(|_| level.grounded()) {
+                band.z.0 = -STONES;
+            } else if level.grounded() {
                 let stone = self.store.surface_at(SurfaceId::named("stone"), 0.0);
                 bands.push(Band {
                     z: (-STONES, 0.0),
-                    material: stone,
+                    look: stone,
                     picture: false,
                 });
             }
@@ -127,21 +130,20 @@ impl Walker<'_> {
     /// Returns the stripes of a unit from its foot to its top; the first unit of a half stands for all of it.
     fn bands(&mut self, unit: &Unit, placed: &PlacedUnit<'_>, z: (f64, f64), out: &mut Vec<Band>) {
         let (z0, z1) = z;
-        let mut band =
-            |store: &mut crate::tessellate::Store, from: f64, to: f64, surface: SurfaceId| {
-                if to - from > 1e-3 {
-                    out.push(Band {
-                        z: (from, to),
-                        material: store.surface_at(surface, (from + to) / 2.0),
-                        picture: false,
-                    });
-                }
-            };
+        let mut band = |store: &Store<'_>, from: f64, to: f64, surface: SurfaceId| {
+            if to - from > 1e-3 {
+                out.push(Band {
+                    z: (from, to),
+                    look: store.surface_at(surface, (from + to) / 2.0),
+                    picture: false,
+                });
+            }
+        };
         match &unit.content {
             Content::Void => {}
             Content::Picture(id) => out.push(Band {
                 z,
-                material: self.store.picture(id.0, Share::default()),
+                look: Look::Picture(id.0, Share::default()),
                 picture: true,
             }),
             Content::Split(split) => {
@@ -163,13 +165,13 @@ impl Walker<'_> {
                     }
                     _ => z,
                 };
-                let (store, mut shown) = (&mut self.store, vec![]);
+                let (store, mut shown) = (&self.store, vec![]);
                 band(store, z0, foot, placed.around);
                 match unit.picture {
                     Some(_) if top - foot <= 1e-3 => {}
                     Some(id) => shown.push(Band {
                         z: (foot, top),
-                        material: store.picture(id.0, Share::default()),
+                        look: Look::Picture(id.0, Share::default()),
                         picture: true,
                     }),
                     None => band(store, foot, top, main),
@@ -208,17 +210,13 @@ fn corner(before: &Line<'_>, line: &Line<'_>) -> f64 {
 }
 
 /// Adds the quads of a section.
-fn draw(
-    stretch: &Stretch,
-    place: impl Fn(f64, f64, f64) -> DVec3,
-    soups: &mut Vec<(MaterialId, Soup)>,
-) {
+fn draw(stretch: &Stretch, place: impl Fn(f64, f64, f64) -> DVec3, soups: &mut Vec<(Look, Soup)>) {
     let (left, right) = (-stretch.to, -stretch.from);
     let top = stretch.tops.0.min(stretch.tops.1);
     for band in &stretch.bands {
-        let at = soups.iter().position(|(id, _)| *id == band.material);
+        let at = soups.iter().position(|(id, _)| *id == band.look);
         let at = at.unwrap_or_else(|| {
-            soups.push((band.material, Soup::default()));
+            soups.push((band.look, Soup::default()));
             soups.len() - 1
         });
         let (z0, z1) = band.z;

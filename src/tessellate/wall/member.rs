@@ -4,11 +4,12 @@ use crate::catalog::Stance;
 use crate::geometry::tolerance::STRAIGHT;
 use crate::geometry::{SAME, SHAKU};
 use crate::material::SurfaceId;
-use crate::scene::{Detail, Kind, MaterialId, NodeId, Primitive};
+use crate::scene::{Detail, Kind, NodeId};
 use crate::tessellate::mesh::smooth::soft_bar;
 use crate::tessellate::mesh::{Axis, Bodies, Soup};
 use crate::tessellate::part::bay::Layer;
-use crate::tessellate::store::{Key, primitive, tenths};
+use crate::tessellate::store::look::Look;
+use crate::tessellate::store::{Key, tenths};
 use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::{Level, Walker};
 use glam::{DVec2, DVec3, dvec2, dvec3};
@@ -336,9 +337,9 @@ pub(in crate::tessellate) fn panel(
     width: f64,
     height: f64,
     layer: Layer,
-    front: MaterialId,
-    neutral: MaterialId,
-) -> Vec<Primitive> {
+    front: Look,
+    neutral: Look,
+) -> Vec<(Look, Soup)> {
     let (y0, y1) = (-layer.front, layer.thick - layer.front);
     let at = |x: f64, y: f64, z: f64| dvec3(x * width, y, z * height);
     let ring: [DVec2; 4] = [
@@ -364,5 +365,5 @@ pub(in crate::tessellate) fn panel(
         ];
         rest.face(&side, false);
     }
-    vec![primitive(front, picture), primitive(neutral, rest)]
+    vec![(front, picture), (neutral, rest)]
 }

@@ -8,7 +8,7 @@ use crate::material::SurfaceId;
 use crate::program::{Content, Unit};
 use crate::scene::{Detail, Kind, MeshId};
 use crate::tessellate::mesh::{Axis, Bodies};
-use crate::tessellate::store::Share;
+use crate::tessellate::store::look::Share;
 use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::weather::Weather;
 use crate::tessellate::{Level, Walker};

@@ -214,7 +214,7 @@ function instanceTransforms(node: THREE.Mesh): THREE.Matrix4[] {
 function buildChunk(contents: ChunkContents, parts: Part[], origin: THREE.Vector3): Chunk {
   const { pieces, material } = contents;
   const of = (name: string) => pieces.every(p => p.geometry.hasAttribute(name));
-  const vertices = pieces.reduce((sum, p) => sum + p.geometry.getAttribute('position').count, 0);
+  const vertices = pieces.reduce((sum, p) => sum + usedVertices(p.geometry).count, 0);
   const indices = pieces.reduce((sum, p) => sum + indexCount(p.geometry), 0);
   const position = new Float32Array(vertices * 3), normal = new Float32Array(vertices * 3);
   const tangent = of('tangent') ? new Float32Array(vertices * 4) : null;
@@ -227,21 +227,22 @@ function buildChunk(contents: ChunkContents, parts: Part[], origin: THREE.Vector
   const turn = new THREE.Matrix3();
   let vertex = 0, next = 0;
   for (const { geometry: from, place, part } of pieces) {
-    const { count } = from.getAttribute('position'), own = parts[part]!.box, mirrored = place.determinant() < 0;
-    transformPoints(attributeValues(from, 'position'), place, origin, position.subarray(vertex * 3), own);
-    if (from.hasAttribute('normal')) transformDirections(attributeValues(from, 'normal'), turn.getNormalMatrix(place), 3, normal.subarray(vertex * 3));
+    const { first, count } = usedVertices(from), own = parts[part]!.box, mirrored = place.determinant() < 0;
+    const values = (name: string) => attributeValues(from, name, first, count);
+    transformPoints(values('position'), place, origin, position.subarray(vertex * 3), own);
+    if (from.hasAttribute('normal')) transformDirections(values('normal'), turn.getNormalMatrix(place), 3, normal.subarray(vertex * 3));
     if (tangent) {
-      const to = tangent.subarray(vertex * 4), given = attributeValues(from, 'tangent');
+      const to = tangent.subarray(vertex * 4), given = values('tangent');
       transformDirections(given, turn.setFromMatrix4(place), 4, to);
       for (let i = 3; i < count * 4; i += 4) to[i] = mirrored ? -given[i]! : given[i]!;
     }
-    uv?.set(attributeValues(from, 'uv'), vertex * 2);
-    uv1?.set(attributeValues(from, 'uv1'), vertex * 2);
+    uv?.set(values('uv'), vertex * 2);
+    uv1?.set(values('uv1'), vertex * 2);
     if (color) {
       const colors = from.getAttribute('color');
       for (let i = 0; i < count; i++) {
-        const opaque = colors.itemSize < 4 ? 1 : colors.getW(i);
-        color.set([colors.getX(i), colors.getY(i), colors.getZ(i), opaque], (vertex + i) * 4);
+        const at = first + i, opaque = colors.itemSize < 4 ? 1 : colors.getW(at);
+        color.set([colors.getX(at), colors.getY(at), colors.getZ(at), opaque], (vertex + i) * 4);
       }
     }
     const length = indexCount(from);
@@ -249,7 +250,7 @@ function buildChunk(contents: ChunkContents, parts: Part[], origin: THREE.Vector
     const order = mirrored ? [0, 2, 1] : [0, 1, 2];
     for (let i = 0; i < length; i++) {
       const corner = i - i % 3 + order[i % 3]!;
-      index[next + i] = vertex + (from.index ? from.index.getX(corner) : corner);
+      index[next + i] = vertex - first + (from.index ? from.index.getX(corner) : corner);
     }
     const last = ranges.at(-1);
     if (last?.part === part) last.count += length; else ranges.push({ start: next, count: length, part });
@@ -278,13 +279,28 @@ function buildChunk(contents: ChunkContents, parts: Part[], origin: THREE.Vector
   return { mesh, house, storey, owner, ranges, box, reflection: baked ? 0 : reflection ?? 0 };
 }
 
-/** The values of an attribute, unpacked; the original array where it holds plain floats. */
-function attributeValues(geometry: THREE.BufferGeometry, name: string): ArrayLike<number> {
-  const attribute = geometry.getAttribute(name), { count, itemSize } = attribute;
-  if (attribute instanceof THREE.BufferAttribute && attribute.array instanceof Float32Array) return attribute.array;
-  const all = new Float32Array(count * itemSize);
-  for (let i = 0; i < all.length; i++) all[i] = attribute.getComponent(Math.floor(i / itemSize), i % itemSize);
-  return all;
+/** The vertices that the triangles of a geometry use: surfaces of a house may share their attributes. */
+function usedVertices(geometry: THREE.BufferGeometry): { first: number, count: number } {
+  const { index } = geometry, all = geometry.getAttribute('position').count;
+  if (!index || index.count === 0) return { first: 0, count: all };
+  let first = Infinity, last = 0;
+  for (let i = 0; i < index.count; i++) {
+    const vertex = index.getX(i);
+    if (vertex < first) first = vertex;
+    if (vertex > last) last = vertex;
+  }
+  return { first, count: last - first + 1 };
+}
+
+/** The values of an attribute of some vertices, unpacked; a view of the original array where it holds plain floats. */
+function attributeValues(geometry: THREE.BufferGeometry, name: string, first: number, count: number): ArrayLike<number> {
+  const attribute = geometry.getAttribute(name), { itemSize } = attribute;
+  if (attribute instanceof THREE.BufferAttribute && attribute.array instanceof Float32Array) {
+    return attribute.array.subarray(first * itemSize, (first + count) * itemSize);
+  }
+  const some = new Float32Array(count * itemSize);
+  for (let i = 0; i < some.length; i++) some[i] = attribute.getComponent(first + Math.floor(i / itemSize), i % itemSize);
+  return some;
 }
 
 /** Transforms points into the page's frame and extends a box by them. */

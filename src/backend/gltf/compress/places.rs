@@ -1,7 +1,7 @@
 //! Placements: the nodes of one mesh become one node with a list of placements.
 
-use super::super::geometry::Geometry;
 use super::super::nodes::rotation;
+use super::geometry::Geometry;
 use crate::backend::number::Number;
 use crate::backend::sound;
 use crate::scene::{self, Scene};

@@ -243,6 +243,19 @@ pub fn too_many_includes(span: Span, limit: usize) -> Diagnostic {
     ))
 }
 
+/// More bytes in included files than the limit.
+#[cold]
+pub fn too_much_included(span: Span, limit: usize) -> Diagnostic {
+    let message = text!([limit]
+        "the included files have more than {limit} bytes in total; this one is ignored",
+        "取り込むファイルが合わせて {limit} バイトを超えました。これは読みません"
+    );
+    Diagnostic::error(910, span, message).help(text!(
+        "include less, or raise the limit with `--max-included-bytes`",
+        "取り込むものを減らすか、`--max-included-bytes` で上限を上げてください"
+    ))
+}
+
 /// Uses and repetitions that grow beyond the limit.
 #[cold]
 pub fn copies_too_large(span: Span, limit: usize, chain: &[(String, Span)]) -> Diagnostic {

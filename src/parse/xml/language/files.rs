@@ -12,7 +12,7 @@ use crate::diagnostic::messages::xml as say;
 use crate::parse::is_readable;
 use crate::parse::schema;
 use crate::parse::schema::{SCHEMA_HINTS, Tag, is_language};
-use crate::source::{IncludeError, Source, Span};
+use crate::source::{CacheFull, IncludeError, Source, Span};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::rc::Rc;
@@ -159,13 +159,17 @@ impl<'a> Expander<'a, '_> {
                 return None;
             }
         };
-        let source = cache.add(path, &bytes);
-        if source.is_none() {
-            let limit = self.setting.limits.includes;
-            self.reporter
-                .at(place, |s| say::too_many_includes(s, limit));
+        let limits = &self.setting.limits;
+        match cache.add(path, &bytes) {
+            Ok(source) => return Some(source),
+            Err(CacheFull::Files) => self
+                .reporter
+                .at(place, |s| say::too_many_includes(s, limits.includes)),
+            Err(CacheFull::Bytes) => self
+                .reporter
+                .at(place, |s| say::too_much_included(s, limits.included_bytes)),
         }
-        source
+        None
     }
 
     /// Evaluates the definitions in the outermost element of a file; returns its custom parts.

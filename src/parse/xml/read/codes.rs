@@ -3,10 +3,12 @@
 //! A run is the text between two children. Line breaks and the white space around them are removed; each line is split
 //! into fives independently and its last code padded, since the blanks that end a code before a line break are removed
 //! with it. Blanks at the start of a run on the line of its tag are columns. Runs of white space alone are not passed
-//! in.
+//! in. Codes that have left their columns are read by their words, as in the legacy form.
 
-use crate::ast::{Item, Piece};
+use crate::ast::{CodeText, Item, Piece};
+use crate::diagnostic::messages::legacy::out_of_step;
 use crate::diagnostic::messages::xml as say;
+use crate::parse::columns::{CELL, Cell, Form};
 use crate::parse::xml::read::Reader;
 use crate::parse::xml::suggest::narrow_ascii;
 use crate::parse::xml::tree::chars::is_blank;
@@ -113,33 +115,64 @@ impl Reader<'_, '_> {
         turns: bool,
         parts: &mut Vec<Item<Piece>>,
     ) -> Option<Spanned<f64>> {
-        let mut turn = None;
-        for code in line.chunks(5) {
-            match code[0].byte {
-                Some(letter @ (b'L' | b'R' | b'^')) if code.len() == 1 => {
-                    let place = text.range(code[0].range.clone());
-                    let bear = self.turn.filter(|_| turns);
-                    let bear = bear.map(|at| self.reporter.span(&(at..at)));
-                    self.reporter.at(&place, |s| {
-                        say::control_letter(s, letter as char, turns, bear)
-                    });
-                    let degrees = if letter == b'L' { -90.0 } else { 90.0 };
-                    turn =
-                        (letter != b'^').then(|| Spanned::new(degrees, self.reporter.span(&place)));
-                }
-                _ => parts.extend(self.code(text, code)),
-            }
+        let last = line.chunks(CELL).next_back();
+        let control = last.and_then(|code| match code {
+            [only] => only.byte.filter(|b| matches!(b, b'L' | b'R' | b'^')),
+            _ => None,
+        });
+        let (codes, end) = line.split_at(line.len() - usize::from(control.is_some()));
+        match self.in_step(text, codes) {
+            Some(meant) => parts.extend(meant),
+            None => parts.extend(codes.chunks(CELL).filter_map(|code| self.code(text, code))),
         }
-        turn
+        let (letter, place) = (control?, text.range(end[0].range.clone()));
+        let bear = self.turn.filter(|_| turns);
+        let bear = bear.map(|at| self.reporter.span(&(at..at)));
+        self.reporter.at(&place, |s| {
+            say::control_letter(s, letter as char, turns, bear)
+        });
+        let degrees = if letter == b'L' { -90.0 } else { 90.0 };
+        (letter != b'^').then(|| Spanned::new(degrees, self.reporter.span(&place)))
+    }
+
+    /// Reports a line whose codes are not in their columns, and returns the codes that its words mean.
+    fn in_step(&mut self, text: &Text<'_>, line: &[Column]) -> Option<Vec<Item<Piece>>> {
+        let bytes = line.iter().map(|c| c.byte.map(char::from));
+        let written: String = bytes.collect::<Option<_>>()?;
+        let mut form = Form::default();
+        for at in (0..written.len()).step_by(CELL) {
+            let cell = &written[at..];
+            // Blanks after the last code are no void.
+            form.see(cell.get(..CELL).unwrap_or(cell.trim_end_matches(' ')));
+        }
+        let cells = form.in_step(&written, 0)?;
+        let place = |range: Range<usize>| {
+            let last = range.end.max(range.start + 1).min(line.len()) - 1;
+            text.range(line[range.start.min(last)].range.start..line[last].range.end)
+        };
+        let off = |c: &&Cell<'_>| !c.range.start.is_multiple_of(CELL);
+        let slip = cells.iter().find(off).map_or(0, |c| c.range.start);
+        let end = written.trim_end_matches(' ').len();
+        let meant: String = cells.iter().map(|c| format!("{:5}", c.meant())).collect();
+        let meant = meant.trim_end();
+        let all = self.reporter.span(&place(0..end));
+        self.reporter.at(&place(slip..end), |span| {
+            out_of_step(span, slip + 1, meant, (all, meant))
+        });
+        let pieces = cells.iter().map(|cell| {
+            let span = self.reporter.span(&place(cell.range.clone()));
+            Item::One(Piece::new(CodeText::new(&cell.meant()), span))
+        });
+        Some(pieces.collect())
     }
 
     /// Returns the part of up to five columns; a remainder of blanks is none.
     fn code(&mut self, text: &Text<'_>, columns: &[Column]) -> Option<Item<Piece>> {
         let blank = columns.iter().all(|c| c.byte == Some(b' '));
-        if columns.len() < 5 && blank {
+        if columns.len() < CELL && blank {
             return None;
         }
-        let mut five = [b' '; 5];
+        let mut five = [b' '; CELL];
         // A code with an error becomes a void, so that the row keeps its length.
         if columns.iter().all(|c| c.byte.is_some()) {
             for (place, column) in five.iter_mut().zip(columns) {

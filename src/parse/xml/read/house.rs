@@ -24,7 +24,7 @@ impl<'t> Reader<'t, '_> {
         let mut house = House {
             span: self.whole(element),
             name: self.text(&of, "name"),
-            settings: self.settings(&of),
+            settings: self.settings(&of).into(),
             ..House::default()
         };
         let mut roofs: Option<Span> = None;
@@ -49,7 +49,7 @@ impl<'t> Reader<'t, '_> {
                         });
                         house.roofs.lines.extend(read.lines);
                     } else {
-                        house.roofs = read;
+                        house.roofs = read.into();
                         roofs = Some(self.reporter.span(&child.name_range));
                     }
                 }
@@ -63,6 +63,7 @@ impl<'t> Reader<'t, '_> {
                 }
             }
         }
+        house.storeys.shrink_to_fit();
         house
     }
 
@@ -142,8 +143,10 @@ impl<'t> Reader<'t, '_> {
             }
         }
         if !own.rows.is_empty() {
+            own.rows.shrink_to_fit();
             storey.loops.insert(0, own);
         }
+        storey.loops.shrink_to_fit();
         storey
     }
 

@@ -53,8 +53,8 @@ impl<'t> Reader<'t, '_> {
                 katsuogi: self.whole_number(&of, "katsuogi"),
             }),
         };
-        let first = house.monument.as_ref().map(Monument::span);
-        house.monument.get_or_insert(made);
+        let first = house.monument.as_ref().map(|first| first.span());
+        house.monument.get_or_insert_with(|| Box::new(made));
         self.only(schema, element, "House", first);
     }
 

@@ -31,6 +31,12 @@ pub(super) fn solids(
         .filter(|f| f.0.len() > 2)
         .flat_map(|f| flat(&points, f))
         .collect();
+    bounded(&points, faces)
+}
+
+/// Returns the closed solids that some faces bound, those closed on all sides inwards left out; none if an edge belongs
+/// to more than two faces of a solid.
+pub(super) fn bounded(points: &[DVec3], faces: Vec<Polygon>) -> Option<Vec<Solid>> {
     let of = components(points.len(), &faces)?;
     let count = of.iter().max().map_or(0, |n| n + 1);
     let mut solids = vec![Solid::default(); count];
@@ -57,11 +63,15 @@ pub(super) fn solids(
         let corners: Corners = corners.into_iter().map(number).collect();
         solid.faces.push(Face { corners, finish });
     }
-    // Cavities closed on all sides are filled, since they are never seen.
-    solids.retain(|s| volume(s) > 0.0);
+    // Cavities closed on all sides are filled, since they are never seen; what has no volume is not seen either.
+    solids.retain(|s| volume(s) > NOTHING);
     Some(solids)
 }
 
+/// Six times the least volume of a solid, cubic metres.
+const NOTHING: f64 = 6e-9;
+
+/// Returns six times the volume.
 fn volume(solid: &Solid) -> f64 {
     let from = solid.points.first().copied().unwrap_or_default();
     let of = |face: &Face| -> f64 {
@@ -115,7 +125,7 @@ fn straighten(points: &[DVec3], faces: &mut [Polygon]) {
 }
 
 /// Divides a face that welding has bent into triangles.
-fn flat(points: &[DVec3], face: Polygon) -> Vec<Polygon> {
+pub(super) fn flat(points: &[DVec3], face: Polygon) -> Vec<Polygon> {
     let (corners, finish) = &face;
     let at = |k: usize| points[corners[k] as usize] - points[corners[0] as usize];
     let fan = 1..corners.len() - 1;
@@ -157,6 +167,11 @@ fn components(points: usize, faces: &[Polygon]) -> Option<Vec<usize>> {
     let roots: Vec<usize> = (0..faces.len()).map(|f| find(&mut root, f)).collect();
     // If more faces share an edge, each solid may have two of them.
     for edge in edges.chunk_by(same) {
+        if let [one, other] = edge
+            && one.2 != other.2
+        {
+            continue;
+        }
         let mut of: Vec<(usize, bool)> = edge.iter().map(|e| (roots[e.3 as usize], e.2)).collect();
         of.sort_unstable();
         let pair = |c: &[(usize, bool)]| matches!(c, [(a, false), (b, true)] if a == b);

@@ -44,7 +44,7 @@ pub(in crate::tessellate::trim) fn boards(
     let last = seam.points.len() - 1;
     let run = plan(last) - plan(0);
     let trim = &context.roof.trim;
-    if context.detail == Detail::Body || trim.verge < LEAST_VERGE || run.length() < SHORTEST {
+    if trim.verge < LEAST_VERGE || run.length() < SHORTEST {
         return;
     }
     let along = run.normalize_or_zero();

@@ -4,7 +4,6 @@
 
 use crate::ast::RoofShape;
 use crate::material::SurfaceId;
-use crate::scene::Detail;
 use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::line::level_left;
@@ -39,7 +38,7 @@ pub(in crate::tessellate::trim) fn bands(
         _ if gable => (trim.eaves, trim.verge, 0.0),
         _ => (trim.eaves, trim.eaves, 0.0),
     };
-    if context.detail == Detail::Body || own < LEAST {
+    if own < LEAST {
         return;
     }
     for (out, deep) in BANDS {

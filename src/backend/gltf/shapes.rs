@@ -1,0 +1,331 @@
+//! Meshes: their accessors and arrays are appended as they come. Each kind of array has a view of its own, so
+//! accessors differ by offset only.
+
+use super::arrays::{Array, MaterialRef, bounds, index_type, write_indices};
+use super::buffer::view;
+use super::materials::MaterialRefs;
+use super::spool::{List, NewSpool, Section};
+use crate::backend::{Images, sound};
+use crate::scene::{self, Detail, Image, MeshId, ScenePart};
+use gltf::json::accessor::{ComponentType, GenericComponentType};
+use gltf::json::buffer::{Stride, Target};
+use gltf::json::mesh::{Mode, Primitive};
+use gltf::json::validation::Checked::Valid;
+use gltf::json::{Accessor, Index, Mesh, Root};
+use std::collections::BTreeMap;
+use std::io;
+use std::ops::Range;
+
+/// The meshes written so far.
+pub(super) struct Shapes {
+    pub(super) accessors: List,
+    pub(super) meshes: List,
+    /// By the number in the scene: that in the file, one higher; 0 if nothing of the mesh can be written.
+    numbers: Vec<Option<u32>>,
+    /// The sections of the buffer, in the order of their views.
+    views: Vec<ArrayView>,
+    /// The texture coordinates on baked pages: the page, and where they lie in their section.
+    on_pages: Vec<(u32, Range<u64>)>,
+}
+
+/// The arrays of one kind.
+struct ArrayView {
+    array: Array,
+    section: Section,
+}
+
+/// A primitive to be written.
+struct Piece<'s> {
+    source: &'s scene::Primitive,
+    material: MaterialRef,
+    /// The baked page it shows.
+    page: Option<u32>,
+}
+
+impl Shapes {
+    pub(super) fn new(new: NewSpool<'_>) -> io::Result<Shapes> {
+        Ok(Shapes {
+            accessors: List::new(new)?,
+            meshes: List::new(new)?,
+            numbers: vec![],
+            views: vec![],
+            on_pages: vec![],
+        })
+    }
+
+    /// Writes a mesh of some houses unless it is written; returns its number, `None` if nothing of it can be written.
+    pub(super) fn mesh(
+        &mut self,
+        id: MeshId,
+        part: ScenePart<'_>,
+        (materials, images): (&mut MaterialRefs, &dyn Images),
+        new: NewSpool<'_>,
+    ) -> io::Result<Option<u32>> {
+        if let Some(number) = self.number(id) {
+            return Ok(number);
+        }
+        let Some(mesh) = part.mesh(id) else {
+            return Ok(None);
+        };
+        let sound = |p: &&scene::Primitive| sound::primitive(p, part.materials);
+        let list: Vec<Piece<'_>> = mesh
+            .primitives
+            .iter()
+            .filter(sound)
+            .map(|source| {
+                let material = &part.materials[source.material.0 as usize];
+                Piece {
+                    source,
+                    material: materials.of(source.material, material, images),
+                    page: match &material.image {
+                        Image::Baked(page) => Some(*page),
+                        _ => None,
+                    },
+                }
+            })
+            .collect();
+        let mirrors = || list.iter().any(|p| p.material.mirrors);
+        let primitives = match part.detail <= Detail::Flat && !mirrors() {
+            true => self.joined(&list, new)?,
+            false => self.separate(&list, new)?,
+        };
+        let number = match primitives.is_empty() {
+            true => None,
+            false => Some(self.meshes.push(&Mesh {
+                name: (!mesh.name.is_empty()).then(|| mesh.name.clone()),
+                primitives,
+                weights: None,
+                extensions: None,
+                extras: None,
+            })?),
+        };
+        let at = id.0 as usize;
+        if self.numbers.len() <= at {
+            self.numbers.resize(at + 1, None);
+        }
+        self.numbers[at] = Some(number.map_or(0, |n| n + 1));
+        Ok(number)
+    }
+
+    /// Returns the number of a mesh that is written, or `None` in it if nothing of it can be.
+    pub(super) fn number(&self, id: MeshId) -> Option<Option<u32>> {
+        let known = self.numbers.get(id.0 as usize).copied().flatten()?;
+        Some(known.checked_sub(1))
+    }
+
+    /// Writes primitives with arrays of their own.
+    fn separate(&mut self, list: &[Piece<'_>], new: NewSpool<'_>) -> io::Result<Vec<Primitive>> {
+        let mut primitives = vec![];
+        for piece in list {
+            let (p, material) = (piece.source, piece.material);
+            let first = self.accessors.count();
+            for array in arrays(material) {
+                let bounds = (array == Array::Positions).then(|| bounds([&*p.positions]));
+                let kind = accessor(array, array.component(p), array.count(p), bounds);
+                let place = self.append(array, kind, new, |out| array.write(p, material, out))?;
+                if let (Array::Uvs, Some(page)) = (array, piece.page) {
+                    self.on_pages.push((page, place));
+                }
+            }
+            primitives.push(primitive(material, first));
+        }
+        Ok(primitives)
+    }
+
+    /// Writes primitives that share their arrays: in a town seen from afar, the description of an array is larger than
+    /// the wall in it.
+    fn joined(&mut self, list: &[Piece<'_>], new: NewSpool<'_>) -> io::Result<Vec<Primitive>> {
+        let vertices = list.iter().map(|p| p.source.positions.len()).sum();
+        let in_use = |array: &Array| list.iter().any(|p| array.is_in(p.material));
+        let mut attributes = BTreeMap::new();
+        for array in Array::ALL.into_iter().filter(in_use) {
+            let Some(semantic) = array.semantic() else {
+                continue;
+            };
+            let points = || list.iter().map(|p| &*p.source.positions);
+            let bounds = (array == Array::Positions).then(|| bounds(points()));
+            let kind = accessor(array, ComponentType::F32, vertices, bounds);
+            attributes.insert(Valid(semantic), Index::new(self.accessors.count()));
+            let mut ends = vec![];
+            let place = self.append(array, kind, new, |out| {
+                let start = out.len();
+                for piece in list {
+                    array.write(piece.source, piece.material, out);
+                    ends.push((out.len() - start) as u64);
+                }
+            })?;
+            if array == Array::Uvs {
+                let starts = [0].into_iter().chain(ends.iter().copied());
+                for ((piece, start), end) in list.iter().zip(starts).zip(&ends) {
+                    let own = place.start + start..place.start + end;
+                    self.on_pages.extend(piece.page.map(|page| (page, own)));
+                }
+            }
+        }
+        let (mut first, mut primitives) = (0, vec![]);
+        for Piece {
+            source, material, ..
+        } in list
+        {
+            let component = index_type(vertices);
+            let kind = accessor(Array::Indices, component, source.indices.len(), None);
+            let indices = Index::new(self.accessors.count());
+            self.append(Array::Indices, kind, new, |out| {
+                write_indices(out, &source.indices, (first, vertices));
+            })?;
+            first += source.positions.len();
+            primitives.push(Primitive {
+                attributes: attributes.clone(),
+                indices: Some(indices),
+                ..triangles(*material)
+            });
+        }
+        Ok(primitives)
+    }
+
+    /// Appends an array and its accessor; returns where it lies in its section.
+    fn append(
+        &mut self,
+        array: Array,
+        accessor: Accessor,
+        new: NewSpool<'_>,
+        write: impl FnOnce(&mut Vec<u8>),
+    ) -> io::Result<Range<u64>> {
+        let known = self.views.iter().position(|view| view.array == array);
+        let number = match known {
+            Some(number) => number,
+            None => {
+                self.views.push(ArrayView {
+                    array,
+                    section: Section::new(array.name(), new)?,
+                });
+                self.views.len() - 1
+            }
+        };
+        let place = self.views[number].section.append(|out| {
+            write(out);
+            Ok(())
+        })?;
+        self.accessors.push(&Accessor {
+            buffer_view: Some(Index::new(number as u32)),
+            byte_offset: Some(place.start.into()),
+            ..accessor
+        })?;
+        Ok(place)
+    }
+
+    /// Stretches the texture coordinates on pages downwards by the factor of each page: its lower end was cut off.
+    pub(super) fn stretch(&mut self, grown: &[f32]) -> io::Result<()> {
+        let Some(view) = self.views.iter_mut().find(|v| v.array == Array::Uvs) else {
+            return Ok(());
+        };
+        for (page, place) in std::mem::take(&mut self.on_pages) {
+            let factor = grown.get(page as usize).copied().unwrap_or(1.0);
+            if factor != 1.0 {
+                view.section.change(place, |bytes| {
+                    let (floats, _) = bytes.as_chunks_mut::<4>();
+                    // As in a scene, where they are counted from below.
+                    for v in floats.iter_mut().skip(1).step_by(2) {
+                        let above = 1.0 - f32::from_le_bytes(*v) * factor;
+                        *v = (1.0 - above).to_le_bytes();
+                    }
+                })?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds the views to the root; returns the sections in the order of the buffer, and their length.
+    pub(super) fn into_views(self, root: &mut Root) -> (List, List, Vec<Section>, u64) {
+        let mut length = 0;
+        let mut sections = vec![];
+        for ArrayView { array, section } in self.views {
+            let vertices = array != Array::Indices;
+            let target = match vertices {
+                true => Target::ArrayBuffer,
+                false => Target::ElementArrayBuffer,
+            };
+            root.push(gltf::json::buffer::View {
+                target: Some(Valid(target)),
+                // Many accessors share it.
+                byte_stride: vertices.then_some(Stride(4 * array.elements().multiplicity())),
+                ..view(length as usize, section.length() as usize)
+            });
+            length += section.length();
+            sections.push(section);
+        }
+        (self.accessors, self.meshes, sections, length)
+    }
+}
+
+/// Returns the arrays of a primitive of this material, in the order of their accessors.
+pub(super) fn arrays(material: MaterialRef) -> impl Iterator<Item = Array> {
+    Array::ALL.into_iter().filter(move |a| a.is_in(material))
+}
+
+/// Returns a primitive whose first accessor has this number.
+pub(super) fn primitive(material: MaterialRef, first: u32) -> Primitive {
+    let numbers = (first..).map(Index::new);
+    let mut indices = None;
+    let mut attribute = |(array, number): (Array, _)| {
+        let semantic = array.semantic();
+        if semantic.is_none() {
+            indices = Some(number);
+        }
+        semantic.map(|s| (Valid(s), number))
+    };
+    Primitive {
+        attributes: arrays(material)
+            .zip(numbers)
+            .filter_map(&mut attribute)
+            .collect(),
+        indices,
+        ..triangles(material)
+    }
+}
+
+/// Returns triangles of a material, without arrays.
+fn triangles(material: MaterialRef) -> Primitive {
+    Primitive {
+        attributes: BTreeMap::new(),
+        indices: None,
+        material: Some(material.number),
+        mode: Valid(Mode::Triangles),
+        targets: None,
+        extensions: None,
+        extras: None,
+    }
+}
+
+/// Returns the accessor of an array, without its place.
+fn accessor(
+    array: Array,
+    component: ComponentType,
+    count: usize,
+    bounds: Option<([f32; 3], [f32; 3])>,
+) -> Accessor {
+    Accessor {
+        buffer_view: None,
+        byte_offset: None,
+        count: count.into(),
+        component_type: Valid(GenericComponentType(component)),
+        type_: Valid(array.elements()),
+        min: bounds.map(|(min, _)| shortest(min)),
+        max: bounds.map(|(_, max)| shortest(max)),
+        name: None,
+        normalized: false,
+        sparse: None,
+        extensions: None,
+        extras: None,
+    }
+}
+
+/// Returns numbers with the fewest digits that are read as the same floats.
+fn shortest(numbers: [f32; 3]) -> serde_json::Value {
+    let number = |x: f32| {
+        x.to_string()
+            .parse::<f64>()
+            .unwrap_or_else(|_| f64::from(x))
+    };
+    numbers.map(number).as_slice().into()
+}

@@ -1,0 +1,165 @@
+//! Writes a model house by house.
+
+use super::materials::{MaterialRefs, Materials};
+use super::nodes::{Tree, kept};
+use super::shapes::Shapes;
+use super::spool::{NewSpool, in_memory};
+use super::{Glb, Model};
+use crate::backend::{Images, OutFile, sound};
+use crate::scene::{Detail, Material, MeshId, Scene, ScenePart};
+use gltf::json::{Asset, Root};
+use std::io;
+use std::ops::Range;
+
+/// A model that takes houses one after another. It keeps what does not fit into the file yet in spools, so the memory
+/// it takes grows by a few bytes for each mesh and house.
+pub struct Writer<'n> {
+    new: NewSpool<'n>,
+    materials: MaterialRefs,
+    shapes: Shapes,
+    tree: Tree,
+}
+
+impl<'n> Writer<'n> {
+    /// Creates a model without houses that keeps its content in these spools.
+    ///
+    /// # Errors Those of the spools.
+    pub fn new(new: NewSpool<'n>) -> io::Result<Writer<'n>> {
+        Ok(Writer {
+            new,
+            materials: MaterialRefs::default(),
+            shapes: Shapes::new(new)?,
+            tree: Tree::new(new)?,
+        })
+    }
+
+    /// Adds houses. Images must be there, except baked pages, which are needed at the end only.
+    ///
+    /// # Errors Those of the spools.
+    pub fn add(&mut self, part: ScenePart<'_>, images: &dyn Images) -> io::Result<()> {
+        self.materials.flat = part.detail == Detail::Body;
+        for id in part.nodes.iter().filter_map(|node| node.mesh) {
+            let materials = (&mut self.materials, images);
+            self.shapes.mesh(id, part, materials, self.new)?;
+        }
+        let shapes = &self.shapes;
+        self.tree.add(part, |id| shapes.number(id).flatten())
+    }
+
+    /// Numbers the materials of houses that are not written, so that those of others have the same numbers and names.
+    pub(super) fn number_materials(&mut self, part: ScenePart<'_>, images: &dyn Images) {
+        self.materials.flat = part.detail == Detail::Body;
+        let mut seen = vec![false; part.meshes.len()];
+        let mut first = |id: MeshId| {
+            let seen = seen.get_mut(id.0.checked_sub(part.first_mesh)? as usize)?;
+            (!std::mem::replace(seen, true)).then_some(id)
+        };
+        let shown = part
+            .nodes
+            .iter()
+            .filter_map(|node| node.mesh.and_then(&mut first));
+        let meshes = shown.filter_map(|id| part.mesh(id));
+        for p in meshes.flat_map(|mesh| &mesh.primitives) {
+            if sound::primitive(p, part.materials) {
+                let material = &part.materials[p.material.0 as usize];
+                self.materials.of(p.material, material, images);
+            }
+        }
+    }
+
+    /// Returns the model as a `.glb` with embedded images. `materials` are those of the scene, `grown` the factors by
+    /// which distances from the upper edge of each baked page have grown.
+    ///
+    /// # Errors Those of the spools.
+    pub fn glb<'a>(
+        self,
+        materials: &'a [Material],
+        images: &'a dyn Images,
+        grown: &[f32],
+    ) -> io::Result<Glb<'a>> {
+        Ok(Glb::inside_of(self.model(materials, images, grown)?))
+    }
+
+    /// Returns the model as `stem.glb`, and its images in the folder `stem_textures`.
+    ///
+    /// # Errors Those of the spools.
+    pub fn glb_beside<'a>(
+        self,
+        materials: &'a [Material],
+        images: &'a dyn Images,
+        grown: &[f32],
+        stem: &str,
+    ) -> io::Result<(Glb<'a>, Vec<OutFile<'a>>)> {
+        let model = self.model(materials, images, grown)?;
+        Ok(Glb::beside_of(model, stem))
+    }
+
+    pub(super) fn model<'a>(
+        mut self,
+        materials: &'a [Material],
+        images: &'a dyn Images,
+        grown: &[f32],
+    ) -> io::Result<Model<'a>> {
+        self.shapes.stretch(grown)?;
+        let mut root = root();
+        let materials = Materials::new(&self.materials, materials, images, &mut root);
+        let (accessors, meshes, sections, length) = self.shapes.into_views(&mut root);
+        Ok(Model {
+            nodes: self.tree.into_nodes(&mut root),
+            root,
+            accessors,
+            meshes,
+            sections,
+            materials,
+            embedded: false,
+            length,
+            #[cfg(feature = "compress")]
+            unpacked: 0,
+        })
+    }
+}
+
+/// Returns some houses of a scene, given by their nodes: the part of [`Glb::beside`] that shows them, with its images.
+pub(crate) fn glb_of_houses<'a>(
+    scene: &'a Scene,
+    images: &'a dyn Images,
+    stem: &str,
+    houses: &[Range<usize>],
+) -> Glb<'a> {
+    let write = || {
+        let mut writer = Writer::new(&in_memory)?;
+        // Names of images are those of the whole model.
+        writer.number_materials(scene.whole(), images);
+        for house in houses {
+            writer.add(scene.part(house.clone()), images)?;
+        }
+        writer.model(&scene.materials, images, &[])
+    };
+    Glb::beside_of(write().expect("memory takes every byte"), stem).0
+}
+
+/// Returns an empty root.
+pub(super) fn root() -> Root {
+    Root {
+        asset: Asset {
+            generator: Some(concat!("hsd ", env!("CARGO_PKG_VERSION")).into()),
+            ..Asset::default()
+        },
+        ..Root::default()
+    }
+}
+
+/// Returns the numbers of the nodes of a scene that are written, in the order of the file.
+pub(crate) fn written_nodes(scene: &Scene) -> Vec<usize> {
+    let shapes: Vec<bool> = scene
+        .meshes
+        .iter()
+        .map(|m| {
+            let mut all = m.primitives.iter();
+            all.any(|p| sound::primitive(p, &scene.materials))
+        })
+        .collect();
+    let has_shape = |id: MeshId| shapes.get(id.0 as usize) == Some(&true);
+    let kept = kept(scene.whole(), has_shape);
+    (0..kept.len()).filter(|i| kept[*i]).collect()
+}

@@ -1,0 +1,252 @@
+//! A run that hands its houses on as they are made and keeps none: a town of any size takes the memory of some hundred
+//! houses and of its source.
+
+use super::house::{BATCH, Batch, Expansion};
+use super::models::{not_shown, use_by};
+use super::{Options, documents, spare_expressions, timed};
+use crate::backend::images::Library;
+use crate::backend::sound;
+use crate::building::Built;
+use crate::catalog::Catalog;
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::limits::too_many_triangles;
+use crate::diagnostic::messages::pictures as say;
+use crate::program::PictureId;
+use crate::roof::KeptRoofs;
+use crate::scene::{Counter, Material, ScenePart, Stats};
+use crate::source::{Source, Span, World};
+use crate::tessellate::{HouseDrafts, SceneBuilder, Tessellator};
+use std::borrow::Cow;
+use std::io;
+use std::time::Duration;
+
+/// What is left of a run when its houses are gone.
+#[derive(Debug)]
+pub struct Streamed {
+    /// Files that the sources include, for reports.
+    pub included: Vec<Source>,
+    /// The catalogue with the custom parts of the sources.
+    pub catalog: Cow<'static, Catalog>,
+    /// The materials of all houses, by the numbers that their meshes give them.
+    pub materials: Vec<Material>,
+    /// The images of the materials.
+    pub library: Library,
+    /// The factor by which distances from the upper edge of each baked page have grown.
+    pub grown: Vec<f32>,
+    /// The paths of part textures.
+    pub pictures: Vec<String>,
+    /// The number of houses.
+    pub houses: usize,
+    /// Their triangles, meshes and nodes.
+    pub stats: Stats,
+    /// The durations of the stages, in order.
+    pub times: Vec<(&'static str, Duration)>,
+}
+
+/// Takes houses in their order, with the images of their materials except baked pages.
+pub type Sink<'s> = dyn FnMut(ScenePart<'_>, &Library) -> io::Result<()> + Send + 's;
+
+/// Runs the whole chain like [`compile`](super::compile), on the threads of the current `rayon` pool, and hands the houses
+/// to `sink`, some hundred at a time. It does not stop at errors of the sources: everything valid is built. Variants
+/// are not made.
+///
+/// # Errors
+/// Those of `sink`.
+pub fn stream(
+    sources: &[&Source],
+    world: &dyn World,
+    options: &Options,
+    out: &mut Diagnostics,
+    sink: &mut Sink<'_>,
+) -> io::Result<Streamed> {
+    let mut times = vec![];
+    let read = timed(&mut times, "parse", || {
+        documents(sources, world, options, out)
+    });
+    let catalog = &*read.catalog;
+    let tessellator = Tessellator::new(catalog, options.shapes());
+    let mut expansion = Expansion::new(read.documents, catalog, sources, world, &options.expand);
+    let mut town = Town {
+        world,
+        options,
+        scene: SceneBuilder::new(options.detail),
+        library: Library::default(),
+        counter: Counter::default(),
+        houses: 0,
+        together: BATCH / 4,
+        first: Span::default(),
+        flaws: 0,
+        out,
+        sink,
+    };
+    timed(&mut times, "houses", || {
+        town.build(&mut expansion, &tessellator, catalog)
+    })?;
+    let Town {
+        scene,
+        mut library,
+        counter,
+        houses,
+        ..
+    } = town;
+    let (materials, baked, grown) = scene.into_images();
+    library.bake(&baked);
+    let pictures = expansion.into_images();
+    spare_expressions(sources, &read.included, out);
+    Ok(Streamed {
+        included: read.included,
+        catalog: read.catalog,
+        materials,
+        library,
+        grown,
+        pictures: pictures.into_iter().map(|p| p.path).collect(),
+        houses,
+        stats: counter.stats(),
+        times,
+    })
+}
+
+/// Houses that are made but not yet written.
+struct Made {
+    houses: Vec<HouseDrafts>,
+    count: usize,
+    /// The place of the first house.
+    first: Option<Span>,
+    found: Vec<Diagnostics>,
+    /// New images by number, with the place that uses each first.
+    images: Vec<(usize, Option<Span>)>,
+}
+
+impl Made {
+    /// Makes the houses of a batch; the first has this number in the run.
+    fn of(
+        batch: Batch,
+        number: usize,
+        tessellator: &Tessellator<'_>,
+        (catalog, roofs): (&Catalog, Option<&KeptRoofs>),
+    ) -> Made {
+        let images = batch.images.clone();
+        let chunks = batch.finish(catalog, roofs, |first, houses| {
+            let (built, found): (Vec<Option<Built>>, Vec<Diagnostics>) = houses.into_iter().unzip();
+            let built: Vec<Built> = built.into_iter().flatten().collect();
+            let uses = |id: usize| built.iter().find_map(|b| use_by(b, PictureId(id as u32)));
+            Made {
+                houses: vec![tessellator.houses(&built, number + first)],
+                count: built.len(),
+                first: built.first().map(|b| b.house.span),
+                found,
+                images: images.clone().map(|id| (id, uses(id))).collect(),
+            }
+        });
+        let merged = chunks.into_iter().reduce(Made::and);
+        merged.expect("no batch is empty")
+    }
+
+    fn and(mut self, next: Made) -> Made {
+        self.houses.extend(next.houses);
+        self.count += next.count;
+        self.first = self.first.or(next.first);
+        self.found.extend(next.found);
+        for ((_, used), (_, also)) in self.images.iter_mut().zip(next.images) {
+            *used = used.or(also);
+        }
+        self
+    }
+}
+
+/// The bytes of meshes to make at a time.
+const BYTES: usize = 16 << 20;
+
+/// Returns the number of houses to make at a time from now on, where the last so many made so many bytes. It depends on
+/// houses alone, and no house depends on it.
+fn paced(together: usize, houses: usize, bytes: usize) -> usize {
+    let each = bytes / houses.max(1);
+    (BYTES / each.max(1)).min(2 * together).clamp(1, BATCH)
+}
+
+/// The run so far.
+struct Town<'a, 's> {
+    world: &'a dyn World,
+    options: &'a Options,
+    scene: SceneBuilder,
+    library: Library,
+    counter: Counter,
+    houses: usize,
+    /// The number of houses to make at a time.
+    together: usize,
+    /// The place of the first house.
+    first: Span,
+    flaws: usize,
+    out: &'a mut Diagnostics,
+    sink: &'a mut Sink<'s>,
+}
+
+impl Town<'_, '_> {
+    /// Makes all houses. While some are made, those before them are handed on and those after them expanded.
+    fn build(
+        &mut self,
+        expansion: &mut Expansion<'_>,
+        tessellator: &Tessellator<'_>,
+        catalog: &Catalog,
+    ) -> io::Result<()> {
+        let roofs = self.options.roofs.as_ref();
+        let (mut number, mut done) = (1, None);
+        let mut next = expansion.batch(self.together);
+        while let Some(batch) = next.take() {
+            let count = batch.houses.len();
+            let (made, ahead) = rayon::join(
+                || Made::of(batch, number, tessellator, (catalog, roofs)),
+                || {
+                    let written = match done.take() {
+                        Some(made) => self.add(made, expansion),
+                        None => Ok(()),
+                    };
+                    written.map(|()| expansion.batch(self.together))
+                },
+            );
+            number += count;
+            done = Some(made);
+            next = ahead?;
+        }
+        match done {
+            Some(made) => self.add(made, expansion),
+            None => Ok(()),
+        }
+    }
+
+    /// Hands houses on.
+    fn add(&mut self, made: Made, expansion: &Expansion<'_>) -> io::Result<()> {
+        for found in made.found {
+            self.out.append(found);
+        }
+        let limits = &self.options.expand.limits;
+        for (id, used) in made.images {
+            let path = &expansion.images()[id].path;
+            self.library.add(path, self.world, limits.pixels, |error| {
+                let span = used.unwrap_or_default();
+                self.out.push(not_shown(error, path, span, limits));
+            });
+        }
+        if self.houses == 0 {
+            self.first = made.first.unwrap_or_default();
+        }
+        self.houses += made.count;
+        let bytes: usize = made.houses.iter().map(HouseDrafts::bytes).sum();
+        self.together = paced(self.together, made.count, bytes);
+        made.houses.into_iter().for_each(|h| self.scene.add(h));
+        for place in self.scene.take_oversized() {
+            self.out.push(too_many_triangles(place, limits.triangles));
+        }
+        let part = self.scene.part();
+        // One broken mesh may be shown a thousand times.
+        for flaw in sound::flaws(part).take(20 - self.flaws) {
+            self.flaws += 1;
+            let place = flaw.span.unwrap_or(self.first);
+            self.out.push(say::shape_left_out(place, &flaw.name));
+        }
+        self.counter.add(part);
+        (self.sink)(part, &self.library)?;
+        self.scene.forget();
+        Ok(())
+    }
+}

@@ -1,0 +1,105 @@
+//! The same solids with as few faces as possible, for the least detail: slopes, soffits and gables are not cut where
+//! nothing is to be seen.
+//!
+//! Each slope is one slab over its whole outline with a filling under the part of it that lies over the attic
+//! (`pieces`). Slabs and fillings share the corners of one plan (`plan`), their surfaces are added up there, and the
+//! faces that remain in one plane become one, which need not be convex (`faces`).
+//!
+//! Pieces that share space are cut first (`settled`). What is left over, which no plan has been seen to, goes the general
+//! way.
+
+mod faces;
+mod pieces;
+mod plan;
+mod settled;
+
+use crate::ast::RoofShape;
+use crate::building::{Finish, Roof, Solid};
+use crate::check::{has_area, is_plane};
+use crate::roof::solid::massive::closed;
+use glam::DVec2;
+
+/// Roofs whose bounds are farther apart do not touch, metres.
+const APART: f64 = 1e-3;
+
+/// The maximum number of rounds of splitting edges that cross at different heights.
+const ROUNDS: usize = 4;
+
+/// Returns the solids of one of the groups of roofs without timber under them; none if it has no attic.
+pub fn lean(roofs: &[Roof]) -> Option<Vec<Solid>> {
+    roofs.iter().find(|r| r.attic.filled)?;
+    let mut solids = vec![];
+    for part in apart(roofs) {
+        match direct(&part) {
+            Some(own) => solids.extend(own),
+            None => solids.extend(
+                super::sets(part.iter().copied())
+                    .into_iter()
+                    .filter(is_seen),
+            ),
+        }
+    }
+    Some(solids)
+}
+
+/// Returns the solids of some roofs, if they can be told without the general union.
+fn direct(roofs: &[&Roof]) -> Option<Vec<Solid>> {
+    // Verges of half-hips that meet other roofs end in the middle of slopes.
+    if roofs.len() > 1 && roofs.iter().any(|r| r.shape == RoofShape::HalfHip) {
+        return None;
+    }
+    let pieces = settled::settle(pieces::pieces(roofs))?;
+    let mut plan = plan::Plan::of(&pieces);
+    for _ in 0..ROUNDS {
+        plan.conform();
+        let raised = plan.raised(&pieces)?;
+        if plan.split(&raised) {
+            continue;
+        }
+        let patches = plan.patches(&pieces, &raised)?;
+        let faces = faces::merged(&raised.points, patches)?;
+        let solids = closed::bounded(&raised.points, faces)?;
+        let sound = |s: &Solid| s.faces.iter().all(|f| has_area(s, f) && is_plane(s, f));
+        return solids.iter().all(sound).then_some(solids);
+    }
+    None
+}
+
+fn is_seen(solid: &Solid) -> bool {
+    solid.faces.iter().any(|f| f.finish != Finish::Timber)
+}
+
+/// Returns the roofs in sets that do not touch each other, each in the order given.
+fn apart(roofs: &[Roof]) -> Vec<Vec<&Roof>> {
+    let mut sets: Vec<(Vec<usize>, [DVec2; 2])> = vec![];
+    for (n, roof) in roofs.iter().enumerate() {
+        let mut set = (vec![n], around(roof));
+        let mut k = 0;
+        while k < sets.len() {
+            if touch(&sets[k].1, &set.1) {
+                let (more, [lo, hi]) = sets.swap_remove(k);
+                set.0.extend(more);
+                set.1 = [set.1[0].min(lo), set.1[1].max(hi)];
+                k = 0;
+            } else {
+                k += 1;
+            }
+        }
+        sets.push(set);
+    }
+    sets.iter_mut().for_each(|s| s.0.sort_unstable());
+    sets.sort_unstable_by_key(|s| s.0[0]);
+    let of = |set: &(Vec<usize>, [DVec2; 2])| set.0.iter().map(|n| &roofs[*n]).collect();
+    sets.iter().map(of).collect()
+}
+
+fn touch(a: &[DVec2; 2], b: &[DVec2; 2]) -> bool {
+    (a[0] - APART).cmple(b[1]).all() && (b[0] - APART).cmple(a[1]).all()
+}
+
+fn around(roof: &Roof) -> [DVec2; 2] {
+    let points = roof.solids.iter().flat_map(|s| &s.points);
+    points.fold([DVec2::MAX, DVec2::MIN], |[lo, hi], p| {
+        [lo.min(p.truncate()), hi.max(p.truncate())]
+    })
+}

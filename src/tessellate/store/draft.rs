@@ -1,0 +1,122 @@
+//! Meshes before the scene numbers its meshes and materials: they can be made on any thread, in any order, since a draft
+//! depends on its own content alone. Equal drafts have equal digests, by which the scene keeps one mesh of them.
+
+use crate::tessellate::bake::Picture;
+use crate::tessellate::mesh::Soup;
+use crate::tessellate::mesh::panel::Rect;
+use crate::tessellate::store::look::Look;
+use std::sync::{Arc, Mutex, PoisonError};
+use twox_hash::XxHash3_128;
+
+/// A hash of some content. 128 bits: no two contents of a run have the same.
+pub(in crate::tessellate) type Digest = u128;
+
+/// A mesh with looks in place of materials.
+#[derive(Clone, Debug)]
+pub(in crate::tessellate) struct MeshDraft {
+    pub(in crate::tessellate) name: String,
+    /// The triangles of each look.
+    pub(in crate::tessellate) soups: Vec<(Look, Soup)>,
+    /// Upright rectangles that show baked images.
+    pub(in crate::tessellate) images: Vec<ImageQuad>,
+    pub(in crate::tessellate) digest: Digest,
+}
+
+/// An upright rectangle that shows a baked image.
+#[derive(Clone, Debug)]
+pub(in crate::tessellate) struct ImageQuad {
+    pub(in crate::tessellate) image: Arc<BakedImage>,
+    pub(in crate::tessellate) rect: Rect,
+    /// Its distance outside the centre line, metres.
+    pub(in crate::tessellate) front: f64,
+    /// The shade in which it is shown.
+    pub(in crate::tessellate) shade: usize,
+}
+
+/// A baked image. Its pixels are there until the atlas takes them, so that a town does not keep them all.
+#[derive(Debug)]
+pub(in crate::tessellate) struct BakedImage {
+    pixels: Mutex<Option<Picture>>,
+    pub(in crate::tessellate) digest: Digest,
+}
+
+impl MeshDraft {
+    pub(in crate::tessellate) fn new(
+        name: String,
+        soups: Vec<(Look, Soup)>,
+        images: Vec<ImageQuad>,
+    ) -> MeshDraft {
+        let digest = digest(&name, &soups, &images);
+        MeshDraft {
+            name,
+            soups,
+            images,
+            digest,
+        }
+    }
+
+    /// Returns true if it shows nothing.
+    pub(in crate::tessellate) fn is_empty(&self) -> bool {
+        self.soups.is_empty() && self.images.is_empty()
+    }
+
+    /// Returns the number of its triangles.
+    pub(in crate::tessellate) fn triangles(&self) -> usize {
+        let indices: usize = self.soups.iter().map(|(_, soup)| soup.indices.len()).sum();
+        indices / 3 + 2 * self.images.len()
+    }
+
+    /// Returns the size of its arrays, bytes.
+    pub(in crate::tessellate) fn size(&self) -> usize {
+        let size = |(_, s): &(Look, Soup)| 32 * s.positions.len() + 4 * s.indices.len();
+        self.soups.iter().map(size).sum()
+    }
+}
+
+impl BakedImage {
+    pub(super) fn new(picture: Picture) -> BakedImage {
+        let mut hasher = XxHash3_128::new();
+        hasher.write(&picture.color.width().to_le_bytes());
+        hasher.write(picture.color.as_raw());
+        hasher.write(picture.normal.as_raw());
+        hasher.write(picture.orm.as_raw());
+        BakedImage {
+            pixels: Mutex::new(Some(picture)),
+            digest: hasher.finish_128(),
+        }
+    }
+
+    /// Returns its pixels the first time.
+    pub(in crate::tessellate) fn take(&self) -> Option<Picture> {
+        let mut pixels = self.pixels.lock().unwrap_or_else(PoisonError::into_inner);
+        pixels.take()
+    }
+}
+
+fn digest(name: &str, soups: &[(Look, Soup)], images: &[ImageQuad]) -> Digest {
+    let mut hasher = XxHash3_128::new();
+    let lengths = [name.len(), soups.len(), images.len()];
+    write_lengths(&mut hasher, &lengths);
+    hasher.write(name.as_bytes());
+    for (look, soup) in soups {
+        hasher.write(bytemuck::cast_slice(&look.numbers()));
+        write_lengths(&mut hasher, &[soup.positions.len(), soup.indices.len()]);
+        hasher.write(bytemuck::cast_slice(&soup.positions));
+        hasher.write(bytemuck::cast_slice(&soup.normals));
+        hasher.write(bytemuck::cast_slice(&soup.uvs));
+        hasher.write(bytemuck::cast_slice(&soup.indices));
+    }
+    for quad in images {
+        hasher.write(&quad.image.digest.to_le_bytes());
+        write_lengths(&mut hasher, &[quad.shade]);
+        let Rect { x0, x1, z0, z1 } = quad.rect;
+        hasher.write(bytemuck::cast_slice(&[x0, x1, z0, z1, quad.front]));
+    }
+    hasher.finish_128()
+}
+
+fn write_lengths(hasher: &mut XxHash3_128, lengths: &[usize]) {
+    for length in lengths {
+        hasher.write(&(*length as u64).to_le_bytes());
+    }
+}

@@ -1,0 +1,118 @@
+//! Looks: what a material shows, before the scene numbers its materials.
+
+use crate::material::{SurfaceId, dimmed};
+use crate::scene::{Detail, Image, Material};
+
+/// Share of reflected light in thousandths; zero for surfaces that do not reflect.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub(in crate::tessellate) struct Share(pub(in crate::tessellate) u16);
+
+impl Share {
+    /// Converts a share between 0 and 1.
+    pub(in crate::tessellate) fn new(share: f64) -> Share {
+        Share((share.clamp(0.0, 1.0) * 1000.0).round() as u16)
+    }
+
+    fn value(self) -> f32 {
+        f32::from(self.0) / 1000.0
+    }
+}
+
+/// The surface or image of a material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(in crate::tessellate) enum Look {
+    /// A surface, and the light that it reflects.
+    Surface(SurfaceId, Share),
+    /// A part texture by its number in the run, and the light that it reflects.
+    Picture(u32, Share),
+}
+
+impl Look {
+    /// Returns the look of a surface; surfaces other than glass have one for every share of reflection.
+    pub(in crate::tessellate) fn surface(id: SurfaceId, share: Share) -> Look {
+        match id.surface().glass {
+            true => Look::Surface(id, share),
+            false => Look::Surface(id, Share::default()),
+        }
+    }
+
+    /// Returns three numbers that no other look has.
+    pub(super) fn numbers(self) -> [u32; 3] {
+        match self {
+            Look::Surface(id, share) => [0, id.index() as u32, share.0.into()],
+            Look::Picture(number, share) => [1, number, share.0.into()],
+        }
+    }
+
+    /// Returns its material.
+    pub(in crate::tessellate) fn material(self, detail: Detail) -> Material {
+        match self {
+            Look::Surface(id, share) => of_surface(id, share, detail),
+            Look::Picture(number, share) => of_picture(number, share),
+        }
+    }
+}
+
+fn of_surface(id: SurfaceId, share: Share, detail: Detail) -> Material {
+    let surface = id.surface();
+    Material {
+        name: match share.0 {
+            0 => surface.name.to_owned(),
+            per_mille => format!("{} {}.{}%", surface.name, per_mille / 10, per_mille % 10),
+        },
+        image: surface.picture.map_or(Image::None, Image::Surface),
+        tint: match surface.glass && detail <= Detail::Flat {
+            true => shut(surface.tint),
+            false => surface.tint,
+        },
+        roughness: surface.roughness,
+        metallic: surface.metallic,
+        double_sided: surface.thin,
+        cutout: false,
+        reflection: surface.glass.then(|| share.value()),
+        mirrored: None,
+    }
+}
+
+fn of_picture(number: u32, share: Share) -> Material {
+    Material {
+        name: match share.0 {
+            0 => format!("picture {}", number + 1),
+            n => format!("picture {} {}.{}%", number + 1, n / 10, n % 10),
+        },
+        image: Image::Picture(number),
+        tint: [1.0; 4],
+        roughness: if share.0 == 0 { 0.8 } else { 0.3 },
+        metallic: 0.0,
+        double_sided: false,
+        cutout: false,
+        reflection: (share.0 > 0).then(|| share.value()),
+        mirrored: None,
+    }
+}
+
+/// Returns the material of a page of baked images in a shade.
+pub(in crate::tessellate) fn of_page(page: u32, holes: bool, shade: usize) -> Material {
+    let light = dimmed(shade);
+    Material {
+        name: match shade {
+            0 => format!("joinery {}", page + 1),
+            shade => format!("joinery {}, shade {}", page + 1, shade + 1),
+        },
+        image: Image::Baked(page),
+        tint: [light, light, light, 1.0],
+        roughness: 1.0,
+        metallic: 1.0,
+        double_sided: false,
+        cutout: holes,
+        reflection: None,
+        mirrored: None,
+    }
+}
+
+/// Returns the colour of glass in front of a dark room, for details without interiors: it is opaque.
+fn shut([r, g, b, opacity]: [f32; 4]) -> [f32; 4] {
+    const DUSK: f32 = 0.035;
+    let [r, g, b] = [r, g, b].map(|c| c * opacity + DUSK * (1.0 - opacity));
+    [r, g, b, 1.0]
+}
