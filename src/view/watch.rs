@@ -11,10 +11,11 @@ use std::sync::{Arc, Weak};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// The pause after which a file counts as written, even if it was not closed.
-const QUIET: Duration = Duration::from_millis(12);
+/// The pause after which a file counts as written, even if it was not closed. Linux announces the closing, and a file that
+/// has just been emptied is not taken for its new content while the writer waits for a processor.
+const QUIET: Duration = Duration::from_millis(if cfg!(target_os = "linux") { 250 } else { 12 });
 /// The maximum time that consecutive changes are gathered.
-const PATIENCE: Duration = Duration::from_millis(60);
+const PATIENCE: Duration = Duration::from_millis(if cfg!(target_os = "linux") { 500 } else { 60 });
 
 /// The watched folders; watching ends on drop.
 pub(super) struct Watch {
@@ -99,8 +100,10 @@ impl Batch {
         match event.kind {
             EventKind::Access(AccessKind::Close(AccessMode::Write)) => self.closed = true,
             EventKind::Access(_) => return,
-            EventKind::Modify(ModifyKind::Name(_)) => (self.files, self.closed) = (true, true),
-            EventKind::Create(_) | EventKind::Remove(_) => self.files = true,
+            EventKind::Modify(ModifyKind::Name(_)) | EventKind::Remove(_) => {
+                (self.files, self.closed) = (true, true);
+            }
+            EventKind::Create(_) => self.files = true,
             _ => {}
         }
         self.texts = true;

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { type ChildProcess, spawn } from 'node:child_process';
-import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
@@ -99,10 +99,12 @@ export class Preview {
     return page;
   }
 
+  /** Writes a file in one step, so that no page can see it half written. */
   write(name: string, text: string | Uint8Array) {
-    const path = join(this.folder, name);
+    const path = join(this.folder, name), unfinished = `${path}.unfinished`;
     mkdirSync(dirname(path), { recursive: true });
-    writeFileSync(path, text);
+    writeFileSync(unfinished, text);
+    renameSync(unfinished, path);
   }
 
   read(name: string): string { return readFileSync(join(this.folder, name), 'utf8'); }
