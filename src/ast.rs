@@ -6,6 +6,7 @@
 
 mod era;
 mod fittings;
+mod frame;
 mod monuments;
 mod parts;
 mod pieces;
@@ -17,6 +18,7 @@ pub use era::Era;
 pub use fittings::{
     Brackets, Finial, FinialKind, Fittings, Order, Paint, Platform, Posts, Rail, Side, Veranda,
 };
+pub use frame::{Anchor, Frame, Placement};
 pub use monuments::{Gate, Given, Hall, Measures, Monument, Pagoda, Pair};
 pub use parts::{WrittenAttribute, WrittenBody, WrittenPart, attribute_value};
 pub use pieces::{CodeText, Half, Part, Piece, Split};
@@ -78,6 +80,9 @@ pub struct House {
     pub textures: Vec<Texture>,
     /// The roof section.
     pub roofs: Rare<Roofs>,
+    /// The groups around it, if there are any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub placement: Option<Box<Placement>>,
     /// Custom parts known only in this house.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<WrittenPart>,
@@ -90,6 +95,9 @@ pub struct Settings {
     pub x: Option<Spanned<f64>>,
     /// Metres north of the house's origin.
     pub y: Option<Spanned<f64>>,
+    /// The point of the house that stands there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub anchor: Option<Anchor>,
     /// Height of the house's origin, metres.
     pub z: Option<Spanned<f64>>,
     /// Compass direction of the first line's outward normal, degrees; 180 = south.

@@ -16,11 +16,12 @@ mod walk;
 
 pub(crate) use close::ClosingFix;
 
-use crate::ast::StoreyKind;
+use crate::ast::{Anchor, StoreyKind};
 use crate::building::{House, Ring, Shell, Storey};
 use crate::diagnostic::{Diagnostics, messages::plan};
-use crate::geometry::SHAKU;
+use crate::geometry::{Heading, SHAKU};
 use crate::program::{self, Program};
+use glam::{DVec2, dvec2};
 
 /// Places the walls of all houses, one after another.
 pub fn lower(program: Program, out: &mut Diagnostics) -> Shell {
@@ -35,7 +36,6 @@ pub fn lower(program: Program, out: &mut Diagnostics) -> Shell {
 pub fn house(house: program::House, out: &mut Diagnostics) -> House {
     let (mut z, mut number) = (0.0, 0);
     let raised = raised(&house);
-    let [x, y, ground] = house.origin;
     let mut storeys = Vec::with_capacity(house.storeys.len());
     for storey in house.storeys {
         let top = z + storey.height * SHAKU;
@@ -55,11 +55,19 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
             z = top;
         }
     }
+    let [x, y, ground] = house.origin;
+    let unit = house.unit_shaku * SHAKU;
+    let off = match house.anchor {
+        Anchor::Corner => DVec2::ZERO,
+        Anchor::Centre => Heading::new(180.0 - house.azimuth)
+            .vector()
+            .rotate(centre(&storeys) * unit),
+    };
     House {
         span: house.span,
         name: house.name,
         variant: house.variant,
-        origin: [x, y, ground + raised],
+        origin: [x - off.x, y - off.y, ground + raised],
         azimuth: house.azimuth,
         unit: house.unit_shaku * SHAKU,
         street: house.street,
@@ -70,6 +78,19 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
         finials: house.finials,
         roofs: house.roofs,
     }
+}
+
+/// Returns the centre of the ground storey's bounds in the house frame, units east and north.
+fn centre(storeys: &[Storey]) -> DVec2 {
+    let rings = storeys.first().map_or(&[][..], |ground| &ground.rings);
+    let walls = rings.iter().flat_map(|ring| &ring.walls);
+    let corners = walls.flat_map(|w| [w.from, w.to]);
+    let around = corners.fold(None, |around: Option<[DVec2; 2]>, p| {
+        let [low, high] = around.unwrap_or([p, p]);
+        Some([low.min(p), high.max(p)])
+    });
+    let middle = around.map_or(DVec2::ZERO, |[low, high]| (low + high) / 2.0);
+    dvec2(-middle.x, middle.y)
 }
 
 /// The height by which a platform and the veranda of the ground storey raise the house, metres.

@@ -2,7 +2,7 @@
 //! every unit knows its part and width. `expand` makes it, `lower` follows it.
 
 use crate::ast::{
-    Era, Finial, Order, Platform, Rare, RoofLine, RoofMethod, RoofMode, RoofStyle, StoreyKind,
+    Anchor, Era, Finial, Order, Platform, Rare, RoofLine, RoofMethod, RoofMode, RoofStyle, StoreyKind,
     Usual, Variant,
 };
 use crate::catalog::PartId;
@@ -46,6 +46,9 @@ pub struct House {
     pub variant: Option<Variant>,
     /// East, north, up of the origin, metres.
     pub origin: [f64; 3],
+    /// The point of the house that stands there.
+    #[serde(skip_serializing_if = "is_corner")]
+    pub anchor: Anchor,
     /// Compass direction of the first line's outward normal, degrees.
     pub azimuth: f64,
     /// One U in shaku.
@@ -63,6 +66,10 @@ pub struct House {
     pub age: Option<Age>,
     /// The roof section.
     pub roofs: Rare<Roofs>,
+}
+
+fn is_corner(anchor: &Anchor) -> bool {
+    *anchor == Anchor::Corner
 }
 
 /// The age of a house.

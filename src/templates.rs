@@ -122,6 +122,11 @@ impl Template {
         self.text.replacen(INCLUDES_FRONTS, &pieces(FRONTS), 1)
     }
 
+    /// Returns its name among the sources of a file that places it: no path, since it is part of the program.
+    pub fn source_name(&self) -> String {
+        format!("hsd:{}.hsd", self.word)
+    }
+
     /// Returns the template with this Japanese name, in any spelling of its reading, or with this name on the command
     /// line.
     pub fn named(name: &str) -> Option<&'static Template> {

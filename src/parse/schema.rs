@@ -13,6 +13,8 @@ pub use kinds::{AttributeSchema, Kind};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::parse) enum Tag {
     Houses,
+    Group,
+    Place,
     House,
     Storey,
     Loop,
@@ -162,7 +164,7 @@ impl Schema {
 
     /// Returns true if its other attributes are parameters of a definition.
     pub fn takes_any_attribute(&self) -> bool {
-        matches!(self.tag, Tag::Define | Tag::Use)
+        matches!(self.tag, Tag::Define | Tag::Place | Tag::Use)
     }
 
     /// Returns true for `choice`, the element inside a `random`.
@@ -223,7 +225,11 @@ use Holds::{Anything, Choices, Only, Repeated, Same, Shapes};
 pub static ELEMENTS: &[Schema] = &[
     element(Tag::Houses, "Houses", bear::HOUSES, Only(&HOUSES), "nothing: it is the outermost element",
         ["several houses in one file", "一つのファイルに書いた複数の建物"]),
-    element(Tag::House, "House", bear::HOUSE, Only(&HOUSE), "`Houses`, or is the outermost element",
+    element(Tag::Group, "Group", bear::GROUP, Only(&HOUSES), "`Houses` or `Group`",
+        ["houses that are moved and turned together", "まとめて動かし、回す建物"]),
+    element(Tag::Place, "Place", bear::PLACEMENT, Only(&NOTHING), "`Houses` or `Group`",
+        ["a house that is written elsewhere, at a place of its own", "別の場所に書いた建物を、この位置に置く"]),
+    element(Tag::House, "House", bear::HOUSE, Only(&HOUSE), "`Houses` or `Group`, or is the outermost element",
         ["a house: storeys or facades from the ground up, then roofs", "建物。下の階から順に書き、最後に屋根を書く"]),
     element(Tag::Storey, "Storey", bear::STOREY, Only(&STOREY), "`House`",
         ["a storey; the rows right in it are one closed walk", "階。直下の行がひと回りの壁になる"]),
@@ -241,7 +247,7 @@ pub static ELEMENTS: &[Schema] = &[
         ["one plane wall, floor by floor from the ground up", "壁面ひとつ。下の階から順に書く"]),
     element(Tag::Floor, "Floor", bear::FLOOR, Only(&FLOOR), "`Facade`",
         ["one storey of a facade", "壁面の一階分"]),
-    element(Tag::Repeat, "repeat", bear::REPEAT, Repeated, "`House`, `Storey`, `Loop`, `Row`, `Facades`, `Facade`, `Floor`, `upper` or `lower`",
+    element(Tag::Repeat, "repeat", bear::REPEAT, Repeated, "`Houses`, `Group`, `House`, `Storey`, `Loop`, `Row`, `Facades`, `Facade`, `Floor`, `upper` or `lower`",
         ["its content several times", "中身の繰り返し"]),
     element(Tag::Split, "split", bear::SPLIT, Only(&SPLIT), "`Row`, `Floor`, `upper` or `lower`",
         ["one place of a wall divided into an upper and a lower half of the same width", "壁の一か所を同じ幅の上下に分ける"]),
@@ -249,7 +255,7 @@ pub static ELEMENTS: &[Schema] = &[
         ["the upper half", "上の部分"]),
     element(Tag::Lower, "lower", &[], Only(&PIECES), "`split`",
         ["the lower half", "下の部分"]),
-    element(Tag::Random, "random", bear::RANDOM, Choices, "`Storey`, `Row`, `Facade` or `Floor`",
+    element(Tag::Random, "random", bear::RANDOM, Choices, "`Houses`, `Group`, `Storey`, `Row`, `Facade` or `Floor`",
         ["draws one code of a list, or one `choice` of anything", "コードのひとつ、または `choice` のひとつを抽選する"]),
     element(Tag::Choice, "choice", bear::CHOICE, Same, "`random`",
         ["what stands in the place of its `random` if it is drawn", "抽選で選ばれたときに `random` の場所に置く中身"]),
@@ -321,7 +327,19 @@ pub static ROOT: Content = content(
     "root",
     &[Tag::House, Tag::Houses, Tag::Structure, Tag::Catalog],
 );
-pub(in crate::parse) static HOUSES: Content = content("houses", &[Tag::House, Tag::PartDef]);
+pub(in crate::parse) static HOUSES: Content = content(
+    "houses",
+    &[
+        Tag::House,
+        Tag::Group,
+        Tag::Place,
+        Tag::Repeat,
+        Tag::Random,
+        Tag::PartDef,
+    ],
+);
+/// What a `Place` has become when the document is read.
+pub(in crate::parse) static PLACED: Content = content("placed", &[Tag::House, Tag::Group, Tag::Place, Tag::PartDef]);
 pub(in crate::parse) static HOUSE: Content = repeating(
     &STOREYS,
     "house",

@@ -23,12 +23,11 @@ pub(super) use outline::outline;
 pub use trees::Trees;
 
 use super::ReadContext;
-use crate::ast::{Document, House, WrittenPart};
+use crate::ast::Document;
 use crate::diagnostic::Diagnostics;
 use crate::parse::reporter::Reporter;
-use crate::parse::schema::Tag;
 use crate::source::{Limits, Source, SourceCache};
-use read::{AllowedChild, Reader};
+use read::Reader;
 
 /// The maximum depth of elements whatever the limit is raised to: deeper nesting would overflow the stack of the
 /// passes, which recurse.
@@ -90,54 +89,5 @@ pub(super) fn parse_from<'a>(
         parameters: made.parameters,
         variant: None,
         parts,
-    }
-}
-
-impl Reader<'_, '_> {
-    /// Returns the houses of the file, and the custom parts that all of them know.
-    fn houses(&mut self, parts: &mut Vec<WrittenPart>) -> Vec<House> {
-        let mut houses = vec![];
-        for node in self.roots() {
-            let AllowedChild::Element(schema, element) = node else {
-                continue;
-            };
-            match schema.tag {
-                Tag::House => houses.push(self.house(schema, element)),
-                Tag::Structure => houses.push(self.lone_structure(schema, element)),
-                Tag::Catalog => {
-                    self.attributes(schema, element);
-                    for node in self.children(element, schema.content()) {
-                        if let AllowedChild::Element(schema, element) = node {
-                            parts.extend(self.written_part(schema, element));
-                        }
-                    }
-                }
-                _ => {
-                    let of = self.attributes(schema, element);
-                    let (age, era) = (self.age(&of), self.era(&of));
-                    for node in self.children(element, schema.content()) {
-                        match node {
-                            AllowedChild::Element(schema, element)
-                                if schema.tag == Tag::PartDef =>
-                            {
-                                parts.extend(self.written_part(schema, element));
-                            }
-                            AllowedChild::Element(schema, element) => {
-                                let mut house = self.house(schema, element);
-                                let settings = &mut house.settings;
-                                settings.age = settings.age.or(age);
-                                // For a house without an age it would have no effect.
-                                if settings.age.is_some() {
-                                    settings.era = settings.era.or(era);
-                                }
-                                houses.push(house);
-                            }
-                            AllowedChild::Text(_) => {}
-                        }
-                    }
-                }
-            }
-        }
-        houses
     }
 }

@@ -6,6 +6,7 @@ mod markup;
 mod fixes;
 mod parameters;
 mod pieces;
+mod places;
 mod tags;
 mod values;
 
@@ -15,5 +16,6 @@ pub use language::*;
 pub use markup::*;
 pub use parameters::*;
 pub use pieces::*;
+pub use places::*;
 pub use tags::*;
 pub use values::*;

@@ -3,6 +3,7 @@
 use super::{Expr, Kind, Operator};
 use crate::ast::Value;
 use crate::diagnostic::{Noun, noun};
+use crate::geometry::Heading;
 use std::ops::Range;
 
 /// The maximum length of a string: longer ones are no codes or names, and without a bound a few lines could exhaust
@@ -36,6 +37,8 @@ pub(in crate::parse) enum Problem {
     Division,
     /// `clamp` with its bounds in the wrong order.
     Bounds,
+    /// A function that has no value here.
+    NoValue,
     /// A result out of range.
     Overflow,
     /// A string that is too long.
@@ -180,8 +183,12 @@ fn mismatch(wanted: Noun, found: Value, expr: &Expr) -> Trouble {
 }
 
 /// Names of the functions.
-pub(in crate::parse) const FUNCTIONS: [&str; 7] =
-    ["min", "max", "floor", "ceil", "round", "abs", "clamp"];
+pub(in crate::parse) const FUNCTIONS: [&str; 12] = [
+    "min", "max", "floor", "ceil", "round", "abs", "clamp", "sin", "cos", "tan", "atan2", "sqrt",
+];
+
+/// The name of the number that every file knows; another meaning given to it comes first.
+pub(in crate::parse) const PI: &str = "pi";
 
 fn call(function: &str, numbers: &[f64]) -> Result<Value, Problem> {
     let count = |wanted| Problem::Arguments {
@@ -203,6 +210,17 @@ fn call(function: &str, numbers: &[f64]) -> Result<Value, Problem> {
         ("ceil", [n]) => n.ceil(),
         ("round", [n]) => n.round(), // halves away from 0
         ("abs", [n]) => n.abs(),
+        // Of degrees, and exact for right angles.
+        ("sin", [n]) => Heading::new(*n).vector().y,
+        ("cos", [n]) => Heading::new(*n).vector().x,
+        ("tan", [n]) => match Heading::new(*n).vector() {
+            way if way.x == 0.0 => return Err(Problem::NoValue),
+            way => way.y / way.x,
+        },
+        ("atan2", [y, x]) => libm::atan2(*y, *x).to_degrees(),
+        ("atan2", _) => return Err(count(noun("two numbers: y, x", "2 個の数値（y、x）"))),
+        ("sqrt", [n]) if *n < 0.0 => return Err(Problem::NoValue),
+        ("sqrt", [n]) => n.sqrt(),
         ("clamp", [_, least, most]) if least > most => return Err(Problem::Bounds),
         ("clamp", [n, least, most]) => n.clamp(*least, *most),
         ("clamp", _) => {

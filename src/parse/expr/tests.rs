@@ -23,6 +23,8 @@ fn ranks_and_functions() {
         ("depth / 2 + 間口", 9.0),
         ("min(3, 1, 2) + max(1)", 2.0),
         ("clamp(9, 1, 4) + floor(-0.5) + ceil(0.5)", 4.0),
+        ("sin(30) * 2 + cos(180) + tan(45)", 1.0),
+        ("atan2(1, 0) + sqrt(16) + sin(360)", 94.0),
         ("round(0.5)", 1.0), // halves away from 0, both ways
         ("round(2.5)", 3.0),
         ("round(-2.5)", -3.0),

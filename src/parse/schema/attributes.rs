@@ -43,6 +43,7 @@ const PAINT: Kind = Choice(&words(&Paint::ALL));
 const SIDES: Kind = Choices(&words(&vocabulary::SIDES));
 const COVERING: Kind = Choice(&words(&vocabulary::COVERINGS));
 const SHAPE: Kind = Choice(&words(&RoofShape::ALL));
+const ANCHOR: Kind = Choice(&words(&vocabulary::ANCHORS));
 
 #[rustfmt::skip]
 const HOUSE_OWN: [AttributeSchema; 8] = [
@@ -62,6 +63,25 @@ const AGED: [AttributeSchema; 2] = [
     may("era", Choice(&words(&Era::WORDS)), "", "when it was built: E Edo, M Meiji to early Showa, N contemporary; parts of a later era are younger", "建てた時代。E 江戸、M 明治から昭和初期、N 現代。後の時代の部材は新しくなる"),
 ];
 pub(super) const HOUSES: &[AttributeSchema] = &AGED;
+#[rustfmt::skip]
+pub(super) const GROUP: &[AttributeSchema] = &join::<5, 2, 7>([
+    may("name", Text, "", "its name", "名"),
+    may("x", ANYWHERE, "0", "where the origin of its houses lies, metres east", "中の建物の原点の位置。東へ(m)"),
+    may("y", ANYWHERE, "0", "the same, metres north", "同じく北へ(m)"),
+    may("z", ANYWHERE, "0", "height of the ground, metres", "地盤の高さ(m)"),
+    may("turn", TURN, "0", "how far its houses are turned about that origin, degrees clockwise from above", "その原点の周りに回す角度。上から見て時計回り(度)"),
+], AGED);
+#[rustfmt::skip]
+pub(super) const PLACEMENT: &[AttributeSchema] = &join::<8, 2, 10>([
+    must("type", Text, "a house type of the library, a `define` or a file; all other attributes set its parameters", "建物の型、`define` の名、またはファイル。ほかの属性はすべて変数"),
+    may("name", Text, "", "its name; without, that of the type", "建物の名。無ければ型の名"),
+    may("x", ANYWHERE, "0", "place of the house, metres east", "建物の位置。東へ(m)"),
+    may("y", ANYWHERE, "0", "place of the house, metres north", "建物の位置。北へ(m)"),
+    may("z", ANYWHERE, "0", "height of the ground, metres", "地盤の高さ(m)"),
+    may("azimuth", TURN, "180", "compass direction that the front looks to, degrees; 180 is south", "正面の向く方位(度)。180 は南"),
+    may("at", ANCHOR, "corner", "what stands there: the right end of the front, or the centre of the ground storey", "その位置に来る点。正面の右端 `corner` か、一階の中心 `centre`"),
+    may("seed", Whole(0, u64::MAX), "", "key of the draws, parameters that are not set among them", "抽選の種。指定しない変数も抽選する"),
+], AGED);
 pub(super) const HOUSE: &[AttributeSchema] = &join::<8, 2, 10>(HOUSE_OWN, AGED);
 #[rustfmt::skip]
 pub(super) const STOREY: &[AttributeSchema] = &[
@@ -108,6 +128,7 @@ pub(super) const FLOOR: &[AttributeSchema] = &[
 #[rustfmt::skip]
 pub(super) const REPEAT: &[AttributeSchema] = &[
     must("num", Whole(0, MANY), "how often its content stands there", "中身を繰り返す回数"),
+    may("index", Text, "", "a name for the number of the round, from 0", "何回目かの番号に付ける名。0 から"),
 ];
 #[rustfmt::skip]
 pub(super) const SPLIT: &[AttributeSchema] = &[

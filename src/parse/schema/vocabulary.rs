@@ -1,12 +1,16 @@
 //! Words that attributes may have as values, with their meanings in the tree.
 
-use crate::ast::{Rail, RoofDirection, RoofKind, RoofMode, Side, StoreyKind};
+use crate::ast::{Anchor, Rail, RoofDirection, RoofKind, RoofMode, Side, StoreyKind};
 
 /// The kind of a storey or a floor.
 pub(in crate::parse) const STOREY_KINDS: [(&str, StoreyKind); 2] = [
     ("storey", StoreyKind::Storey),
     ("parapet", StoreyKind::Parapet),
 ];
+
+/// The points of a house that can stand at its place.
+pub(in crate::parse) const ANCHORS: [(&str, Anchor); 2] =
+    [("corner", Anchor::Corner), ("centre", Anchor::Centre)];
 
 /// The orders of parts; true if they run rightwards.
 pub(in crate::parse) const PART_ORDERS: [(&str, bool); 2] = [("left", false), ("right", true)];

@@ -12,6 +12,8 @@
 //! | `draws` | `random` among runs of text, and parameters chosen at random |
 //! | `storeys` | the number `k`, and repetitions that use it |
 //! | `pieces` | `define` and `use` |
+//! | `places` | `Place` |
+//! | `rounds` | repetitions with the number of the round, and of houses |
 //! | `files` | `include` |
 //! | `fixes` | fixes that editors offer |
 //!
@@ -28,6 +30,8 @@ mod files;
 mod fixes;
 mod names;
 mod pieces;
+mod places;
+mod rounds;
 mod scope;
 mod storeys;
 
@@ -44,6 +48,7 @@ use crate::parse::reporter::Reporter;
 use crate::parse::schema;
 use crate::parse::schema::{Tag, is_language};
 use crate::parse::xml::tree::text::Text;
+use crate::parse::xml::tree::token::Attribute;
 use crate::source::Span;
 use conditions::Branch;
 use pieces::Used;
@@ -96,6 +101,7 @@ pub(super) fn compute<'a>(
         parsed: BTreeMap::new(),
         storeys: Storeys::default(),
         uses: vec![],
+        placed: vec![],
         open: draws::Open::outermost(setting.seed),
         files: files::Files::default(),
         depth: 0,
@@ -118,10 +124,21 @@ pub(super) fn compute<'a>(
 
 /// Returns true if there is nothing to compute.
 fn is_plain(tree: &Tree<'_>, reporter: &Reporter<'_>) -> bool {
-    const NAMES: [&str; 8] = [
-        "Param", "let", "define", "use", "if", "else", "include", "choice",
+    const NAMES: [&str; 9] = [
+        "Param", "let", "define", "use", "if", "else", "include", "choice", "Place",
     ];
-    let computes = |e: &Element<'_>| NAMES.contains(&e.name);
+    let of_houses = |e: &Element<'_>| {
+        let inner = e.children.iter().filter_map(|child| match child {
+            Child::Element(index) => Some(tree.elements[*index].name),
+            Child::Text(_) => None,
+        });
+        matches!(e.name, "Houses" | "Group") && inner.into_iter().any(|name| name == "repeat")
+    };
+    let computes = |e: &Element<'_>| {
+        NAMES.contains(&e.name)
+            || of_houses(e)
+            || e.name == "repeat" && e.has_attribute("index")
+    };
     !reporter.source.text().contains(['{', '}']) && !tree.elements.iter().any(computes)
 }
 
@@ -141,6 +158,8 @@ struct Expander<'a, 'f> {
     open: draws::Open<'a>,
     /// The active uses, outermost first.
     uses: Vec<Used<'a>>,
+    /// The houses being placed, outermost first.
+    placed: Vec<places::Placed<'a>>,
     files: files::Files<'a>,
     /// The number of open elements, conditions, uses and files.
     depth: usize,
@@ -201,14 +220,10 @@ impl<'a> Expander<'a, '_> {
         let made = self.made.elements.len();
         let mut attributes = element.attributes.clone();
         for attribute in attributes.iter_mut().filter(|a| !a.is_foreign()) {
-            if braces::are_in(&attribute.value)
-                && let Some(value) = self.filled(&attribute.value, scope)
-            {
-                attribute.value = value;
-            } else if braces::are_in(&attribute.value) {
-                attribute.value = Text::instead(String::new(), attribute.value.whole());
-                attribute.faulty = true;
-            }
+            self.fill_attribute(attribute, scope);
+        }
+        if element_ref.tag() == Some(Tag::House) {
+            self.name_placed(&mut attributes);
         }
         self.made.elements.push(Element {
             name: element.name,
@@ -225,6 +240,20 @@ impl<'a> Expander<'a, '_> {
         });
         self.leave();
         Some(made)
+    }
+
+    /// Puts the values of expressions into an attribute.
+    fn fill_attribute(&mut self, attribute: &mut Attribute<'a>, scope: &Scope<'a>) {
+        if !braces::are_in(&attribute.value) {
+            return;
+        }
+        match self.filled(&attribute.value, scope) {
+            Some(value) => attribute.value = value,
+            None => {
+                attribute.value = Text::instead(String::new(), attribute.value.whole());
+                attribute.faulty = true;
+            }
+        }
     }
 
     /// Runs an action one level deeper, unless that is too deep; `into` = the element that loses it then.
@@ -307,6 +336,10 @@ impl<'a> Expander<'a, '_> {
             Some(Tag::If) => return self.condition(element_ref, parent, scope, into, Branch::Open),
             Some(Tag::Else) => return self.condition(element_ref, parent, scope, into, branch),
             Some(Tag::Include) => self.include(element_ref, scope, into),
+            Some(Tag::Place) => self.place(element_ref, scope, into),
+            Some(Tag::Repeat) if rounds::is_written_out(element_ref, parent) => {
+                self.write_out(element_ref, scope, into)
+            }
             Some(Tag::Repeat) => self.repeat(element_ref, scope, into),
             Some(Tag::Random) if draws::is_choice(element_ref) => {
                 self.choose(element_ref, scope, into)

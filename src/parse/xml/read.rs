@@ -7,6 +7,7 @@ pub(in crate::parse::xml) mod values;
 pub(in crate::parse::xml) mod fittings;
 pub(in crate::parse::xml) mod roofs;
 pub(in crate::parse::xml) mod house;
+pub(in crate::parse::xml) mod houses;
 pub(in crate::parse::xml) mod codes;
 pub(in crate::parse::xml) mod monuments;
 

@@ -256,6 +256,17 @@ pub fn test_no_truth(span: Span, text: &str, value: &Value, sound: bool) -> Diag
     }
 }
 
+/// `sqrt(-1)`, `tan(90)`.
+#[cold]
+pub fn without_value(span: Span, text: &str) -> Diagnostic {
+    let text = quote(text);
+    let message = text!([text] "{text} has no value", "{text} には値がありません");
+    Diagnostic::error(254, span, message).help(text!(
+        "`sqrt` takes no negative number, and `tan` no right angle",
+        "`sqrt` に負の数は使えません。`tan` に直角は使えません"
+    ))
+}
+
 /// `1 / 0`.
 #[cold]
 pub fn division_by_zero(span: Span, text: &str) -> Diagnostic {

@@ -14,7 +14,7 @@ const NAMED: usize = 12;
 const MARKED: usize = 6;
 
 /// The names of a chain with words between them.
-fn names(chain: &[(String, Span)], between: &str) -> String {
+pub(super) fn names(chain: &[(String, Span)], between: &str) -> String {
     let mut names: Vec<String> = chain.iter().map(|(name, _)| quote(name)).collect();
     if names.len() > NAMED {
         names.splice(NAMED / 2..names.len() - NAMED / 2, ["...".to_owned()]);
@@ -23,7 +23,7 @@ fn names(chain: &[(String, Span)], between: &str) -> String {
 }
 
 /// A path, of a long one the end, which tells files apart.
-fn path_end(path: &str) -> String {
+pub(super) fn path_end(path: &str) -> String {
     let skipped = path.chars().count().saturating_sub(36);
     let cut = path.char_indices().nth(skipped);
     let cut = cut.map(|(at, _)| at).unwrap_or_default();
@@ -35,7 +35,7 @@ fn path_end(path: &str) -> String {
 }
 
 /// Marks the links of a chain.
-fn marked(found: Diagnostic, chain: &[(String, Span)]) -> Diagnostic {
+pub(super) fn marked(found: Diagnostic, chain: &[(String, Span)]) -> Diagnostic {
     chain
         .iter()
         .take(MARKED)

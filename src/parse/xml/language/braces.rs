@@ -176,6 +176,7 @@ impl<'a> Expander<'a, '_> {
             }
             match scope.value(name) {
                 Some(bound) => bound.value.ok_or(Problem::Reported),
+                None if name == expr::PI => Ok(Value::Number(std::f64::consts::PI)),
                 None => Err(Problem::Unknown(name.to_owned())),
             }
         };
@@ -268,6 +269,9 @@ impl<'a> Expander<'a, '_> {
                 let swapped = self.swapped(place);
                 self.reporter.at(place, |s| say::clamp_bounds(s, swapped));
             }
+            Problem::NoValue => self
+                .reporter
+                .at(place, |s| say::without_value(s, quoted)),
             Problem::Overflow => self
                 .reporter
                 .at(place, |s| say::number_too_large(s, quoted)),

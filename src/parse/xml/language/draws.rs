@@ -239,9 +239,12 @@ impl<'a> Expander<'a, '_> {
         weights: Option<(Vec<f64>, Span)>,
         span: Span,
     ) -> Option<Value> {
-        let place = match &of.random {
-            false => return None,
-            true => self.open.levels.last()?.place,
+        let seed = self.placed.last().and_then(|placed| placed.seed());
+        let place = match (of.random, seed) {
+            (false, _) => return None,
+            (true, None) => self.open.levels.last()?.place,
+            // The same house for the same seed, wherever it stands.
+            (true, Some(seed)) => Place::seed(self.open.seed.unwrap_or(0)).at(seed),
         };
         let place = place.named("param").named(&of.name);
         let values = values(of);
@@ -253,7 +256,7 @@ impl<'a> Expander<'a, '_> {
             Some((weights, at)) => self.fitting(weights, at, values.count()),
             None => None,
         };
-        self.open.seed?;
+        seed.or(self.open.seed)?;
         let index = match weights {
             Some(weights) => {
                 let add = |sum: &mut f64, weight: f64| {

@@ -3,7 +3,7 @@
 //! are put into the element that includes it, as if they stood there.
 
 use super::super::read::check;
-use super::super::tree::{self, Child};
+use super::super::tree::{self, Child, Tree};
 use super::conditions::Branch;
 use super::draws::is_choice;
 use super::scope::Frame;
@@ -23,7 +23,11 @@ pub(super) struct Files<'a> {
     /// By path; `None` if the file could not be used, which was reported.
     done: BTreeMap<String, Option<Included<'a>>>,
     /// The open files, outermost first: path, and place of the `include`.
-    open: Vec<(String, Span)>,
+    pub(super) open: Vec<(String, Span)>,
+    /// The trees of files that a `Place` names, by path; `None` if one cannot be read.
+    pub(super) placed: BTreeMap<String, Option<Rc<Tree<'a>>>>,
+    /// How many placed houses have a name.
+    pub(super) names: BTreeMap<String, u64>,
 }
 
 /// The definitions of a file.
@@ -85,7 +89,7 @@ impl<'a> Expander<'a, '_> {
     }
 
     /// Returns the path that a reference denotes.
-    fn path(&mut self, href: &str, place: &Range<usize>) -> Option<String> {
+    pub(super) fn path(&mut self, href: &str, place: &Range<usize>) -> Option<String> {
         let scheme = href.split_once(':').is_some_and(|(s, _)| !s.contains('/'));
         if scheme || href.starts_with('/') || href.contains(['\\', '\0']) {
             self.reporter.at(place, |s| say::include_outside(s, href));
@@ -109,6 +113,17 @@ impl<'a> Expander<'a, '_> {
     /// Returns the definitions of a file; `None` if it could not be read.
     fn file(&mut self, path: &str, place: &Range<usize>) -> Option<Included<'a>> {
         let source = self.source(path, place)?;
+        let tree = self.opened(source)?;
+        let span = self.reporter.span(place);
+        self.files.open.push((path.to_owned(), span));
+        let scope = Frame::outermost();
+        let parts = self.definitions(&tree, &scope);
+        self.files.open.pop();
+        Some(Included { scope, parts })
+    }
+
+    /// Returns the tree of another file; `None` if it is not in the XML form.
+    pub(super) fn opened(&mut self, source: &'a Source) -> Option<Rc<Tree<'a>>> {
         let base = self.reporter.enter(source);
         let mut readable = true;
         if self.files.open.len() >= self.nesting {
@@ -136,15 +151,10 @@ impl<'a> Expander<'a, '_> {
             }
         };
         self.reporter.leave();
-        let span = self.reporter.span(place);
-        self.files.open.push((path.to_owned(), span));
-        let scope = Frame::outermost();
-        let parts = self.definitions(&tree, &scope);
-        self.files.open.pop();
-        Some(Included { scope, parts })
+        Some(tree)
     }
 
-    fn source(&mut self, path: &str, place: &Range<usize>) -> Option<&'a Source> {
+    pub(super) fn source(&mut self, path: &str, place: &Range<usize>) -> Option<&'a Source> {
         let cache = self.setting.cache;
         if let Some(source) = cache.find(path) {
             return Some(source);
@@ -159,8 +169,18 @@ impl<'a> Expander<'a, '_> {
                 return None;
             }
         };
+        self.keep(path, &bytes, place)
+    }
+
+    /// Adds a file to the sources.
+    pub(super) fn keep(
+        &mut self,
+        path: &str,
+        bytes: &[u8],
+        place: &Range<usize>,
+    ) -> Option<&'a Source> {
         let limits = &self.setting.limits;
-        match cache.add(path, &bytes) {
+        match self.setting.cache.add(path, bytes) {
             Ok(source) => return Some(source),
             Err(CacheFull::Files) => self
                 .reporter
@@ -173,7 +193,7 @@ impl<'a> Expander<'a, '_> {
     }
 
     /// Evaluates the definitions in the outermost element of a file; returns its custom parts.
-    fn definitions(&mut self, tree: &Rc<tree::Tree<'a>>, scope: &Scope<'a>) -> Vec<usize> {
+    fn definitions(&mut self, tree: &Rc<Tree<'a>>, scope: &Scope<'a>) -> Vec<usize> {
         let Some(root) = tree.roots.first() else {
             return vec![];
         };

@@ -41,7 +41,13 @@ impl<'a> Expander<'a, '_> {
     ) {
         match schema::named(parent.element().name) {
             Some(s) if s.tag == Tag::Define => {} // taken by its use
-            Some(s) if s.takes_parameters() => self.parameter(element_ref, scope, Given::Run),
+            Some(s) if s.takes_parameters() => {
+                let mut attributes = element_ref.element().attributes.iter();
+                let name = attributes.find(|a| a.name == "name");
+                let name = name.map_or("", |n| n.value.as_str().trim());
+                let given = self.given_by_place(name).unwrap_or(Given::Run);
+                self.parameter(element_ref, scope, given);
+            }
             _ => {
                 let element = element_ref.element();
                 let home = schema::named(element.name).map_or("", |s| s.home);
@@ -149,7 +155,16 @@ impl<'a> Expander<'a, '_> {
 
     /// Returns the name that an element defines.
     fn name(&mut self, of: &Attributes<'_>) -> Option<Spanned<String>> {
-        let attribute = of.get("name")?;
+        self.name_in(of, "name")
+    }
+
+    /// Returns the name that an attribute defines.
+    pub(super) fn name_in(
+        &mut self,
+        of: &Attributes<'_>,
+        attribute: &str,
+    ) -> Option<Spanned<String>> {
+        let attribute = of.get(attribute)?;
         let place = attribute.value.whole();
         let name = attribute.value.as_str().trim();
         if !expr::is_name(name) || expr::RESERVED.contains(&name) {

@@ -118,7 +118,7 @@ impl<'a> Expander<'a, '_> {
     }
 
     /// Binds a definition's parameters to their values.
-    fn parameters_of(
+    pub(super) fn parameters_of(
         &mut self,
         body: &ElementRef<'_, 'a>,
         name: &Spanned<String>,

@@ -71,6 +71,7 @@ impl<'t> Reader<'t, '_> {
         Settings {
             x: self.number(of, "x"),
             y: self.number(of, "y"),
+            anchor: None,
             z: self.number(of, "z"),
             azimuth: self.number(of, "azimuth"),
             unit: self.number(of, "unit"),

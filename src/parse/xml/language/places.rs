@@ -1,0 +1,352 @@
+//! `Place`: a house that is written elsewhere - a type of the library, a `define`, a file - with parameters of its own.
+//! The element stays, without those parameters, and holds the houses.
+
+use super::super::read::check;
+use super::super::tree::{Child, Element, Tree};
+use super::names::Given;
+use super::scope::{DefinedPiece, Frame};
+use super::{ELEMENT, ElementRef, Expander, Scope};
+use crate::ast::Value;
+use crate::diagnostic::messages::xml as say;
+use crate::parse::schema;
+use crate::parse::schema::{Schema, Tag};
+use crate::parse::xml::tree::text::Text;
+use crate::parse::xml::tree::token::Attribute;
+use crate::source::{Source, Spanned};
+use crate::templates::{TYPES, Template};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// The house that a `Place` is being replaced by.
+pub(super) struct Placed<'a> {
+    /// The parameters that it sets and that have not been asked for yet.
+    arguments: BTreeMap<String, (Attribute<'a>, Option<Value>)>,
+    /// The names of the parameters that the house has.
+    known: Vec<String>,
+    /// The attribute `type`, in whose place generated names stand.
+    kind: Attribute<'a>,
+    name: Option<String>,
+    /// The attribute `seed` and its value.
+    seed: Option<(Attribute<'a>, u64)>,
+}
+
+/// Where a placed house is written.
+enum Origin<'a> {
+    Piece(DefinedPiece<'a>, Scope<'a>),
+    /// The tree of a file, and its path.
+    File(Rc<Tree<'a>>, String),
+}
+
+impl<'a> Placed<'a> {
+    /// Returns the seed of its draws.
+    pub(super) fn seed(&self) -> Option<u64> {
+        self.seed.as_ref().map(|(_, seed)| *seed)
+    }
+
+    /// Returns the value of a parameter, if it sets one.
+    pub(super) fn given(&mut self, name: &str) -> Option<(Attribute<'a>, Option<Value>)> {
+        self.known.push(name.to_owned());
+        self.arguments.remove(name)
+    }
+}
+
+impl<'a> Expander<'a, '_> {
+    /// Replaces a `Place` by the houses that it means.
+    pub(super) fn place(
+        &mut self,
+        element_ref: &ElementRef<'_, 'a>,
+        scope: &Scope<'a>,
+        into: usize,
+    ) {
+        let element = element_ref.element();
+        let Some(schema) = schema::named(element.name) else {
+            return;
+        };
+        if !element.children.is_empty() {
+            let fix = self.emptied(element);
+            self.reporter
+                .at(&element.name_range, |s| say::place_with_content(s, fix));
+        }
+        let (own, arguments) = self.attributes_of_place(element, schema, scope);
+        let of = |name: &str| own.iter().find(|a| a.name == name).cloned();
+        let Some(kind) = of("type") else {
+            // Only to say what is missing.
+            let bare = Element {
+                attributes: own,
+                children: vec![],
+                ..bare(element)
+            };
+            check(self.reporter, &mut self.suggest, schema, &bare);
+            return;
+        };
+        let Some(origin) = self.origin(&kind, scope) else {
+            return;
+        };
+        let text = |a: Attribute<'a>| a.value.as_str().trim().to_owned();
+        let seed = of("seed").and_then(|a| Some((a.clone(), text(a).parse().ok()?)));
+        let placed = Placed {
+            arguments,
+            known: vec![],
+            kind: kind.clone(),
+            name: of("name").map(text).filter(|name| !name.is_empty()),
+            seed,
+        };
+        let cost = ELEMENT * (1 + own.len() as u64);
+        if !self.take(cost, &element.name_range) {
+            return;
+        }
+        let made = self.made.elements.len();
+        self.made.elements.push(Element {
+            attributes: own,
+            ..bare(element)
+        });
+        self.enter(element_ref, made);
+        self.fill(element, placed, origin, made);
+        self.leave();
+        let children = &mut self.made.elements[into].children;
+        children.push(Child::Element(made));
+    }
+
+    /// Puts the houses of a place into its element.
+    fn fill(&mut self, element: &Element<'a>, placed: Placed<'a>, origin: Origin<'a>, made: usize) {
+        let kind = placed.kind.clone();
+        let copying = std::mem::replace(&mut self.copying, true);
+        let storeys = std::mem::take(&mut self.storeys);
+        self.placed.push(placed);
+        self.inside(&element.name_range, made, |expander| match origin {
+            Origin::Piece(piece, home) => expander.fill_with_piece(&piece, &home, &kind, made),
+            Origin::File(tree, path) => {
+                let span = expander.reporter.span(&kind.value.whole());
+                expander.files.open.push((path, span));
+                expander.fill_with_file(&tree, made);
+                expander.files.open.pop();
+            }
+        });
+        self.storeys = storeys;
+        self.copying = copying;
+        let Some(placed) = self.placed.pop() else {
+            return;
+        };
+        if self.over {
+            return;
+        }
+        if !self.has_house(made) {
+            let word = kind.value.as_str().trim();
+            self.reporter
+                .at(&kind.value.whole(), |s| say::place_without_house(s, word));
+            return;
+        }
+        self.unknown_arguments(placed);
+    }
+
+    /// Reports parameters that the house does not have.
+    fn unknown_arguments(&mut self, placed: Placed<'a>) {
+        let word = placed.kind.value.as_str().trim().to_owned();
+        for (unknown, (attribute, _)) in placed.arguments {
+            let known = &placed.known;
+            let fixed = schema::named("Place").into_iter();
+            let own = fixed.flat_map(|s| s.attributes).map(|a| a.name);
+            let near = self
+                .suggest
+                .among(&unknown, known.iter().map(|n| &**n).chain(own));
+            let whole = self.reporter.with_gap(&attribute.range);
+            self.reporter.at(&attribute.name_range, |s| {
+                say::unknown_parameter(s, &unknown, &word, near, known, whole)
+            });
+        }
+    }
+
+    fn fill_with_piece(
+        &mut self,
+        piece: &DefinedPiece<'a>,
+        home: &Scope<'a>,
+        kind: &Attribute<'a>,
+        made: usize,
+    ) {
+        let tree = Rc::clone(&piece.tree);
+        let body = ElementRef {
+            tree: &tree,
+            index: piece.index,
+        };
+        let frame = Frame::within(home);
+        let arguments = self.placed.last_mut().map(|p| std::mem::take(&mut p.arguments));
+        let arguments = arguments.unwrap_or_default();
+        let given = arguments
+            .iter()
+            .map(|(name, (attribute, value))| (name.clone(), (attribute, value.clone())));
+        let span = self.reporter.span(&kind.value.whole());
+        let name = Spanned::new(kind.value.as_str().trim().to_owned(), span);
+        self.parameters_of(&body, &name, given.collect(), &frame);
+        self.list(&body, &frame, made);
+    }
+
+    fn fill_with_file(&mut self, tree: &Rc<Tree<'a>>, made: usize) {
+        let Some(root) = tree.roots.first() else {
+            return;
+        };
+        let root = ElementRef { tree, index: *root };
+        let scope = Frame::outermost();
+        match root.tag() {
+            Some(Tag::Houses) => self.list(&root, &scope, made),
+            Some(Tag::House) => self.add(&root, &scope, made),
+            _ => {}
+        }
+    }
+
+    /// Returns the attributes of a `Place` itself with their values, and those that are parameters.
+    #[expect(clippy::type_complexity)]
+    fn attributes_of_place(
+        &mut self,
+        element: &Element<'a>,
+        schema: &'static Schema,
+        scope: &Scope<'a>,
+    ) -> (
+        Vec<Attribute<'a>>,
+        BTreeMap<String, (Attribute<'a>, Option<Value>)>,
+    ) {
+        let (mut own, mut arguments) = (vec![], BTreeMap::new());
+        for attribute in element.attributes.iter().filter(|a| !a.is_foreign()) {
+            let mut attribute = attribute.clone();
+            if schema.attribute(attribute.name).is_none() {
+                let value = self.value(&attribute.value, scope);
+                let entry = arguments.entry(attribute.name.to_owned());
+                entry.or_insert((attribute, value));
+                continue;
+            }
+            self.fill_attribute(&mut attribute, scope);
+            own.push(attribute);
+        }
+        (own, arguments)
+    }
+
+    /// Finds what a `Place` means: a definition, a file or a type of the library.
+    fn origin(&mut self, kind: &Attribute<'a>, scope: &Scope<'a>) -> Option<Origin<'a>> {
+        let place = kind.value.whole();
+        let word = kind.value.as_str().trim();
+        if word.is_empty() {
+            if !kind.faulty {
+                self.reporter
+                    .at(&kind.range, |s| say::value_empty(s, kind.name, None));
+            }
+            return None;
+        }
+        if let Some((piece, home)) = scope.piece(word) {
+            return Some(Origin::Piece(piece, home));
+        }
+        let extension = word.rsplit('.').next().unwrap_or_default();
+        let path = if word.contains('/') || ["hsd", "xml"].contains(&extension) {
+            let path = self.path(word, &place)?;
+            self.source(&path, &place)?;
+            path
+        } else if let Some(template) = Template::named(word) {
+            self.template(template, &place)?
+        } else {
+            let known = TYPES.iter().map(|t| t.word.to_owned());
+            let known: Vec<String> = scope.pieces().into_iter().chain(known).collect();
+            let near = self.suggest.among(word, known.iter().map(|n| &**n));
+            self.reporter
+                .at(&place, |s| say::unknown_type(s, word, near, &known));
+            return None;
+        };
+        if let Some(first) = self.files.open.iter().position(|(p, _)| *p == path) {
+            let span = self.reporter.span(&place);
+            let mut chain = self.files.open[first..].to_vec();
+            chain.push((path, span));
+            self.reporter.push(|| say::place_in_itself(span, &chain));
+            return None;
+        }
+        let source = self.setting.cache.find(&path)?;
+        let tree = self.placed_tree(&path, source)?;
+        Some(Origin::File(tree, path))
+    }
+
+    /// Adds a type of the library to the sources; returns its name among them.
+    fn template(
+        &mut self,
+        template: &Template,
+        place: &std::ops::Range<usize>,
+    ) -> Option<String> {
+        let path = template.source_name();
+        if self.setting.cache.find(&path).is_none() {
+            self.keep(&path, template.text().as_bytes(), place)?;
+        }
+        Some(path)
+    }
+
+    /// Returns the tree of a file that is placed, which is read once.
+    fn placed_tree(&mut self, path: &str, source: &'a Source) -> Option<Rc<Tree<'a>>> {
+        if let Some(tree) = self.files.placed.get(path) {
+            return tree.clone();
+        }
+        let tree = self.opened(source);
+        self.files.placed.insert(path.to_owned(), tree.clone());
+        tree
+    }
+
+    fn has_house(&self, made: usize) -> bool {
+        let elements = &self.made.elements;
+        elements[made].children.iter().any(|child| match child {
+            Child::Element(index) => match schema::named(elements[*index].name).map(|s| s.tag) {
+                Some(Tag::House) => true,
+                Some(Tag::Group | Tag::Place) => self.has_house(*index),
+                _ => false,
+            },
+            Child::Text(_) => false,
+        })
+    }
+
+    /// Gives a placed house the name and the seed of its `Place`. Names are told apart by numbers, since they key draws.
+    pub(super) fn name_placed(&mut self, attributes: &mut Vec<Attribute<'a>>) {
+        let Some(placed) = self.placed.last() else {
+            return;
+        };
+        let kind = placed.kind.clone();
+        let named = attributes.iter().position(|a| a.name == "name");
+        let own = named.map(|i| attributes[i].value.as_str().trim().to_owned());
+        let name = placed.name.clone().or(own.filter(|name| !name.is_empty()));
+        let name = name.unwrap_or_else(|| kind.value.as_str().trim().to_owned());
+        let count = self.files.names.entry(name.clone()).or_insert(0);
+        *count += 1;
+        let name = match *count {
+            1 => name,
+            n => format!("{name} {n}"),
+        };
+        let seed = placed.seed.as_ref().map(|(attribute, _)| attribute.clone());
+        let place = kind.value.whole();
+        let value = Text::instead(name, place);
+        match named {
+            Some(index) => attributes[index].value = value,
+            None => attributes.push(Attribute {
+                name: "name",
+                value,
+                ..kind
+            }),
+        }
+        if let Some(seed) = seed {
+            attributes.retain(|a| a.name != "seed");
+            attributes.push(seed);
+        }
+    }
+
+    /// Returns the value that the innermost `Place` gives to a parameter.
+    pub(super) fn given_by_place(&mut self, name: &str) -> Option<Given> {
+        let given = self.placed.last_mut()?.given(name);
+        let given = given.map(|(attribute, value)| {
+            Spanned::new(value, self.reporter.span(&attribute.value.whole()))
+        });
+        Some(Given::Use(given))
+    }
+}
+
+/// Returns an element without attributes and content.
+fn bare<'a>(element: &Element<'a>) -> Element<'a> {
+    Element {
+        name: element.name,
+        name_range: element.name_range.clone(),
+        tag: element.tag.clone(),
+        range: element.range.clone(),
+        attributes: vec![],
+        children: vec![],
+        cut: element.cut,
+    }
+}

@@ -1,0 +1,186 @@
+//! The houses of a file, alone and in groups: `Houses`, `Group`, and what a `Place` has become.
+
+use crate::ast::{Era, Frame, House, Placement, WrittenPart};
+use crate::diagnostic::messages::xml as say;
+use crate::geometry::Heading;
+use crate::parse::schema;
+use crate::parse::schema::vocabulary::ANCHORS;
+use crate::parse::schema::{Schema, Tag};
+use crate::parse::xml::read::{AllowedChild, Attributes, Reader};
+use crate::parse::xml::tree::Element;
+use crate::source::{Span, Spanned};
+
+/// What the elements around a house say of it.
+#[derive(Clone, Copy, Default)]
+struct Around {
+    /// The groups around it together, if there are any.
+    frame: Option<Frame>,
+    /// The innermost `Place`.
+    place: Option<Span>,
+    age: Option<Spanned<f64>>,
+    era: Option<Spanned<Era>>,
+}
+
+impl<'t> Reader<'t, '_> {
+    /// Returns the houses of the file, and the custom parts that all of them know.
+    pub(in crate::parse::xml) fn houses(&mut self, parts: &mut Vec<WrittenPart>) -> Vec<House> {
+        let mut houses = vec![];
+        for node in self.roots() {
+            let AllowedChild::Element(schema, element) = node else {
+                continue;
+            };
+            match schema.tag {
+                Tag::House => houses.push(self.house(schema, element)),
+                Tag::Structure => houses.push(self.lone_structure(schema, element)),
+                Tag::Catalog => {
+                    self.attributes(schema, element);
+                    for node in self.children(element, schema.content()) {
+                        if let AllowedChild::Element(schema, element) = node {
+                            parts.extend(self.written_part(schema, element));
+                        }
+                    }
+                }
+                _ => {
+                    let of = self.attributes(schema, element);
+                    let around = self.aged(Around::default(), &of);
+                    self.members(element, schema.content(), around, &mut houses, parts);
+                }
+            }
+        }
+        houses
+    }
+
+    /// Reads the content of `Houses`, of a group or of a `Place`.
+    fn members(
+        &mut self,
+        element: &'t Element<'t>,
+        content: &'static schema::Content,
+        around: Around,
+        houses: &mut Vec<House>,
+        parts: &mut Vec<WrittenPart>,
+    ) {
+        for node in self.children(element, content) {
+            let AllowedChild::Element(schema, child) = node else {
+                continue;
+            };
+            match schema.tag {
+                Tag::PartDef => parts.extend(self.written_part(schema, child)),
+                Tag::House => {
+                    let house = self.house(schema, child);
+                    houses.push(around.put(house));
+                }
+                Tag::Group => {
+                    let of = self.attributes(schema, child);
+                    let mut inner = self.aged(around, &of);
+                    let turn = self.usual(&of, "turn");
+                    inner.enter(Frame {
+                        origin: self.origin(&of),
+                        turn,
+                    });
+                    self.members(child, schema.content(), inner, houses, parts);
+                }
+                Tag::Place => self.placed(schema, child, around, houses),
+                // Repetitions and choices are written out already; what is left draws codes.
+                _ => {
+                    let home = "`Storey`, `Row`, `Facade` or `Floor`";
+                    self.reporter.at(&child.name_range, |s| {
+                        say::wrong_place(s, child.name, Some(element.name), home)
+                    });
+                }
+            }
+        }
+    }
+
+    /// Reads the houses that a `Place` has become. A lone one stands at the place, whatever its own says; several keep
+    /// their places to each other.
+    fn placed(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+        around: Around,
+        houses: &mut Vec<House>,
+    ) {
+        let of = self.attributes(schema, element);
+        let mut inner = self.aged(around, &of);
+        let anchor = self.choice(&of, "at", &ANCHORS);
+        let azimuth = self.usual(&of, "azimuth");
+        inner.place = Some(self.start(element));
+        inner.enter(Frame {
+            origin: self.origin(&of),
+            turn: azimuth - 180.0,
+        });
+        let (mut own, mut parts) = (vec![], vec![]);
+        // Houses in it are put where they stand once their number is known.
+        let first = Around {
+            frame: None,
+            ..inner
+        };
+        self.members(element, &schema::PLACED, first, &mut own, &mut parts);
+        let lone = own.len() == 1;
+        if let Some(anchor) = anchor.filter(|_| own.len() > 1) {
+            let count = own.len();
+            self.reporter
+                .push(|| say::anchor_of_several(anchor.span, count));
+        }
+        for mut house in own {
+            if lone {
+                let settings = &mut house.settings;
+                settings.anchor = anchor.map(|a| a.value);
+                [settings.x, settings.y, settings.z] = [None; 3];
+                settings.azimuth = None;
+            }
+            house.parts.extend(parts.iter().cloned());
+            houses.push(inner.put(house));
+        }
+    }
+
+    fn origin(&mut self, of: &Attributes<'t>) -> [f64; 3] {
+        ["x", "y", "z"].map(|name| self.usual(of, name))
+    }
+
+    /// Returns what the houses in an element inherit.
+    fn aged(&mut self, around: Around, of: &Attributes<'t>) -> Around {
+        Around {
+            age: self.age(of).or(around.age),
+            era: self.era(of).or(around.era),
+            ..around
+        }
+    }
+}
+
+impl Around {
+    /// Enters a frame inside those entered so far.
+    fn enter(&mut self, inner: Frame) {
+        self.frame = Some(match self.frame {
+            Some(outer) => outer.within(inner),
+            None => inner,
+        });
+    }
+
+    /// Returns a house at its place in the world, with the age that it has not said itself.
+    fn put(self, mut house: House) -> House {
+        let span = house.span;
+        let settings = &mut house.settings;
+        settings.age = settings.age.or(self.age);
+        // For a house without an age it would have no effect.
+        if settings.age.is_some() {
+            settings.era = settings.era.or(self.era);
+        }
+        let Some(frame) = self.frame else {
+            return house;
+        };
+        let number = |value: Option<Spanned<f64>>, usual| value.map_or(usual, |v| v.value);
+        let local = [settings.x, settings.y, settings.z].map(|v| number(v, 0.0));
+        let at = |value: f64| Some(Spanned::new(value, span));
+        let [x, y, z] = frame.point(local);
+        (settings.x, settings.y, settings.z) = (at(x), at(y), at(z));
+        let azimuth = number(settings.azimuth, 180.0) + frame.turn;
+        settings.azimuth = at(Heading::new(azimuth).degrees());
+        let inner = house.placement.take().map_or(Placement::default(), |p| *p);
+        house.placement = Some(Box::new(Placement {
+            frame: frame.within(inner.frame),
+            place: inner.place.or(self.place),
+        }));
+        house
+    }
+}
