@@ -73,6 +73,9 @@ pub struct House {
     pub variant: Option<Variant>,
     /// East, north, up of the origin, metres.
     pub origin: [f64; 3],
+    /// The `Place` that put it there, if it is written elsewhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub placed: Option<Span>,
     /// Compass direction of the first line's outward normal, degrees.
     pub azimuth: f64,
     /// Metres in one U.

@@ -9,6 +9,7 @@ mod convert;
 mod house;
 #[cfg(feature = "models")]
 mod models;
+mod overlaps;
 mod parts;
 #[cfg(feature = "models")]
 mod stream;

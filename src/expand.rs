@@ -220,6 +220,7 @@ impl<'a, 'c> Pass<'a, 'c> {
                 .map_or_else(String::new, |n| n.value.clone()),
             variant: None,
             origin: [&settings.x, &settings.y, &settings.z].map(|v| number(v, 0.0)),
+            placed: house.placement.as_ref().and_then(|p| p.place),
             anchor: settings.anchor.unwrap_or_default(),
             azimuth: number(&settings.azimuth, 180.0),
             unit_shaku: unit,

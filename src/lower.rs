@@ -68,6 +68,7 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
         name: house.name,
         variant: house.variant,
         origin: [x - off.x, y - off.y, ground + raised],
+        placed: house.placed,
         azimuth: house.azimuth,
         unit: house.unit_shaku * SHAKU,
         street: house.street,

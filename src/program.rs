@@ -49,6 +49,9 @@ pub struct House {
     /// The point of the house that stands there.
     #[serde(skip_serializing_if = "is_corner")]
     pub anchor: Anchor,
+    /// The `Place` that put it there, if it is written elsewhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub placed: Option<Span>,
     /// Compass direction of the first line's outward normal, degrees.
     pub azimuth: f64,
     /// One U in shaku.

@@ -1,6 +1,6 @@
 //! Walks to outlines: closing, turns, crossings, courtyards, set-back storeys, rings of facades.
 use glam::dvec2;
-use hsd::ast::StoreyKind;
+use hsd::ast::{Anchor, StoreyKind};
 use hsd::building::{Ring, Shell};
 use hsd::catalog::PartId;
 use hsd::diagnostic::{Diagnostics, Severity};
@@ -90,6 +90,8 @@ fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
         span: Span::default(),
         name: String::new(),
         variant: None,
+        placed: None,
+        anchor: Anchor::Corner,
         origin: [0.0; 3],
         azimuth: 180.0,
         unit_shaku: 3.0,

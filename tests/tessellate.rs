@@ -113,6 +113,7 @@ fn building(storeys: Vec<Storey>) -> Building {
         span: span(),
         name: "shop".into(),
         variant: None,
+        placed: None,
         origin: [1.0, 2.0, 3.0],
         azimuth: 180.0,
         unit: UNIT,

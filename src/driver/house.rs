@@ -1,6 +1,7 @@
 //! A house is the unit of work: from its syntax and an id to walls, roofs and fittings. A run, a variant, a tile or a
 //! thread is a loop over houses; one made alone with its id is identical to the last bit to the one in a run.
 
+use super::overlaps::{Ground, Grounds};
 use super::{Options, Read};
 use crate::ast::{self, Document};
 use crate::building::{Building, Built};
@@ -234,6 +235,7 @@ pub(super) fn each_house(
     let documents = std::mem::take(&mut read.documents);
     let catalog = &*read.catalog;
     let mut expansion = Expansion::new(documents, catalog, sources, world, &options.expand);
+    let mut grounds = Grounds::default();
     let mut next = expansion.batch(BATCH);
     while let Some(batch) = next {
         let images = expansion.images().len();
@@ -242,10 +244,16 @@ pub(super) fn each_house(
             || expansion.batch(BATCH),
         );
         for (built, found) in finished.into_iter().flatten() {
-            built.into_iter().for_each(|built| each(built, images));
+            if let Some(built) = built {
+                // Variants are placed in rows later.
+                let ground = Some(&built.house).filter(|house| house.variant.is_none());
+                grounds.add(ground.and_then(Ground::of));
+                each(built, images);
+            }
             out.append(found);
         }
         next = ahead;
     }
+    grounds.report(out);
     expansion.into_images()
 }

@@ -3,6 +3,7 @@
 
 use super::house::{BATCH, Batch, Expansion};
 use super::models::{not_shown, use_by};
+use super::overlaps::{Ground, Grounds};
 use super::{Options, documents, spare_expressions, timed};
 use crate::backend::images::Library;
 use crate::backend::sound;
@@ -72,6 +73,7 @@ pub fn stream(
         scene: SceneBuilder::new(options.detail),
         library: Library::default(),
         counter: Counter::default(),
+        grounds: Grounds::default(),
         houses: 0,
         together: BATCH / 4,
         first: Span::default(),
@@ -86,9 +88,11 @@ pub fn stream(
         scene,
         mut library,
         counter,
+        grounds,
         houses,
         ..
     } = town;
+    grounds.report(out);
     let (materials, baked, grown) = scene.into_images();
     library.bake(&baked);
     let pictures = expansion.into_images();
@@ -113,6 +117,7 @@ struct Made {
     /// The place of the first house.
     first: Option<Span>,
     found: Vec<Diagnostics>,
+    grounds: Vec<Ground>,
     /// New images by number, with the place that uses each first.
     images: Vec<(usize, Option<Span>)>,
 }
@@ -135,6 +140,7 @@ impl Made {
                 count: built.len(),
                 first: built.first().map(|b| b.house.span),
                 found,
+                grounds: built.iter().filter_map(|b| Ground::of(&b.house)).collect(),
                 images: images.clone().map(|id| (id, uses(id))).collect(),
             }
         });
@@ -147,6 +153,7 @@ impl Made {
         self.count += next.count;
         self.first = self.first.or(next.first);
         self.found.extend(next.found);
+        self.grounds.extend(next.grounds);
         for ((_, used), (_, also)) in self.images.iter_mut().zip(next.images) {
             *used = used.or(also);
         }
@@ -171,6 +178,7 @@ struct Town<'a, 's> {
     scene: SceneBuilder,
     library: Library,
     counter: Counter,
+    grounds: Grounds,
     houses: usize,
     /// The number of houses to make at a time.
     together: usize,
@@ -219,6 +227,7 @@ impl Town<'_, '_> {
         for found in made.found {
             self.out.append(found);
         }
+        self.grounds.add(made.grounds);
         let limits = &self.options.expand.limits;
         for (id, used) in made.images {
             let path = &expansion.images()[id].path;

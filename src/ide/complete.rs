@@ -9,6 +9,7 @@ pub(super) mod names;
 pub(super) mod parts;
 mod place;
 pub(super) mod roofs;
+pub(super) mod types;
 mod values;
 mod xml;
 

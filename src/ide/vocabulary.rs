@@ -331,3 +331,12 @@ pub(super) const FUNCTIONS: &Table = &[
     ),
     ("sqrt", noun("sqrt(a): the square root", "sqrt(a): 平方根")),
 ];
+
+/// Returns the values of a parameter as a line shows them.
+pub(in crate::ide) fn bounds(choices: &str, min: &str, max: &str) -> String {
+    match (choices, min, max) {
+        ("", "", "") => String::new(),
+        ("", min, max) => format!(" [{min}..{max}]"),
+        (choices, ..) => format!(" [{choices}]"),
+    }
+}

@@ -247,6 +247,7 @@ impl Key {
         let House {
             span: _,
             name: _,
+            placed: _,
             variant: _,
             origin: _,
             azimuth: _,

@@ -56,6 +56,7 @@ fn regions_are_written_as_documented() {
         span: Span::default(),
         name: String::new(),
         variant: None,
+        placed: None,
         origin: [0.0; 3],
         azimuth: 180.0,
         unit: 10.0 / 11.0,

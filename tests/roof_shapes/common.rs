@@ -89,6 +89,7 @@ pub fn house(storeys: Vec<Vec<Ring>>) -> House {
         span: Span::default(),
         name: String::new(),
         variant: None,
+        placed: None,
         origin: [0.0; 3],
         azimuth: 180.0,
         unit: U,

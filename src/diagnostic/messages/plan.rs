@@ -1,5 +1,6 @@
 //! Messages about walls, outlines and storeys (HSD04xx).
 
+use crate::diagnostic::messages::words::quote;
 use crate::diagnostic::{Diagnostic, Edit, Text};
 use crate::lower::ClosingFix;
 use crate::source::Span;
@@ -386,6 +387,34 @@ pub(crate) fn too_large(line: Span, largest: f64) -> Diagnostic {
         "check the widths and repeats before it",
         "これより前の幅と繰り返しを確かめてください"
     ))
+}
+
+/// Two houses that stand in each other: the later one first, each with where it is written or placed and its name.
+#[cold]
+pub fn in_each_other(spans: [Span; 2], names: [&str; 2], shared: f64) -> Diagnostic {
+    let shared = (shared * 10.0).round() / 10.0;
+    let [one, other] = names.map(|name| match name {
+        "" => text!("this house", "この建物"),
+        name => quote(name).into(),
+    });
+    let message = match names[1] {
+        "" => text!([one, shared]
+            "{one} and another one stand in each other over {shared} m2",
+            "{one} と別の建物が {shared} m2 重なっています"
+        ),
+        _ => text!([one, other, shared]
+            "{one} and {other} stand in each other over {shared} m2",
+            "{one} と {other} が {shared} m2 重なっています"
+        ),
+    };
+    let found = Diagnostic::warning(420, spans[0], message).help(text!(
+        "give one of them another `x` and `y` (metres); in the legacy form they are the first two numbers of the header",
+        "どちらかの `x` と `y` (m) を変えてください。旧形式では見出しの最初の二つの数です"
+    ));
+    match spans[0] == spans[1] {
+        true => found,
+        false => found.label(spans[1], text!("the other one", "もう一方の建物")),
+    }
 }
 
 /// A ring that was squared: its largest angle to a right one, degrees, and the farthest move of a corner, metres.

@@ -85,11 +85,7 @@ pub(in crate::ide) fn about(known: &KnownName<'_>) -> Text {
     }
     let says = |name: &str| element.value(name).unwrap_or_default();
     let (doc, unit, default) = (says("doc"), says("unit"), says("default"));
-    let bounds = match (says("choices"), says("min"), says("max")) {
-        ("", "", "") => String::new(),
-        ("", min, max) => format!(" [{min}..{max}]"),
-        (choices, ..) => format!(" [{choices}]"),
-    };
+    let bounds = vocabulary::bounds(says("choices"), says("min"), says("max"));
     let words = format!("{doc} = {default} {unit}");
     let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
     (words + &bounds).into()

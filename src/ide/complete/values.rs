@@ -5,6 +5,7 @@ use super::{Completion, CompletionKind, Request, names, parts};
 use crate::catalog::body;
 use crate::diagnostic::Text;
 use crate::ide::names::KnownName;
+use super::types::{self, TypeParameter};
 use crate::ide::vocabulary;
 use crate::material;
 use crate::parse::schema;
@@ -54,6 +55,7 @@ fn proposals(
         ("Part" | "Texture", "code") | ("PartDef", "base") => parts::in_value(request, inner),
         ("random" | "replace", "code" | "with") => parts::in_value(request, &item(&[','])),
         ("use", "name") => names::pieces(request, inner),
+        ("Place", "type") => types(request, inner),
         ("include", "href") => files(request, inner, &["hsd"]),
         ("Texture", "src") | ("PartDef", "texture") => {
             files(request, inner, &["png", "jpg", "jpeg"])
@@ -67,8 +69,52 @@ fn proposals(
             surfaces(inner)
         }
         ("use", parameter) => argument(request, tag, parameter, inner),
+        ("Place", name) if schema::named(element).is_some_and(|s| s.attribute(name).is_none()) => {
+            of_type(request, tag)
+                .iter()
+                .filter(|p| p.name == name)
+                .flat_map(|p| type_values(p, inner))
+                .collect()
+        }
         _ => listed(request, element, attribute, inner),
     }
+}
+
+/// Returns what a `Place` can put somewhere: definitions, types of the library, files.
+fn types(request: &Request<'_>, inner: &Range<usize>) -> Vec<Completion> {
+    let mut found = names::pieces(request, inner);
+    let library = types::library().enumerate();
+    found.extend(library.map(|(rank, (template, about))| {
+        let word = Completion::word(template.word, CompletionKind::Piece, about, inner);
+        word.sorted(format!("2{rank:04}"))
+    }));
+    found.extend(files(request, inner, &["hsd"]));
+    found
+}
+
+/// Returns the parameters of the type that a `Place` names.
+pub(super) fn of_type(request: &Request<'_>, tag: &Tag) -> Vec<TypeParameter> {
+    let mut attributes = tag.attributes.iter();
+    let named = attributes.find(|a| &request.text[a.name.clone()] == "type");
+    let Some(word) = named.and_then(|a| a.inner.clone()) else {
+        return vec![];
+    };
+    types::parameters(request.a, request.text[word].trim())
+}
+
+fn type_values(parameter: &TypeParameter, inner: &Range<usize>) -> Vec<Completion> {
+    let listed = parameter.choices.split(',').map(str::trim);
+    let mut words: Vec<&str> = std::iter::once(&*parameter.default)
+        .chain(listed)
+        .filter(|w| !w.is_empty())
+        .collect();
+    words.sort_unstable();
+    words.dedup();
+    let word = |w: &&str| {
+        let about = parameter.about.clone();
+        Completion::word(w, CompletionKind::Value, about, inner).sorted("1")
+    };
+    words.iter().map(word).collect()
 }
 
 /// Returns the words of a list.

@@ -361,6 +361,12 @@ fn attributes(
                 let about = names::about(parameter);
                 add(parameter.name(), about, (default, &[]), rank);
             }
+            if name == "Place" {
+                for (rank, parameter) in (50..).zip(values::of_type(request, tag)) {
+                    let (name, default) = (&parameter.name, &*parameter.default);
+                    add(name, parameter.about.clone(), (default, &[]), rank);
+                }
+            }
         }
         None => {
             for (rank, (attribute, about)) in (0..).zip(shape_attributes(name, open)) {

@@ -4,6 +4,7 @@ use super::{Hover, Request, holds};
 use crate::diagnostic::Text;
 use crate::ide::complete::names::about;
 use crate::ide::names::{self, KnownName};
+use crate::ide::complete::types;
 use crate::ide::vocabulary;
 use crate::parse::Seen;
 use crate::parse::syntax::Expression;
@@ -93,6 +94,29 @@ pub(super) fn piece(request: &Request<'_>, range: &Range<usize>, name: &str) -> 
     let parameters = names::parameters(&piece);
     let line = |p: &KnownName<'_>| {
         let (name, about) = (p.name(), about(p));
+        text!([name, about] "- `{name}`: {about}", "- `{name}`: {about}")
+    };
+    let lines = parameters.iter().map(line).collect();
+    request.told(range, [head, Text::joined(lines, "\n", "\n")])
+}
+
+/// Describes the house type that a `Place` names: what it is, and its parameters.
+pub(super) fn house_type(
+    request: &Request<'_>,
+    range: &Range<usize>,
+    word: &str,
+) -> Option<Hover> {
+    if let Some(piece) = piece(request, range, word) {
+        return Some(piece);
+    }
+    let known = types::library().find(|(t, _)| t.word == word);
+    let head = match known {
+        Some((_, about)) => text!([word, about] "type **{word}** ({about})", "型 **{word}** ({about})"),
+        None => format!("**{word}**").into(),
+    };
+    let parameters = types::parameters(request.a, word);
+    let line = |p: &types::TypeParameter| {
+        let (name, about) = (&*p.name, p.about.clone());
         text!([name, about] "- `{name}`: {about}", "- `{name}`: {about}")
     };
     let lines = parameters.iter().map(line).collect();

@@ -126,6 +126,7 @@ fn attribute_told(request: &Request<'_>, number: usize, attribute: &Attribute) -
         ("Part" | "Texture", "code") | ("PartDef", "base" | "code") => request.part(inner, value),
         ("random" | "replace", "code" | "with") => listed_part(request, attribute),
         ("use", "name") => computed::piece(request, inner, value),
+        ("Place", "type") => computed::house_type(request, inner, value),
         ("include", "href") => computed::file(request, inner, value),
         ("let" | "Param", "name") => {
             computed::value(request, inner, &KnownName::of(request.a, number)?)

@@ -46,6 +46,13 @@ struct Resolver<'a> {
     parameters: BTreeMap<usize, BTreeMap<String, usize>>,
 }
 
+/// Returns the attribute of a repetition that names its rounds, and the name.
+fn round(text: &str, element: &Element) -> Option<(usize, Range<usize>)> {
+    let mut all = element.attributes.iter().enumerate();
+    let (number, index) = all.find(|(_, a)| a.word == "index" && word(element) == "repeat")?;
+    Some((number, trimmed(text, index)?))
+}
+
 /// Returns true for elements that are transparent: they stand for their content.
 fn is_open(word: &str) -> bool {
     matches!(word, "if" | "else" | "choice" | "random")
@@ -64,6 +71,9 @@ impl<'a> Resolver<'a> {
             if let Some(parent) = element.parent.filter(|_| gives) {
                 names[parent] = true;
             }
+        }
+        for (own, element) in elements.iter().enumerate() {
+            names[own] |= round(self.files[number].text, element).is_some();
         }
         let scopes = &mut self.index.scopes;
         let outermost = scopes.frame(None, false);
@@ -113,6 +123,12 @@ impl<'a> Resolver<'a> {
                 if let Some(parent) = parent.filter(|_| kind == SymbolKind::Parameter) {
                     let home = self.index.scopes.of[number].around[element.parent.unwrap_or(0)];
                     self.parameter_of(file, parent, home, name, around);
+                }
+            }
+            ("repeat", _) => {
+                if let Some((attribute, range)) = round(file.text, element) {
+                    let from = element.attributes[attribute].range.end;
+                    self.give(SymbolKind::Value, inside, range, given(attribute, from));
                 }
             }
             ("define", name) => {

@@ -244,11 +244,17 @@ impl<'a> Expander<'a, '_> {
             let known = TYPES.iter().map(|t| t.word.to_owned());
             let known: Vec<String> = scope.pieces().into_iter().chain(known).collect();
             let near = self.suggest.among(word, known.iter().map(|n| &**n));
+            // 蔵 is a kura.
+            let meant = || Template::found(word).first().map(|t| t.word);
+            let near = near.or_else(meant);
             self.reporter
                 .at(&place, |s| say::unknown_type(s, word, near, &known));
             return None;
         };
-        if let Some(first) = self.files.open.iter().position(|(p, _)| *p == path) {
+        let open = &self.files.open;
+        let first = open.iter().position(|(p, _)| *p == path);
+        let outermost = || (self.reporter.source_at(0).1.name() == path).then_some(0);
+        if let Some(first) = first.or_else(outermost) {
             let span = self.reporter.span(&place);
             let mut chain = self.files.open[first..].to_vec();
             chain.push((path, span));

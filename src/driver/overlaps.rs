@@ -1,0 +1,143 @@
+//! Houses that stand in each other: compared by the ground storeys of all houses of a run, in their order.
+
+use crate::building::House;
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::plan::in_each_other;
+use crate::geometry::Heading;
+use crate::geometry::overlap::Area;
+use crate::source::Span;
+use glam::{DVec2, dvec2};
+use std::collections::HashMap;
+
+/// The area that neighbours may share, square metres.
+const SHARED: f64 = 0.1;
+
+/// The height over which they may stand in each other, metres.
+const LOW: f64 = 0.1;
+
+/// The side of a cell of the grid in which neighbours are looked for, metres.
+const CELL: f64 = 16.0;
+
+/// The number of cells of a house beyond which it is compared with all others.
+const CELLS: i64 = 64;
+
+/// Pairs that are compared at most, for each house and at least.
+const PAIRS: usize = 64;
+
+/// The ground storeys of the houses so far.
+#[derive(Debug, Default)]
+pub(super) struct Grounds(Vec<Ground>);
+
+/// The ground storey of a house, in the world.
+#[derive(Debug)]
+pub(super) struct Ground {
+    /// Where the house is written, or placed.
+    span: Span,
+    name: Box<str>,
+    low: DVec2,
+    high: DVec2,
+    /// From its floor to the top of its walls, metres.
+    heights: [f64; 2],
+    /// Its outlines, each with true if it is a court.
+    rings: Box<[(Box<[DVec2]>, bool)]>,
+}
+
+impl Ground {
+    /// Returns the ground storey of a house; `None` if its walls enclose nothing.
+    pub(super) fn of(house: &House) -> Option<Ground> {
+        let storey = house.storeys.first()?;
+        let turn = Heading::new(180.0 - house.azimuth).vector();
+        let [x, y, z] = house.origin;
+        let world = |p: DVec2| turn.rotate(dvec2(-p.x, p.y) * house.unit) + dvec2(x, y);
+        let closed = storey.rings.iter().filter(|r| r.closed && !r.inner);
+        let rings: Box<[(Box<[DVec2]>, bool)]> = closed
+            .map(|r| (r.walls.iter().map(|w| world(w.from)).collect(), r.hole))
+            .collect();
+        let corners = || rings.iter().flat_map(|(ring, _)| ring.iter().copied());
+        let low = corners().reduce(DVec2::min)?;
+        let high = corners().reduce(DVec2::max)?;
+        let top = house.storeys.iter().map(|s| s.z1).fold(0.0, f64::max);
+        Some(Ground {
+            span: house.placed.unwrap_or(house.span),
+            name: house.name.as_str().into(),
+            low,
+            high,
+            heights: [z, z + top],
+            rings,
+        })
+    }
+
+    fn area(&self) -> Area {
+        let holes = self.rings.iter().filter(|r| r.1).map(|r| r.0.to_vec());
+        let holes: Vec<Vec<DVec2>> = holes.collect();
+        let mut area = Area::default();
+        for (n, (outline, _)) in self.rings.iter().filter(|r| !r.1).enumerate() {
+            // Courts lie in the first outline, which is all there is in nearly every house.
+            area.add(outline, if n == 0 { &holes } else { &[] });
+        }
+        area
+    }
+
+    fn meets(&self, other: &Ground) -> bool {
+        let apart = |[a, b]: [f64; 2], [c, d]: [f64; 2]| b.min(d) - a.max(c) < LOW;
+        let wide = self.high.min(other.high) - self.low.max(other.low);
+        wide.cmpgt(DVec2::ZERO).all()
+            && wide.x * wide.y > SHARED
+            && !apart(self.heights, other.heights)
+    }
+
+    fn cells(&self) -> Option<impl Iterator<Item = (i64, i64)>> {
+        let cell = |p: DVec2| ((p.x / CELL).floor() as i64, (p.y / CELL).floor() as i64);
+        let ((x0, y0), (x1, y1)) = (cell(self.low), cell(self.high));
+        let few = (x1 - x0 + 1).saturating_mul(y1 - y0 + 1) <= CELLS;
+        few.then(|| (x0..=x1).flat_map(move |x| (y0..=y1).map(move |y| (x, y))))
+    }
+}
+
+impl Grounds {
+    /// Adds houses, in their order.
+    pub(super) fn add(&mut self, grounds: impl IntoIterator<Item = Ground>) {
+        self.0.extend(grounds);
+    }
+
+    /// Reports the houses that stand in each other, each with the first one before it that it stands in.
+    pub(super) fn report(&self, out: &mut Diagnostics) {
+        let mut cells: HashMap<(i64, i64), Vec<u32>> = HashMap::new();
+        let mut large: Vec<u32> = vec![];
+        // Ten thousand houses in one place are compared with some of the others only.
+        let mut pairs = PAIRS * self.0.len().max(4096);
+        for (number, ground) in self.0.iter().enumerate() {
+            let mut near: Vec<u32> = match ground.cells() {
+                Some(own) => own
+                    .filter_map(|cell| cells.get(&cell))
+                    .flatten()
+                    .chain(&large)
+                    .copied()
+                    .collect(),
+                None => (0..number as u32).collect(),
+            };
+            near.truncate(pairs);
+            pairs -= near.len();
+            near.sort_unstable();
+            near.dedup();
+            let mut own = None;
+            let met = near.into_iter().find_map(|other| {
+                let other = &self.0[other as usize];
+                if !ground.meets(other) {
+                    return None;
+                }
+                let own = own.get_or_insert_with(|| ground.area());
+                let shared = own.shared(&other.area());
+                (shared > SHARED).then_some((other, shared))
+            });
+            if let Some((other, shared)) = met {
+                let names = [&*ground.name, &*other.name];
+                out.push(in_each_other([ground.span, other.span], names, shared));
+            }
+            match ground.cells() {
+                Some(own) => own.for_each(|c| cells.entry(c).or_default().push(number as u32)),
+                None => large.push(number as u32),
+            }
+        }
+    }
+}
