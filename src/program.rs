@@ -2,8 +2,8 @@
 //! every unit knows its part and width. `expand` makes it, `lower` follows it.
 
 use crate::ast::{
-    Anchor, Era, Finial, Order, Platform, Rare, RoofLine, RoofMethod, RoofMode, RoofStyle, StoreyKind,
-    Usual, Variant,
+    Anchor, Era, Finial, Order, Platform, Rare, RoofLine, RoofMethod, RoofMode, RoofStyle,
+    StoreyKind, Usual, Variant,
 };
 use crate::catalog::PartId;
 use crate::source::Span;

@@ -258,7 +258,8 @@ fn a_folder_takes_a_model_for_each_text() {
 #[test]
 fn texts_of_one_scene_share_a_file() {
     let folder = folder();
-    fs::write(folder.path().join("second.hsd"), SOUND).unwrap();
+    let beside = format!("30 0{}", &SOUND[3..]);
+    fs::write(folder.path().join("second.hsd"), beside).unwrap();
     let output = hsd(
         folder.path(),
         &["build", "sound.hsd", "second.hsd", "-o", "both.glb"],

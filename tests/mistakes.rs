@@ -237,7 +237,8 @@ fn findings(name: &str, text: &str, places: &[(u16, usize, usize)]) -> Vec<Strin
         *left.entry(*place).or_default() += 1;
     }
     let mut wrong = vec![];
-    for d in &run.diagnostics {
+    // All the houses stand in one place.
+    for d in run.diagnostics.iter().filter(|d| d.code.0 != 420) {
         let (start, end) = (
             d.span().unwrap().start as usize,
             d.span().unwrap().end as usize,

@@ -254,6 +254,6 @@ pub(super) fn each_house(
         }
         next = ahead;
     }
-    grounds.report(out);
+    grounds.report(sources.iter().copied().chain(&read.included), out);
     expansion.into_images()
 }

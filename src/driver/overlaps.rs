@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::plan::in_each_other;
 use crate::geometry::Heading;
 use crate::geometry::overlap::Area;
-use crate::source::Span;
+use crate::source::{Source, Span};
 use glam::{DVec2, dvec2};
 use std::collections::HashMap;
 
@@ -14,6 +14,9 @@ const SHARED: f64 = 0.1;
 
 /// The height over which they may stand in each other, metres.
 const LOW: f64 = 0.1;
+
+/// The product of the numbers of walls beyond which two houses are not compared.
+const SIDES: usize = 40_000;
 
 /// The side of a cell of the grid in which neighbours are looked for, metres.
 const CELL: f64 = 16.0;
@@ -68,20 +71,22 @@ impl Ground {
     }
 
     fn area(&self) -> Area {
-        let holes = self.rings.iter().filter(|r| r.1).map(|r| r.0.to_vec());
-        let holes: Vec<Vec<DVec2>> = holes.collect();
         let mut area = Area::default();
-        for (n, (outline, _)) in self.rings.iter().filter(|r| !r.1).enumerate() {
-            // Courts lie in the first outline, which is all there is in nearly every house.
-            area.add(outline, if n == 0 { &holes } else { &[] });
+        for (ring, hole) in &self.rings {
+            area.add(ring, *hole, self.low);
         }
         area
+    }
+
+    fn sides(&self) -> usize {
+        self.rings.iter().map(|(ring, _)| ring.len()).sum()
     }
 
     fn meets(&self, other: &Ground) -> bool {
         let apart = |[a, b]: [f64; 2], [c, d]: [f64; 2]| b.min(d) - a.max(c) < LOW;
         let wide = self.high.min(other.high) - self.low.max(other.low);
         wide.cmpgt(DVec2::ZERO).all()
+            && self.sides() * other.sides() < SIDES
             && wide.x * wide.y > SHARED
             && !apart(self.heights, other.heights)
     }
@@ -101,7 +106,15 @@ impl Grounds {
     }
 
     /// Reports the houses that stand in each other, each with the first one before it that it stands in.
-    pub(super) fn report(&self, out: &mut Diagnostics) {
+    pub(super) fn report<'s>(
+        &self,
+        sources: impl Iterator<Item = &'s Source> + Clone,
+        out: &mut Diagnostics,
+    ) {
+        let head = |span: Span| {
+            let source = sources.clone().find(|source| source.id() == span.file);
+            source.map_or(span, |source| first_line(source, span))
+        };
         let mut cells: HashMap<(i64, i64), Vec<u32>> = HashMap::new();
         let mut large: Vec<u32> = vec![];
         // Ten thousand houses in one place are compared with some of the others only.
@@ -132,7 +145,8 @@ impl Grounds {
             });
             if let Some((other, shared)) = met {
                 let names = [&*ground.name, &*other.name];
-                out.push(in_each_other([ground.span, other.span], names, shared));
+                let heads = [ground.span, other.span].map(head);
+                out.push(in_each_other(heads, names, shared));
             }
             match ground.cells() {
                 Some(own) => own.for_each(|c| cells.entry(c).or_default().push(number as u32)),
@@ -140,4 +154,12 @@ impl Grounds {
             }
         }
     }
+}
+
+/// Returns the first line of a span.
+fn first_line(source: &Source, span: Span) -> Span {
+    let range = source.text_range(span);
+    let first = source.text()[range.clone()].lines().next();
+    let length = first.map_or(0, |line| line.trim_end().len());
+    source.span(range.start..range.start + length)
 }

@@ -92,7 +92,7 @@ pub fn stream(
         houses,
         ..
     } = town;
-    grounds.report(out);
+    grounds.report(sources.iter().copied().chain(&read.included), out);
     let (materials, baked, grown) = scene.into_images();
     library.bake(&baked);
     let pictures = expansion.into_images();

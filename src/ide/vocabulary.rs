@@ -319,9 +319,18 @@ pub(super) const FUNCTIONS: &Table = &[
             "clamp(a, 下限, 上限): 範囲に収めた値",
         ),
     ),
-    ("sin", noun("sin(a): the sine of degrees", "sin(a): 正弦（度）")),
-    ("cos", noun("cos(a): the cosine of degrees", "cos(a): 余弦（度）")),
-    ("tan", noun("tan(a): the tangent of degrees", "tan(a): 正接（度）")),
+    (
+        "sin",
+        noun("sin(a): the sine of degrees", "sin(a): 正弦（度）"),
+    ),
+    (
+        "cos",
+        noun("cos(a): the cosine of degrees", "cos(a): 余弦（度）"),
+    ),
+    (
+        "tan",
+        noun("tan(a): the tangent of degrees", "tan(a): 正接（度）"),
+    ),
     (
         "atan2",
         noun(

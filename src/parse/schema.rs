@@ -339,7 +339,10 @@ pub(in crate::parse) static HOUSES: Content = content(
     ],
 );
 /// What a `Place` has become when the document is read.
-pub(in crate::parse) static PLACED: Content = content("placed", &[Tag::House, Tag::Group, Tag::Place, Tag::PartDef]);
+pub(in crate::parse) static PLACED: Content = content(
+    "placed",
+    &[Tag::House, Tag::Group, Tag::Place, Tag::PartDef],
+);
 pub(in crate::parse) static HOUSE: Content = repeating(
     &STOREYS,
     "house",

@@ -10,7 +10,7 @@ fn parts_are_found_from_the_house_outwards() {
         .with("a/catalog.hsd", &parts(&own("beside")))
         .with("b/catalog.hsd", &parts(&own("beside b")))
         .with("a/old.hsd", &legacy("GXX"))
-        .with("b/old.hsd", &legacy("GXX"))
+        .with("b/old.hsd", &legacy("GXX").replacen("0 0", "30 0", 1))
         .with("c/old.hsd", &legacy("GXX"))
         .with("given.hsd", &parts(&own("given")))
         .with("a/lib.hsd", &parts(&own("included")))
@@ -29,7 +29,7 @@ fn parts_are_found_from_the_house_outwards() {
                 "<Houses>{}{}{}</Houses>",
                 own("of all"),
                 xml("", "GXX"),
-                xml(&own("of one"), "GXX")
+                xml(&own("of one"), "GXX").replacen("<House", "<House x='30'", 1)
             ),
         );
     let name = |text: &str, given: &[&str]| first_name(&clean(&files, &[text], given), 0);

@@ -165,7 +165,8 @@ fn a_texture_may_name_its_file() {
         .into_iter()
         .filter(|u| matches!(u.content, Content::Picture(_)));
     assert_eq!(pictures.count(), 2);
-    let both = format!("<Houses>{text}{}</Houses>", xml("", "KTU"));
+    let other = xml("", "KTU").replacen("<House", "<House x='30'", 1);
+    let both = format!("<Houses>{text}{other}</Houses>");
     let files = files.with("f/a.hsd", &both);
     let made = clean(&files, &["f/a.hsd"], &[]);
     assert!(matches!(units(&made, 1)[0].content, Content::Part(_)));

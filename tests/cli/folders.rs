@@ -91,7 +91,7 @@ fn watching_builds_again() {
             .unwrap()
     };
     let first = next(); // printed when the folder is watched already
-    fs::write(&text, format!("{SOUND}%\n{SOUND}")).unwrap();
+    fs::write(&text, format!("{SOUND}%\n30 0{}", &SOUND[3..])).unwrap();
     let second = next();
     child.kill().unwrap();
     child.wait().unwrap();

@@ -53,6 +53,7 @@ pub(super) const WITHOUT_FIX: &[(u16, &str)] = &[
         "its rows tell where they stand, not where their turns do",
     ),
     (419, "which walls slant on purpose, only the author knows"),
+    (420, "which house stands elsewhere, only the author knows"),
     (502, "corners only the author knows"),
     (503, "corners only the author knows"),
     (504, "which rectangle is wrong, only the author knows"),

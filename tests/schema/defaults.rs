@@ -28,6 +28,10 @@ const HOSTS: &[(&[&str], &str)] = &[
         "<Structure><Facades><Facade><Floor>KSK  KSK  TOD</Floor></Facade><Facade><Floor>KSK  KSK</Floor></Facade>
          <Facade><Floor>KSK  KSK  KSK</Floor></Facade><Facade><Floor>KSK  KSK</Floor></Facade></Facades></Structure>",
     ),
+    (
+        &["Group", "Place"],
+        "<Houses><Group ><Place  type='kura'/></Group></Houses>",
+    ),
     (&["Pagoda"], "<House><Pagoda/></House>"),
     (&["Gate"], "<House><Gate/></House>"),
     (&["Hall"], "<House><Hall/></House>"),
@@ -57,7 +61,7 @@ fn building(text: &str) -> Value {
 fn without_places(value: &mut Value) {
     match value {
         Value::Object(map) => {
-            for key in ["span", "wished", "plain_ridge"] {
+            for key in ["span", "placed", "wished", "plain_ridge"] {
                 map.remove(key);
             }
             map.values_mut().for_each(without_places);

@@ -393,20 +393,17 @@ pub(crate) fn too_large(line: Span, largest: f64) -> Diagnostic {
 #[cold]
 pub fn in_each_other(spans: [Span; 2], names: [&str; 2], shared: f64) -> Diagnostic {
     let shared = (shared * 10.0).round() / 10.0;
-    let [one, other] = names.map(|name| match name {
-        "" => text!("this house", "この建物"),
-        name => quote(name).into(),
-    });
-    let message = match names[1] {
-        "" => text!([one, shared]
-            "{one} and another one stand in each other over {shared} m2",
-            "{one} と別の建物が {shared} m2 重なっています"
-        ),
-        _ => text!([one, other, shared]
-            "{one} and {other} stand in each other over {shared} m2",
-            "{one} と {other} が {shared} m2 重なっています"
-        ),
+    let called = |name: &str, en, ja: &str| match name {
+        "" => (String::from(en), ja.to_owned()),
+        name => (quote(name), format!(" {} ", quote(name))),
     };
+    let (one, own) = called(names[0], "this house", "この建物");
+    let (other, there) = called(names[1], "another one", "別の建物");
+    let own = own.trim_start();
+    let message = text!([one, own, other, there, shared]
+        "{one} and {other} stand in each other over {shared} m2",
+        "{own}は{there}と {shared} m2 重なっています"
+    );
     let found = Diagnostic::warning(420, spans[0], message).help(text!(
         "give one of them another `x` and `y` (metres); in the legacy form they are the first two numbers of the header",
         "どちらかの `x` と `y` (m) を変えてください。旧形式では見出しの最初の二つの数です"

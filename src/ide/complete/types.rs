@@ -1,7 +1,7 @@
 //! The house types that a `Place` may name: of the library and of the files that are read.
 
-use crate::ide::{Analysis, vocabulary};
 use crate::diagnostic::Text;
+use crate::ide::{Analysis, vocabulary};
 use crate::parse::outline;
 use crate::parse::syntax::Outline;
 use crate::source::{FileId, Limits, Source};

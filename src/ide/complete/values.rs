@@ -1,11 +1,11 @@
 //! Values of attributes: words of a list, codes, names of other things, files.
 
 use super::place::{self, Open, Tag};
+use super::types::{self, TypeParameter};
 use super::{Completion, CompletionKind, Request, names, parts};
 use crate::catalog::body;
 use crate::diagnostic::Text;
 use crate::ide::names::KnownName;
-use super::types::{self, TypeParameter};
 use crate::ide::vocabulary;
 use crate::material;
 use crate::parse::schema;

@@ -4,6 +4,7 @@ use super::place::{self, CursorPlace, Open, Tag};
 use super::{Completion, CompletionKind, Request, cells, names, parts, values};
 use crate::catalog::body;
 use crate::diagnostic::{Noun, Text, noun};
+use crate::ide::names::KnownName;
 use crate::ide::vocabulary;
 use crate::parse::schema;
 use crate::parse::schema::{Content, ELEMENTS, Holds, ROOT, Schema};
@@ -352,20 +353,8 @@ fn attributes(
                     rank,
                 );
             }
-            let parameters = match name {
-                "use" => names::of_use(request, tag),
-                _ => vec![],
-            };
-            for (rank, parameter) in (50..).zip(&parameters) {
-                let default = values::default_of(parameter);
-                let about = names::about(parameter);
-                add(parameter.name(), about, (default, &[]), rank);
-            }
-            if name == "Place" {
-                for (rank, parameter) in (50..).zip(values::of_type(request, tag)) {
-                    let (name, default) = (&parameter.name, &*parameter.default);
-                    add(name, parameter.about.clone(), (default, &[]), rank);
-                }
+            for (rank, (name, default, about)) in (50..).zip(parameters(request, tag, name)) {
+                add(&name, about, (&default, &[]), rank);
             }
         }
         None => {
@@ -375,6 +364,22 @@ fn attributes(
         }
     }
     found
+}
+
+/// Returns the parameters that a `use` or a `Place` can set: name, default and description.
+fn parameters(request: &Request<'_>, tag: &Tag, element: &str) -> Vec<(String, String, Text)> {
+    let of_use = |p: &KnownName<'_>| {
+        let default = values::default_of(p).to_owned();
+        (p.name().to_owned(), default, names::about(p))
+    };
+    match element {
+        "use" => names::of_use(request, tag).iter().map(of_use).collect(),
+        "Place" => {
+            let all = values::of_type(request, tag).into_iter();
+            all.map(|p| (p.name, p.default, p.about)).collect()
+        }
+        _ => vec![],
+    }
 }
 
 /// Completes an attribute with its value: a default, or a choice of words.

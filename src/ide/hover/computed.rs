@@ -3,8 +3,8 @@
 use super::{Hover, Request, holds};
 use crate::diagnostic::Text;
 use crate::ide::complete::names::about;
-use crate::ide::names::{self, KnownName};
 use crate::ide::complete::types;
+use crate::ide::names::{self, KnownName};
 use crate::ide::vocabulary;
 use crate::parse::Seen;
 use crate::parse::syntax::Expression;
@@ -101,17 +101,15 @@ pub(super) fn piece(request: &Request<'_>, range: &Range<usize>, name: &str) -> 
 }
 
 /// Describes the house type that a `Place` names: what it is, and its parameters.
-pub(super) fn house_type(
-    request: &Request<'_>,
-    range: &Range<usize>,
-    word: &str,
-) -> Option<Hover> {
+pub(super) fn house_type(request: &Request<'_>, range: &Range<usize>, word: &str) -> Option<Hover> {
     if let Some(piece) = piece(request, range, word) {
         return Some(piece);
     }
     let known = types::library().find(|(t, _)| t.word == word);
     let head = match known {
-        Some((_, about)) => text!([word, about] "type **{word}** ({about})", "型 **{word}** ({about})"),
+        Some((_, about)) => {
+            text!([word, about] "type **{word}** ({about})", "型 **{word}** ({about})")
+        }
         None => format!("**{word}**").into(),
     };
     let parameters = types::parameters(request.a, word);

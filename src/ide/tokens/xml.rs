@@ -56,6 +56,9 @@ fn name(element: &Element, attribute: &Attribute, list: &mut List<'_>) {
     match word(element) {
         "define" if attribute.word != "name" => list.declare(range, TokenKind::Parameter),
         "use" if attribute.word != "name" => list.add(range, TokenKind::Parameter),
+        "Place" if attribute.attribute_schema.is_none() => {
+            list.add(range, TokenKind::Parameter);
+        }
         _ => {
             let foreign = list.text[range.clone()].contains(':');
             let modifiers = Modifiers {

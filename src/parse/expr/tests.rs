@@ -23,7 +23,7 @@ fn ranks_and_functions() {
         ("depth / 2 + 間口", 9.0),
         ("min(3, 1, 2) + max(1)", 2.0),
         ("clamp(9, 1, 4) + floor(-0.5) + ceil(0.5)", 4.0),
-        ("sin(30) * 2 + cos(180) + tan(45)", 1.0),
+        ("sin(90) * 2 + cos(180) + tan(180)", 1.0),
         ("atan2(1, 0) + sqrt(16) + sin(360)", 94.0),
         ("round(0.5)", 1.0), // halves away from 0, both ways
         ("round(2.5)", 3.0),
@@ -94,5 +94,7 @@ fn troubles_name_the_operand() {
     assert_eq!(trouble("1 < 'a'"), "'a'");
     assert_eq!(trouble("1 + clamp(1, 2)"), "clamp(1, 2)");
     assert_eq!(trouble("1e300 * 1e300"), "1e300 * 1e300");
-    assert_eq!(trouble("sqrt(2)"), "sqrt(2)");
+    assert_eq!(trouble("log(2)"), "log(2)");
+    assert_eq!(trouble("1 + sqrt(0 - 2)"), "sqrt(0 - 2)");
+    assert_eq!(trouble("tan(90) + 1"), "tan(90)");
 }

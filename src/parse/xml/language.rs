@@ -135,9 +135,7 @@ fn is_plain(tree: &Tree<'_>, reporter: &Reporter<'_>) -> bool {
         matches!(e.name, "Houses" | "Group") && inner.into_iter().any(|name| name == "repeat")
     };
     let computes = |e: &Element<'_>| {
-        NAMES.contains(&e.name)
-            || of_houses(e)
-            || e.name == "repeat" && e.has_attribute("index")
+        NAMES.contains(&e.name) || of_houses(e) || e.name == "repeat" && e.has_attribute("index")
     };
     !reporter.source.text().contains(['{', '}']) && !tree.elements.iter().any(computes)
 }

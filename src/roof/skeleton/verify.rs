@@ -43,7 +43,7 @@ fn area(skeleton: &Skeleton, face: &Face) -> f64 {
 /// Returns true if no two borders of a face cross by more than `trifle`.
 fn is_simple(skeleton: &Skeleton, face: &Face, trifle: f64) -> bool {
     let n = face.nodes.len();
-    if n < 5 {
+    if n < 4 {
         return true;
     }
     let place = |i: usize| skeleton.nodes[face.nodes[i % n] as usize].at;

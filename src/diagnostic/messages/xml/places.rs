@@ -1,6 +1,6 @@
 //! Messages about houses that are written elsewhere.
 
-use super::fixes::offer;
+use super::fixes::{offer, removing};
 use super::language::{known, write};
 use super::pieces::{marked, names, path_end};
 use crate::diagnostic::messages::words::quote;
@@ -63,7 +63,7 @@ pub fn place_without_house(span: Span, name: &str) -> Diagnostic {
 
 /// A centre of several houses.
 #[cold]
-pub fn anchor_of_several(span: Span, count: usize) -> Diagnostic {
+pub fn anchor_of_several(span: Span, count: usize, whole: Span) -> Diagnostic {
     let message = text!([count]
         "`at` is for one house, and this type has {count}",
         "`at` は建物が一つのときのものですが、この型には {count} 棟あります"
@@ -72,6 +72,7 @@ pub fn anchor_of_several(span: Span, count: usize) -> Diagnostic {
         "remove `at`: several houses keep their places to each other, and their common origin comes to `x` and `y`",
         "`at` を消してください。複数の建物は互いの位置を保ち、共通の原点が `x` と `y` に来ます"
     ))
+    .fix(removing("at"), whole, "")
 }
 
 /// A file that places itself.

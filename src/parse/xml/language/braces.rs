@@ -269,9 +269,7 @@ impl<'a> Expander<'a, '_> {
                 let swapped = self.swapped(place);
                 self.reporter.at(place, |s| say::clamp_bounds(s, swapped));
             }
-            Problem::NoValue => self
-                .reporter
-                .at(place, |s| say::without_value(s, quoted)),
+            Problem::NoValue => self.reporter.at(place, |s| say::without_value(s, quoted)),
             Problem::Overflow => self
                 .reporter
                 .at(place, |s| say::number_too_large(s, quoted)),

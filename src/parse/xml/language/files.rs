@@ -169,18 +169,8 @@ impl<'a> Expander<'a, '_> {
                 return None;
             }
         };
-        self.keep(path, &bytes, place)
-    }
-
-    /// Adds a file to the sources.
-    pub(super) fn keep(
-        &mut self,
-        path: &str,
-        bytes: &[u8],
-        place: &Range<usize>,
-    ) -> Option<&'a Source> {
         let limits = &self.setting.limits;
-        match self.setting.cache.add(path, bytes) {
+        match cache.add(path, &bytes) {
             Ok(source) => return Some(source),
             Err(CacheFull::Files) => self
                 .reporter

@@ -169,7 +169,10 @@ impl<'a> Expander<'a, '_> {
             index: piece.index,
         };
         let frame = Frame::within(home);
-        let arguments = self.placed.last_mut().map(|p| std::mem::take(&mut p.arguments));
+        let arguments = self
+            .placed
+            .last_mut()
+            .map(|p| std::mem::take(&mut p.arguments));
         let arguments = arguments.unwrap_or_default();
         let given = arguments
             .iter()
@@ -239,7 +242,7 @@ impl<'a> Expander<'a, '_> {
             self.source(&path, &place)?;
             path
         } else if let Some(template) = Template::named(word) {
-            self.template(template, &place)?
+            self.template(template)?
         } else {
             let known = TYPES.iter().map(|t| t.word.to_owned());
             let known: Vec<String> = scope.pieces().into_iter().chain(known).collect();
@@ -267,14 +270,10 @@ impl<'a> Expander<'a, '_> {
     }
 
     /// Adds a type of the library to the sources; returns its name among them.
-    fn template(
-        &mut self,
-        template: &Template,
-        place: &std::ops::Range<usize>,
-    ) -> Option<String> {
-        let path = template.source_name();
-        if self.setting.cache.find(&path).is_none() {
-            self.keep(&path, template.text().as_bytes(), place)?;
+    fn template(&mut self, template: &Template) -> Option<String> {
+        let (path, cache) = (template.source_name(), self.setting.cache);
+        if cache.find(&path).is_none() {
+            cache.add_own(&path, template.text().as_bytes()).ok()?;
         }
         Some(path)
     }

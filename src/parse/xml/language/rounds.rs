@@ -69,12 +69,7 @@ impl<'a> Expander<'a, '_> {
     }
 
     /// Returns the number of rounds; `None` if an error was reported.
-    fn rounds_of(
-        &mut self,
-        num: &Attribute<'_>,
-        kind: Kind,
-        scope: &Scope<'a>,
-    ) -> Option<u64> {
+    fn rounds_of(&mut self, num: &Attribute<'_>, kind: Kind, scope: &Scope<'a>) -> Option<u64> {
         let place = num.value.whole();
         let most = match kind {
             Kind::Whole(_, most) => most,

@@ -117,10 +117,10 @@ impl<'t> Reader<'t, '_> {
         };
         self.members(element, &schema::PLACED, first, &mut own, &mut parts);
         let lone = own.len() == 1;
-        if let Some(anchor) = anchor.filter(|_| own.len() > 1) {
-            let count = own.len();
+        if let (Some(anchor), Some(attribute), count @ 2..) = (anchor, of.get("at"), own.len()) {
+            let whole = self.reporter.with_gap(&attribute.range);
             self.reporter
-                .push(|| say::anchor_of_several(anchor.span, count));
+                .push(|| say::anchor_of_several(anchor.span, count, whole));
         }
         for mut house in own {
             if lone {
