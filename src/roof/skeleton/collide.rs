@@ -295,12 +295,13 @@ fn join(wave: &Wave, chains: &[Chain]) -> Option<Vec<(usize, usize)>> {
 
 /// Ends a ring of two vertices: its edges coincide in a ridge.
 fn close(wave: &mut Wave, u: u32, v: u32, time: f64) -> Option<()> {
-    let ends = [u, v].map(|id| {
-        let (at, vertex) = (wave.vertex(id).at(time), wave.vertex(id));
-        let node = vertex.node;
-        let same = wave.nodes[node as usize].at.distance(at) <= wave.eps;
-        if same { node } else { wave.node(at, time) }
-    });
+    let ends = if passes(wave, u, v, time) {
+        [end(wave, v, time); 2]
+    } else if passes(wave, v, u, time) {
+        [end(wave, u, time); 2]
+    } else {
+        [end(wave, u, time), end(wave, v, time)]
+    };
     let (left, right) = (wave.vertex(v).right, wave.vertex(u).right);
     wave.end(u, ends[0]);
     wave.end(v, ends[1]);
@@ -312,4 +313,23 @@ fn close(wave: &mut Wave, u: u32, v: u32, time: f64) -> Option<()> {
         right,
     });
     Some(())
+}
+
+/// Returns true if a vertex is past another that it comes towards: between edges that are nearly parallel it is so fast
+/// that the error of the time takes it there.
+fn passes(wave: &Wave, id: u32, other: u32, time: f64) -> bool {
+    let vertex = wave.vertex(id);
+    let from = wave.nodes[vertex.node as usize].at;
+    let way = vertex.at(time) - from;
+    let there = wave.vertex(other).at(time) - from;
+    way.dot(there) < way.length() * (way.length() - wave.eps)
+}
+
+/// Returns the node where a vertex is at a time.
+fn end(wave: &mut Wave, id: u32, time: f64) -> u32 {
+    let (at, node) = (wave.vertex(id).at(time), wave.vertex(id).node);
+    match wave.nodes[node as usize].at.distance(at) <= wave.eps {
+        true => node,
+        false => wave.node(at, time),
+    }
 }

@@ -362,3 +362,26 @@ fn outlines_that_are_almost_at_right_angles_have_skeletons() {
     assert!(failed.is_empty(), "{} {:?}", failed.len(), failed[0]);
     assert!(sound > 2800, "{sound}");
 }
+
+/// Towers with many walls of nearly one length: pairs of opposite walls are parallel but for the last digits, and meet at
+/// nearly one time. No ridge may run past the centre.
+#[test]
+fn nearly_regular_outlines_end_at_their_centre() {
+    for (corners, seed) in (4..17).flat_map(|n| (0..40).map(move |seed| (2 * n, seed))) {
+        let mut state = 0x9e37_79b9_u64 * (seed + 1);
+        let ring: Vec<(f64, f64)> = (0..corners)
+            .map(|i| {
+                state = state
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1);
+                let far = 16.0 + 1e-7 * (state >> 60) as f64;
+                let turn = std::f64::consts::TAU * f64::from(i) / f64::from(corners);
+                (far * turn.cos(), far * turn.sin())
+            })
+            .collect();
+        let skeleton = of(&ring, &[]);
+        let inner = skeleton.nodes.iter().filter(|n| n.time > 0.0);
+        let off = inner.map(|n| n.at.length()).fold(0.0, f64::max);
+        assert!(off < 1e-3, "{corners} corners, {seed}: {off} m off");
+    }
+}

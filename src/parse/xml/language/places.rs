@@ -101,14 +101,22 @@ impl<'a> Expander<'a, '_> {
             ..bare(element)
         });
         self.enter(element_ref, made);
-        self.fill(element, placed, origin, made);
+        let filled = self.fill(element, placed, origin, made);
         self.leave();
-        let children = &mut self.made.elements[into].children;
-        children.push(Child::Element(made));
+        if filled {
+            let children = &mut self.made.elements[into].children;
+            children.push(Child::Element(made));
+        }
     }
 
-    /// Puts the houses of a place into its element.
-    fn fill(&mut self, element: &Element<'a>, placed: Placed<'a>, origin: Origin<'a>, made: usize) {
+    /// Puts the houses of a place into its element; returns false if there are none.
+    fn fill(
+        &mut self,
+        element: &Element<'a>,
+        placed: Placed<'a>,
+        origin: Origin<'a>,
+        made: usize,
+    ) -> bool {
         let kind = placed.kind.clone();
         let copying = std::mem::replace(&mut self.copying, true);
         let storeys = std::mem::take(&mut self.storeys);
@@ -125,18 +133,19 @@ impl<'a> Expander<'a, '_> {
         self.storeys = storeys;
         self.copying = copying;
         let Some(placed) = self.placed.pop() else {
-            return;
+            return false;
         };
         if self.over {
-            return;
+            return false;
         }
         if !self.has_house(made) {
             let word = kind.value.as_str().trim();
             self.reporter
                 .at(&kind.value.whole(), |s| say::place_without_house(s, word));
-            return;
+            return false;
         }
         self.unknown_arguments(placed);
+        true
     }
 
     /// Reports parameters that the house does not have.
