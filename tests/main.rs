@@ -42,6 +42,7 @@ mod parts;
 mod parts_fittings;
 mod parts_windows;
 mod pictures;
+mod places;
 mod readme;
 mod real_outlines;
 mod real_roofs;

@@ -40,7 +40,8 @@ const POLL_INTERVAL: Duration = Duration::from_millis(250);
 #[command(after_help = "\
 Examples:
   hsd render shop.hsd -o shop.png                              render the view from the street
-  hsd render street/*.hsd -o pictures/ --view front,above      render two views of each house")]
+  hsd render street/*.hsd -o pictures/ --view front,above      render two views of each house
+  hsd render street.hsd -o eye.png --from 2,0,1.6 --to 60,0,3  stand in the street and look east")]
 pub(super) struct Render {
     /// Source files or models (.glb).
     #[arg(value_name = "FILE", required = true)]
@@ -66,6 +67,18 @@ pub(super) struct Render {
     )]
     views: Vec<Viewpoint>,
 
+    /// Place the camera: metres east, north and up, instead of a view.
+    #[arg(long, value_name = "E,N,U", requires = "to", conflicts_with = "views", allow_hyphen_values = true, value_parser = place)]
+    from: Option<Place>,
+
+    /// Point the camera at a place: metres east, north and up.
+    #[arg(long, value_name = "E,N,U", requires = "from", allow_hyphen_values = true, value_parser = place)]
+    to: Option<Place>,
+
+    /// Set the vertical angle of view of that camera, degrees.
+    #[arg(long, value_name = "DEG", requires = "from", default_value_t = 45.0, value_parser = angle)]
+    fov: f64,
+
     /// Set the image size in pixels.
     #[arg(long, value_name = "WxH", default_value = "960x640", value_parser = size)]
     size: (u32, u32),
@@ -82,6 +95,9 @@ pub(super) struct Render {
     #[arg(short, long)]
     quiet: bool,
 }
+
+/// Metres east, north and up.
+type Place = [f64; 3];
 
 /// Views of a house.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -100,6 +116,9 @@ enum Viewpoint {
     Right,
     /// From straight above.
     Top,
+    /// From a place of its own.
+    #[value(skip)]
+    Camera,
 }
 
 impl Viewpoint {
@@ -113,6 +132,7 @@ impl Viewpoint {
             Viewpoint::Left => "left",
             Viewpoint::Right => "right",
             Viewpoint::Top => "top",
+            Viewpoint::Camera => "camera",
         }
     }
 }
@@ -169,12 +189,20 @@ impl Render {
         Ok(exit(spoiled))
     }
 
+    /// Returns the views of each input.
+    fn views(&self) -> &[Viewpoint] {
+        match self.from {
+            Some(_) => &[Viewpoint::Camera],
+            None => &self.views,
+        }
+    }
+
     /// Returns the output. Fails for several images in one file, or two with the same name.
     fn target(&self) -> Result<Target<'_>, Failure> {
         let output = &self.output;
         let named = output.to_string_lossy();
         let folder = output.is_dir() || named.ends_with(['/', std::path::MAIN_SEPARATOR]);
-        let several = self.inputs.len() * self.views.len() > 1;
+        let several = self.inputs.len() * self.views().len() > 1;
         let shown = output.display();
         if !folder && !several {
             return match ImageFormat::of(output) {
@@ -269,10 +297,19 @@ impl Render {
             watched: vec![],
         };
         let preview = Preview::with_screenshots(options, sink).map_err(failed)?;
-        let views: Vec<&str> = self.views.iter().map(|v| v.word()).collect();
+        let views: Vec<&str> = self.views().iter().map(|v| v.word()).collect();
         let (views, (width, height)) = (views.join(","), self.size);
+        let camera = match (self.from, self.to) {
+            (Some(from), Some(to)) => format!(
+                "&from={}&to={}&fov={}",
+                from.map(|n| n.to_string()).join(","),
+                to.map(|n| n.to_string()).join(","),
+                self.fov
+            ),
+            _ => String::new(),
+        };
         let url = format!(
-            "{}&render={views}&size={width}x{height}&samples={}",
+            "{}&render={views}{camera}&size={width}x{height}&samples={}",
             preview.page(&name),
             self.samples
         );
@@ -297,7 +334,7 @@ impl Render {
                 Ok(Screenshot::Picture { view, png }) => {
                     last_response = Instant::now();
                     // The page names the view; only requested views become file names.
-                    let Some(view) = self.views.iter().find(|v| v.word() == view) else {
+                    let Some(view) = self.views().iter().find(|v| v.word() == view) else {
                         continue;
                     };
                     let path = write(input, target, *view, png)?;
@@ -364,4 +401,19 @@ fn size(text: &str) -> Result<(u32, u32), &'static str> {
         .split_once('x')
         .and_then(|(w, h)| Some((side(w)?, side(h)?)));
     sides.ok_or("expected width and height in pixels, 16 to 8192, as in 960x640")
+}
+
+/// Parses a place such as `2,0,1.6`.
+fn place(text: &str) -> Result<Place, &'static str> {
+    const EXPECTED: &str = "expected metres east, north and up, as in 2,-3.5,1.6";
+    let number = |t: &str| t.trim().parse().ok().filter(|n: &f64| n.abs() <= 1e8);
+    let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
+    numbers.ok_or(EXPECTED)?.try_into().map_err(|_| EXPECTED)
+}
+
+/// Parses an angle of view.
+fn angle(text: &str) -> Result<f64, &'static str> {
+    let angle = text.trim().parse().ok();
+    let angle = angle.filter(|n| (1.0..=150.0).contains(n));
+    angle.ok_or("expected degrees, 1 to 150")
 }

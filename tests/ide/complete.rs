@@ -379,6 +379,34 @@ fn attributes_come_with_what_they_may_say() {
 const PIECES: &str = "<Catalog><let name=\"間口\" value=\"3\"/><define name=\"表構え\" code=\"GSI\" n=\"\"><repeat num=\"{n}\"><Part code=\"{code}\"/></repeat></define></Catalog>";
 
 #[test]
+fn types_of_houses_and_their_parameters_are_known() {
+    let asked = ask_among(&[
+        (
+            "town.hsd",
+            "<Houses><define name=\"own\"><House/></define><Place type=\"‸\"/></Houses>",
+        ),
+        ("lib.hsd", PIECES),
+    ]);
+    assert!(
+        asked.has("own") && asked.has("so-nikai") && asked.has("kura"),
+        "{:?}",
+        asked.labels()
+    );
+    assert!(asked.find("kura").detail.ja().contains("土蔵"));
+    let asked = ask("<Houses><Place type=\"kura\" ‸/></Houses>");
+    assert!(asked.has("x") && asked.has("azimuth") && asked.has("entrance"));
+    assert!(asked.find("entrance").detail.en().contains("gable"));
+    let asked = ask("<Houses><Place type=\"kura\" entrance=\"‸\"/></Houses>");
+    assert_eq!(asked.labels(), ["eaves", "gable"]);
+    asked.clean("eaves");
+    let asked = ask(
+        "<Houses><repeat num=\"2\" index=\"nth\"><Place type=\"kura\" x=\"{20 * ‸}\"/></repeat></Houses>",
+    );
+    assert!(asked.has("nth"), "{:?}", asked.labels());
+    asked.clean("nth");
+}
+
+#[test]
 fn names_and_pieces_are_known_where_they_are() {
     let text = "<House name=\"家\"><include href=\"lib.hsd\"/><Param name=\"奥行\" default=\"2\" min=\"1\" max=\"9\" doc=\"depth\"/>\
         <Storey><Row><repeat num=\"{‸}\">KKS</repeat></Row><let name=\"later\" value=\"1\"/></Storey></House>";

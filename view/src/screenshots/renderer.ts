@@ -94,6 +94,15 @@ const toneMap = new THREE.ShaderMaterial({
   depthTest: false, depthWrite: false,
 });
 
+/** Metres east, north and up in the file's frame. */
+export type Place = [number, number, number];
+
+/** A camera at a place of its own; `fov` is the vertical angle of view, degrees. */
+export interface StandPoint { from: Place; to: Place; fov: number }
+
+/** A preset view, or a camera at a place of its own. */
+export type Viewpoint = View | StandPoint;
+
 export class ScreenshotRenderer {
   readonly renderer = new THREE.WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });
   readonly scene = new THREE.Scene();
@@ -140,9 +149,9 @@ export class ScreenshotRenderer {
   }
 
   /** Renders the views with `of` lights each. */
-  async render(views: View[], of: number, then: (view: View, png: Blob) => Promise<void>) {
+  async render(views: Viewpoint[], of: number, then: (view: Viewpoint, png: Blob) => Promise<void>) {
     const { renderer, width, height } = this;
-    const cameras = views.map(view => this.camera(view));
+    const cameras = views.map(view => typeof view === 'string' ? this.camera(view) : this.standing(view));
     const shot = new THREE.WebGLRenderTarget(width, height, { type: THREE.HalfFloatType });
     const sums = cameras.map(() => new THREE.WebGLRenderTarget(width, height, { type: THREE.FloatType, depthBuffer: false }));
     for (const sum of sums) {
@@ -201,6 +210,17 @@ export class ScreenshotRenderer {
     camera.near = size / 200;
     camera.far = size * 80;
     return { camera, shift: new THREE.Vector2(centre.x * this.width / 2, -centre.y * this.height / 2) };
+  }
+
+  /** A camera at a place of its own. */
+  standing({ from, to, fov }: StandPoint): { camera: THREE.PerspectiveCamera; shift: THREE.Vector2 } {
+    const place = ([east, north, up]: Place) => new THREE.Vector3(east, up, -north).sub(this.model.origin);
+    const size = this.model.box.getSize(new THREE.Vector3()).length();
+    const camera = new THREE.PerspectiveCamera(fov, this.width / this.height, 0.05, 1);
+    camera.position.copy(place(from));
+    camera.lookAt(place(to));
+    camera.far = size * 80;
+    return { camera, shift: new THREE.Vector2() };
   }
 
   /** Moves the light to sample `i` of `of`: the first ones sample the sun's disc, the others the sky. */

@@ -5,7 +5,7 @@
 
 import { Loader } from '../model/loader.ts';
 import { fetchState } from '../server/api.ts';
-import { ScreenshotRenderer } from './renderer.ts';
+import { type Place, ScreenshotRenderer, type StandPoint } from './renderer.ts';
 import { type View, VIEWS } from '../scene/views.ts';
 import { strings } from '../ui/strings.ts';
 
@@ -18,7 +18,7 @@ export async function renderScreenshots(asked: URLSearchParams) {
     if (!file) throw new Error('no file given');
     const [width = 960, height = 640] = (asked.get('size') ?? '').split('x').map(Number).filter(n => n > 0);
     const samples = Math.max(1, Number(asked.get('samples') ?? 16));
-    const views = (asked.get('render') ?? 'front').split(',');
+    const views = asked.has('from') ? [] : (asked.get('render') ?? 'front').split(',');
     const wrong = views.filter(view => !(VIEWS as readonly string[]).includes(view));
     if (wrong.length) throw new Error(`unknown view ${wrong.join(', ')}; available: ${VIEWS.join(', ')}`);
     const now = await fetchState(file);
@@ -27,7 +27,9 @@ export async function renderScreenshots(asked: URLSearchParams) {
     if (!model || model.chunks.length === 0) throw new Error('no house can be built from the file');
     await loader.texturesLoaded();
     const renderer = new ScreenshotRenderer(model, width, height, now.plan.houses[0]?.azimuth ?? 180);
-    await renderer.render(views as View[], samples, async (view, blob) => {
+    const shots = asked.has('from') ? [standPoint(asked)] : views as View[];
+    await renderer.render(shots, samples, async (shot, blob) => {
+      const view = typeof shot === 'string' ? shot : 'camera';
       const answer = await fetch(`/api/picture?view=${view}`, { method: 'POST', headers: { 'content-type': 'image/png' }, body: blob });
       if (!answer.ok) errors.push(`${view}: ${await answer.text()}`);
     });
@@ -38,4 +40,10 @@ export async function renderScreenshots(asked: URLSearchParams) {
     method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify({ errors }),
   });
   document.documentElement.dataset.rendered = `${errors.length}`;
+}
+
+/** The camera that the page was asked for: `from` and `to` in metres east, north, up, and `fov` in degrees. */
+function standPoint(asked: URLSearchParams): StandPoint {
+  const place = (name: string) => (asked.get(name) ?? '0,0,0').split(',').map(Number) as Place;
+  return { from: place('from'), to: place('to'), fov: Number(asked.get('fov') ?? 45) };
 }

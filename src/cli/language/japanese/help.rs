@@ -377,7 +377,8 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
         examples: "\
 例:
   hsd render shop.hsd -o shop.png                              通りからの画像を作る
-  hsd render street/*.hsd -o pictures/ --view front,above      家ごとに 2 枚の画像を作る",
+  hsd render street/*.hsd -o pictures/ --view front,above      家ごとに 2 枚の画像を作る
+  hsd render street.hsd -o eye.png --from 2,0,1.6 --to 60,0,3  通りに立って東を見る",
         arguments: &[
             ("inputs", "テキスト、またはモデル (.glb)", ""),
             (
@@ -387,6 +388,9 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
             ),
             ("views", "視点をコンマで区切って選ぶ", ""),
             ("size", "幅と高さを画素数で指定する", ""),
+            ("from", "視点の代わりに、カメラの位置を指定する(東, 北, 上。m)", ""),
+            ("to", "カメラの見る点を指定する(東, 北, 上。m)", ""),
+            ("fov", "そのカメラの縦の画角を度で指定する", ""),
             ("samples", "光源のサンプル数を指定する。多いほど影が滑らかになる", ""),
             ("format", "フォルダーに書く画像の形式を指定する", ""),
             ("quiet", "指摘だけを表示する", ""),
