@@ -5,7 +5,10 @@ use glam::DVec2;
 
 /// An area between rings: the triangles from one point to each of their sides, which count for it or against it.
 #[derive(Clone, Debug, Default)]
-pub struct Area(Vec<([DVec2; 3], f64)>);
+pub struct Area(Vec<Signed>);
+
+/// A counter-clockwise triangle, and 1 or -1.
+type Signed = ([DVec2; 3], f64);
 
 impl Area {
     /// Adds a ring in either direction; a hole counts against the rest. `from` is a point near all rings.
@@ -27,10 +30,8 @@ impl Area {
     pub fn shared(&self, other: &Area) -> f64 {
         let pairs = self.0.iter();
         let pairs = pairs.flat_map(|one| other.0.iter().map(move |two| (one, two)));
-        let common = |((one, own), (two, its)): (&([DVec2; 3], f64), &([DVec2; 3], f64))| {
-            own * its * common(one, two)
-        };
-        pairs.map(common).sum()
+        let shared = pairs.map(|((one, own), (two, its))| own * its * common(one, two));
+        shared.sum()
     }
 }
 

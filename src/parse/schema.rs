@@ -469,7 +469,9 @@ pub(in crate::parse) static SCHEMA_HINTS: SchemaHints = SchemaHints {
         named(name).is_some_and(leaf)
     },
     alone: |name| {
-        let nests = ["Group", "repeat", "split", "upper", "lower", "if", "else", "define"];
+        let nests = [
+            "Group", "repeat", "split", "upper", "lower", "if", "else", "define",
+        ];
         !nests.contains(&name) && named(name).is_some()
     },
     known: |name| named(name).is_some(),

@@ -79,6 +79,9 @@ pub(in crate::ide) fn about(known: &KnownName<'_>) -> Text {
             ),
         };
     }
+    if names::word(element) == "repeat" {
+        return text!("the number of the round, from 0", "何回目かの番号。0 から");
+    }
     if names::word(element) == "let" {
         let value = element.value("value").unwrap_or_default();
         return format!("= {value}").into();

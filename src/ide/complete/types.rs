@@ -30,7 +30,7 @@ pub(in crate::ide) fn library() -> impl Iterator<Item = (&'static Template, Text
 pub(in crate::ide) fn parameters(a: &Analysis, word: &str) -> Vec<TypeParameter> {
     if let Some(template) = Template::named(word) {
         let text = template.text();
-        let source = Source::new(FileId(0), &template.source_name(), text.as_bytes());
+        let source = Source::new(FileId(0), template.source_name(), text.as_bytes());
         return of(&outline::of(&source, &Limits::default()));
     }
     let end = format!("/{}", word.trim_start_matches("./"));

@@ -12,9 +12,9 @@ use std::ops::Range;
 pub(in crate::ide) struct KnownName<'a> {
     pub(in crate::ide) source: &'a Source,
     pub(in crate::ide) outline: &'a Outline,
-    /// The `let`, `Param` or `define`.
+    /// The `let`, `Param`, `define` or `repeat`.
     pub(in crate::ide) element: usize,
-    /// The attribute that names it: `name`, or of a `define` the parameter itself.
+    /// The attribute that names it: `name`, of a `repeat` `index`, or of a `define` the parameter itself.
     pub(in crate::ide) attribute: usize,
 }
 
@@ -56,15 +56,16 @@ impl<'a> KnownName<'a> {
     /// Returns the place of the name.
     pub(in crate::ide) fn place(&self) -> Range<usize> {
         let attribute = &self.element().attributes[self.attribute];
-        match attribute.word.as_str() {
-            "name" => attribute.inner.clone(),
-            _ => attribute.name.clone(),
+        match self.is_argument() {
+            false => attribute.inner.clone(),
+            true => attribute.name.clone(),
         }
     }
 
-    /// Returns true if it is an attribute that names a parameter, i.e. any but `name`.
+    /// Returns true if it is a parameter of a `define`, which is the attribute itself.
     pub(in crate::ide) fn is_argument(&self) -> bool {
-        self.element().attributes[self.attribute].word != "name"
+        let element = self.element();
+        word(element) == "define" && element.attributes[self.attribute].word != "name"
     }
 }
 
