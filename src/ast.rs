@@ -18,7 +18,7 @@ pub use era::Era;
 pub use fittings::{
     Brackets, Finial, FinialKind, Fittings, Order, Paint, Platform, Posts, Rail, Side, Veranda,
 };
-pub use frame::{Anchor, Frame, Placement};
+pub use frame::{Anchor, Frame, PlacedBy, Placement};
 pub use monuments::{Gate, Given, Hall, Measures, Monument, Pagoda, Pair};
 pub use parts::{WrittenAttribute, WrittenBody, WrittenPart, attribute_value};
 pub use pieces::{CodeText, Half, Part, Piece, Split};

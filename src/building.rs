@@ -17,7 +17,9 @@ pub use attic::{Attic, Verge};
 pub(crate) use surface::meeting;
 pub use surface::{Beside, EdgeKind, RoofEdge, RoofFacet, RoofSurface};
 
-use crate::ast::{Finial, Order, Platform, Rare, RoofKind, RoofShape, StoreyKind, Variant};
+use crate::ast::{
+    Finial, Order, PlacedBy, Platform, Rare, RoofKind, RoofShape, StoreyKind, Variant,
+};
 use crate::building::fittings::Fitting;
 use crate::geometry::plan::Cell;
 use crate::program::{Age, Picture, Roofs, Unit};
@@ -75,7 +77,7 @@ pub struct House {
     pub origin: [f64; 3],
     /// The `Place` that put it there, if it is written elsewhere.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub placed: Option<Span>,
+    pub placed: Option<PlacedBy>,
     /// Compass direction of the first line's outward normal, degrees.
     pub azimuth: f64,
     /// Metres in one U.

@@ -2,8 +2,8 @@
 //! every unit knows its part and width. `expand` makes it, `lower` follows it.
 
 use crate::ast::{
-    Anchor, Era, Finial, Order, Platform, Rare, RoofLine, RoofMethod, RoofMode, RoofStyle,
-    StoreyKind, Usual, Variant,
+    Anchor, Era, Finial, Order, PlacedBy, Platform, Rare, RoofLine, RoofMethod, RoofMode,
+    RoofStyle, StoreyKind, Usual, Variant,
 };
 use crate::catalog::PartId;
 use crate::source::Span;
@@ -51,7 +51,7 @@ pub struct House {
     pub anchor: Anchor,
     /// The `Place` that put it there, if it is written elsewhere.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub placed: Option<Span>,
+    pub placed: Option<PlacedBy>,
     /// Compass direction of the first line's outward normal, degrees.
     pub azimuth: f64,
     /// One U in shaku.

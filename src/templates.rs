@@ -116,6 +116,9 @@ const ABSENT: &[(&str, Noun)] = &[
     ),
 ];
 
+/// How the names of templates among the sources of a file begin.
+const SOURCES: &str = "hsd:";
+
 impl Template {
     /// Returns the content of the source file, which includes no other file.
     pub fn text(&self) -> String {
@@ -124,7 +127,12 @@ impl Template {
 
     /// Returns its name among the sources of a file that places it: no path, since it is part of the program.
     pub fn source_name(&self) -> String {
-        format!("hsd:{}.hsd", self.word)
+        format!("{SOURCES}{}.hsd", self.word)
+    }
+
+    /// Returns true for the name of such a source.
+    pub fn is_source(name: &str) -> bool {
+        name.starts_with(SOURCES)
     }
 
     /// Returns the template with this Japanese name, in any spelling of its reading, or with this name on the command

@@ -281,7 +281,7 @@ impl<'a> Walker<'a> {
         let node = self.node(None, Kind::House, name, dvec3(x, y, z));
         // The compass runs clockwise, rotations run the other way; 180 is a front to the south.
         node.turn = Heading::new(180.0 - house.azimuth).vector();
-        node.span = Some(house.placed.unwrap_or(house.span));
+        node.span = Some(house.placed.map_or(house.span, |by| by.span));
         let root = self.last();
         self.root = root;
         self.aged = Aged::of(house, roofs);

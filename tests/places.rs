@@ -218,3 +218,17 @@ fn houses_in_each_other_are_told_and_party_walls_are_not() {
     assert_eq!(codes(&inside(-9.0)), [0; 0], "in the court");
     assert_eq!(codes(&inside(-2.0)), [420], "in the wing");
 }
+
+/// A type of the library is no file that its user could mend: what is said of it is said where it is placed.
+#[test]
+fn what_is_wrong_with_a_type_is_told_where_it_is_placed() {
+    let text = "<Houses>\n  <Place type='chu-nikai' depth='60'/>\n</Houses>";
+    let run = compile("deep.hsd", text.as_bytes());
+    assert!(!run.diagnostics.is_empty(), "its roof is very wide");
+    for d in &run.diagnostics {
+        let span = d.span().expect("has a place");
+        assert_eq!(span.file, run.source.id(), "{d:?}");
+        assert!(run.source.text()[run.source.text_range(span)].starts_with("<Place"));
+        assert!(d.fixes.is_empty() && d.labels.is_empty());
+    }
+}

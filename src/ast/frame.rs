@@ -58,7 +58,16 @@ pub enum Anchor {
 pub struct Placement {
     /// All groups around it together. The settings of the house count in the world already.
     pub frame: Frame,
-    /// The start tag of the innermost `Place`.
+    /// The innermost `Place`.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub place: Option<Span>,
+    pub place: Option<PlacedBy>,
+}
+
+/// A `Place` that put a house somewhere.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PlacedBy {
+    /// Its start tag.
+    pub span: Span,
+    /// True if the house is a type of the library, which is no file that an author could change.
+    pub library: bool,
 }

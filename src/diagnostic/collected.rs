@@ -2,7 +2,7 @@
 
 use super::messages::file;
 use super::{Code, Diagnostic, Edit, Origin, Severity};
-use crate::source::FileId;
+use crate::source::{FileId, Span};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -119,6 +119,29 @@ impl Diagnostics {
                 own.count = own.count.max(tally.count);
             }
         }
+    }
+
+    /// Returns the diagnostics with those of a file at another place, once each, and without what leads into that file.
+    #[must_use]
+    pub fn moved(self, from: FileId, to: Span) -> Diagnostics {
+        let away = |d: &Diagnostic| d.span().is_some_and(|span| span.file == from);
+        if !self.list.iter().any(away) {
+            return self;
+        }
+        let mut moved = Diagnostics::new();
+        let mut known = BTreeSet::new();
+        for mut diagnostic in self.list {
+            if away(&diagnostic) {
+                diagnostic.origin = to.into();
+                diagnostic.fixes.clear();
+                diagnostic.labels.retain(|label| label.span.file != from);
+                if !known.insert(diagnostic.code) {
+                    continue;
+                }
+            }
+            moved.push(diagnostic);
+        }
+        moved
     }
 
     /// Removes the fixes with an edit that must not be made.

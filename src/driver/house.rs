@@ -197,8 +197,15 @@ impl Batch {
         let chunks = chunks.map(|(number, chunk)| {
             let mut cache = roofs.map(KeptRoofs::cache).unwrap_or_default();
             let finished = chunk.into_iter().map(|(house, mut found)| {
+                let placed = house
+                    .as_ref()
+                    .and_then(|house| Some((house.placed?, house.span)));
                 let built = house.map(|house| finish(house, catalog, &mut cache, &mut found));
-                (built, found)
+                // What is wrong with a type of the library is mended where it is placed.
+                match placed {
+                    Some((by, span)) if by.library => (built, found.moved(span.file, by.span)),
+                    _ => (built, found),
+                }
             });
             then(number * CHUNK, finished.collect())
         });

@@ -61,7 +61,7 @@ impl Ground {
         let high = corners().reduce(DVec2::max)?;
         let top = house.storeys.iter().map(|s| s.z1).fold(0.0, f64::max);
         Some(Ground {
-            span: house.placed.unwrap_or(house.span),
+            span: house.placed.map_or(house.span, |by| by.span),
             name: house.name.as_str().into(),
             low,
             high,

@@ -6,6 +6,7 @@ use super::uri;
 use crate::diagnostic::{self, Language, Severity};
 use crate::ide::Analysis;
 use crate::source::{FileId, Source, Span};
+use crate::templates::Template;
 use crate::text;
 use gen_lsp_types as lsp;
 use std::cell::OnceCell;
@@ -38,6 +39,8 @@ impl<'a> Places<'a> {
         encoding: Encoding,
     ) -> Places<'a> {
         let included = analysis.checked.included.iter();
+        // No editor can open a type of the library.
+        let included = included.filter(|source| !Template::is_source(source.name()));
         let files = included.map(|source| {
             let path = Path::new(source.name());
             let open = documents.of_file(path);
@@ -125,9 +128,9 @@ impl<'a> Places<'a> {
         d: &diagnostic::Diagnostic,
         language: Language,
     ) -> Option<(String, lsp::Diagnostic)> {
-        let place = match d.span() {
-            Some(span) => self.span(span)?,
-            // Nothing of the document is to blame, but somewhere it must stand.
+        let place = match d.span().and_then(|span| self.span(span)) {
+            Some(place) => place,
+            // No place of the document is to blame, but somewhere it must stand.
             None => self.location(self.analysis.source.id(), &(0..0))?,
         };
         let related = d.labels.iter().filter_map(|label| {

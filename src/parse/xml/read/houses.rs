@@ -1,14 +1,15 @@
 //! The houses of a file, alone and in groups: `Houses`, `Group`, and what a `Place` has become.
 
-use crate::ast::{Era, Frame, House, Placement, WrittenPart};
+use crate::ast::{Era, Frame, House, PlacedBy, Placement, WrittenPart};
 use crate::diagnostic::messages::xml as say;
 use crate::geometry::Heading;
 use crate::parse::schema;
 use crate::parse::schema::vocabulary::ANCHORS;
 use crate::parse::schema::{Schema, Tag};
 use crate::parse::xml::read::{AllowedChild, Attributes, Reader};
-use crate::parse::xml::tree::Element;
-use crate::source::{Span, Spanned};
+use crate::parse::xml::tree::{Child, Element};
+use crate::source::Spanned;
+use crate::templates::Template;
 
 /// What the elements around a house say of it.
 #[derive(Clone, Copy, Default)]
@@ -16,7 +17,7 @@ struct Around {
     /// The groups around it together, if there are any.
     frame: Option<Frame>,
     /// The innermost `Place`.
-    place: Option<Span>,
+    place: Option<PlacedBy>,
     age: Option<Spanned<f64>>,
     era: Option<Spanned<Era>>,
 }
@@ -104,7 +105,15 @@ impl<'t> Reader<'t, '_> {
         let mut inner = self.aged(around, &of);
         let anchor = self.choice(&of, "at", &ANCHORS);
         let azimuth = self.usual(&of, "azimuth");
-        inner.place = Some(self.start(element));
+        let written = element.children.first().and_then(|child| match child {
+            Child::Element(index) => Some(self.tree.elements[*index].range.start),
+            Child::Text(_) => None,
+        });
+        let source = written.map(|at| self.reporter.source_at(at).1);
+        inner.place = Some(PlacedBy {
+            span: self.start(element),
+            library: source.is_some_and(|source| Template::is_source(source.name())),
+        });
         inner.enter(Frame {
             origin: self.origin(&of),
             turn: azimuth - 180.0,
