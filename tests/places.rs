@@ -232,3 +232,16 @@ fn what_is_wrong_with_a_type_is_told_where_it_is_placed() {
         assert!(d.fixes.is_empty() && d.labels.is_empty());
     }
 }
+
+#[test]
+fn lengths_have_units() {
+    let house = |height: &str, width: &str, x: &str| {
+        format!(
+            "<House x='{x}' unit='3.25'><Storey height='{height}'><Row><Part code='KSK' width='{width}'/></Row><Row>KSK</Row><Row><Part code='KSK' width='{width}'/></Row><Row>KSK</Row></Storey></House>"
+        )
+    };
+    let plain = built(&house("8.91", "4", "10"));
+    assert_eq!(built(&house("2.7 m", "2 ken", "10")), plain);
+    assert_eq!(built(&house("270cm", "13尺", "33 shaku")), plain);
+    assert_eq!(places(&house("2.7m", "2間", "33 shaku"))[0][0], 1000);
+}

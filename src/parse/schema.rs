@@ -4,6 +4,7 @@
 
 mod attributes;
 mod kinds;
+pub mod lengths;
 pub(in crate::parse) mod vocabulary;
 
 use attributes as bear;

@@ -33,6 +33,9 @@ use read::Reader;
 /// passes, which recurse.
 const DEEPEST: usize = 256;
 
+/// One unit in shaku where a house says nothing: Edo-ma.
+const UNIT: f64 = 3.0;
+
 /// Reads a self-contained file in the XML form: its parameters are at their defaults, and it can include nothing.
 /// Errors are reported, and the rest is read.
 pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
@@ -74,6 +77,7 @@ pub(super) fn parse_from<'a>(
     let made = language::compute(tree, setting, nesting, trees, &mut reporter);
     let mut reader = Reader {
         turn: None,
+        unit: UNIT,
         tree: &made.tree,
         reporter: &mut reporter,
         suggest: suggest::Suggest::new(),

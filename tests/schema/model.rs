@@ -1,5 +1,6 @@
 //! What both schemas have in common: which elements there are in which surroundings, and the names of types.
 
+use hsd::parse::schema::lengths;
 use hsd::parse::schema::{AttributeSchema, Content, ELEMENTS, Holds, Kind, ROOT, Schema};
 
 /// Surroundings in which anything may stand: those of `define`.
@@ -113,12 +114,12 @@ pub fn otherwise() -> &'static Schema {
 }
 
 /// Every kind of value once, by its name.
-pub fn kinds() -> Vec<(String, Kind)> {
-    let mut kinds: Vec<(String, Kind)> = vec![];
+pub fn kinds() -> Vec<(String, &'static AttributeSchema)> {
+    let mut kinds: Vec<(String, &'static AttributeSchema)> = vec![];
     for attribute in elements().flat_map(|e| e.attributes) {
         let name = kind_name(attribute);
         if !kinds.iter().any(|(n, _)| *n == name) {
-            kinds.push((name, attribute.kind));
+            kinds.push((name, attribute));
         }
     }
     kinds.sort_by(|a, b| a.0.cmp(&b.0));
@@ -131,9 +132,13 @@ pub fn kind_name(attribute: &AttributeSchema) -> String {
         (f64::MIN, f64::MAX) => name.to_owned(),
         _ => format!("{name}_{least}_{most}"),
     };
+    let number = match attribute.measure {
+        Some(_) => "length",
+        None => "number",
+    };
     match attribute.kind {
         Kind::Text => "text".into(),
-        Kind::Number(least, most) => range("number", least, most),
+        Kind::Number(least, most) => range(number, least, most),
         Kind::Whole(least, u64::MAX) => format!("whole_{least}"),
         Kind::Whole(least, most) => format!("whole_{least}_{most}"),
         Kind::Numbers(..) => "numbers".into(),
@@ -145,7 +150,7 @@ pub fn kind_name(attribute: &AttributeSchema) -> String {
         Kind::Choices(words) => format!("some_of_{}", words.join("_")),
         Kind::Either(words, least, most) => {
             let words = words.join("_").replace('*', "star");
-            range(&format!("{words}_or_number"), least, most)
+            range(&format!("{words}_or_{number}"), least, most)
         }
         Kind::Positions => "positions".into(),
     }
@@ -155,11 +160,18 @@ pub fn kind_name(attribute: &AttributeSchema) -> String {
 const BETWEEN: &str = "[ ,、\u{3000}]+";
 
 /// The pattern of a value that the types of XML Schema have no words for.
-pub fn pattern(kind: Kind) -> Option<String> {
+pub fn pattern(attribute: &AttributeSchema) -> Option<String> {
     const NUMBER: &str = r"[+\-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+\-]?[0-9]+)?";
+    if attribute.measure.is_some() {
+        let units: Vec<&str> = lengths::units().collect();
+        let units = units.join("|");
+        return Some(format!(
+            r"\s*[+\-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)\s*({units})\s*"
+        ));
+    }
     let padded = |inner: &str| format!(r"\s*({inner})\s*");
     let list = |item: &str| padded(&format!("{item}({BETWEEN}{item})*"));
-    Some(match kind {
+    Some(match attribute.kind {
         Kind::Text => r".*\S.*|     ".into(),
         Kind::Numbers(..) => list(NUMBER),
         Kind::Pair(..) => padded(&format!("{NUMBER}({BETWEEN}{NUMBER})?")),

@@ -183,7 +183,8 @@ fn values(out: &mut String) {
         out,
         "\n  <define name=\"expression\">\n    {expression}\n  </define>"
     );
-    for (name, kind) in model::kinds() {
+    for (name, attribute_schema) in model::kinds() {
+        let kind = attribute_schema.kind;
         let _ = writeln!(out, "\n  <define name=\"{name}\">\n    <choice>");
         for word in model::words(kind) {
             let _ = writeln!(out, "      <value>{word}</value>");
@@ -194,7 +195,7 @@ fn values(out: &mut String) {
                 "      <data type=\"{base}\"><param name=\"minInclusive\">{least}</param><param name=\"maxInclusive\">{most}</param></data>"
             );
         }
-        if let Some(p) = model::pattern(kind) {
+        if let Some(p) = model::pattern(attribute_schema) {
             let _ = writeln!(out, "      {}", pattern(&p));
         }
         let _ = writeln!(

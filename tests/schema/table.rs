@@ -1,6 +1,7 @@
 //! The table itself for other programs: the reference is made of it.
 
 use crate::schema::model::{self, Place};
+use hsd::parse::schema::lengths::Measure;
 use hsd::parse::schema::{AttributeSchema, Kind, Schema};
 use serde_json::{Value, json};
 
@@ -64,6 +65,11 @@ fn attribute(attribute_schema: &AttributeSchema) -> Value {
         "name": attribute_schema.name,
         "kind": kind,
         "range": range,
+        "unit": attribute_schema.measure.map(|measure| match measure {
+            Measure::Units => "U",
+            Measure::Shaku => "shaku",
+            Measure::Metres => "m",
+        }),
         "words": words,
         "required": attribute_schema.required,
         "default": attribute_schema.default,

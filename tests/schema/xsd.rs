@@ -160,7 +160,8 @@ fn values(out: &mut String) {
         out,
         "\n  <xs:simpleType name=\"expression\">\n    <xs:restriction base=\"xs:string\"><xs:pattern value=\"{expression}\"/></xs:restriction>\n  </xs:simpleType>"
     );
-    for (name, kind) in model::kinds() {
+    for (name, attribute_schema) in model::kinds() {
+        let kind = attribute_schema.kind;
         let _ = writeln!(
             out,
             "\n  <xs:simpleType name=\"{name}\">\n    <xs:union memberTypes=\"expression\">"
@@ -184,7 +185,7 @@ fn values(out: &mut String) {
         if !words.is_empty() {
             member("token", &words);
         }
-        if let Some(p) = model::pattern(kind) {
+        if let Some(p) = model::pattern(attribute_schema) {
             member("string", &format!("<xs:pattern value=\"{}\"/>", escape(&p)));
         }
         let _ = writeln!(out, "    </xs:union>\n  </xs:simpleType>");

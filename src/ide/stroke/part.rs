@@ -10,6 +10,7 @@ use crate::diagnostic::Text;
 use crate::geometry::SAME;
 use crate::ide::format::Edit;
 use crate::ide::stroke::sheet::{Form, Home, Reason, Sheet, SheetRow, What, name};
+use crate::parse::schema::lengths::{Measure, length};
 use crate::program::Content;
 
 /// The visible code of a void.
@@ -144,8 +145,12 @@ fn own_width(sheet: &Sheet<'_>, form: &Form) -> Option<f64> {
     let Form::Part(element) = form else {
         return None;
     };
-    let width = sheet.outline.elements[*element].value("width")?;
-    width.trim().parse().ok().filter(|w: &f64| w.is_finite())
+    let elements = &sheet.outline.elements;
+    let width = elements[*element].value("width")?.trim();
+    let mut around = sheet.outline.around(*element).map(|e| &elements[e]);
+    let unit = around.find_map(|e| e.value("unit")?.trim().parse().ok());
+    let plain = width.parse().ok().filter(|w: &f64| w.is_finite());
+    plain.or_else(|| length(width, Measure::Units, unit.unwrap_or(3.0)))
 }
 
 /// Returns true if a line belongs to a floor whose units do not have their natural widths, i.e. the facade scales them.

@@ -48,12 +48,12 @@ const ANCHOR: Kind = Choice(&words(&vocabulary::ANCHORS));
 #[rustfmt::skip]
 const HOUSE_OWN: [AttributeSchema; 8] = [
     may("name", Text, "", "its name, which also keys its draws", "建物の名。抽選の鍵にもなる"),
-    may("unit", Number(0.1, 100.0), "3", "one unit in shaku: 3 (Edo-ma), 3.15, 3.25 (Kyo-ma)", "1ユニットの長さ(尺)。3(江戸間)、3.15、3.25(京間)"),
+    may("unit", Number(0.1, 100.0), "3", "one unit in shaku: 3 (Edo-ma), 3.15, 3.25 (Kyo-ma)", "1ユニットの長さ(尺)。3(江戸間)、3.15、3.25(京間)").shaku(),
     may("seed", Whole(0, u64::MAX), "0", "key of the draws: another seed, another house of the same kind", "抽選の種。変えると同じ型の別の建物になる"),
     may("azimuth", TURN, "180", "compass direction that the front looks to, degrees; 180 is south", "正面の向く方位(度)。180 は南"),
-    may("x", ANYWHERE, "0", "place of the house's origin, metres east", "原点の位置。東へ(m)"),
-    may("y", ANYWHERE, "0", "place of the house's origin, metres north", "原点の位置。北へ(m)"),
-    may("z", ANYWHERE, "0", "height of the ground, metres", "地盤の高さ(m)"),
+    may("x", ANYWHERE, "0", "place of the house's origin, metres east", "原点の位置。東へ(m)").metres(),
+    may("y", ANYWHERE, "0", "place of the house's origin, metres north", "原点の位置。北へ(m)").metres(),
+    may("z", ANYWHERE, "0", "height of the ground, metres", "地盤の高さ(m)").metres(),
     may("street", YesNo, "no", "the first line stands on the street: its roof's ridge runs along it", "最初の行が通りに面する(平入りになる)"),
 ];
 /// The age of a house.
@@ -66,18 +66,18 @@ pub(super) const HOUSES: &[AttributeSchema] = &AGED;
 #[rustfmt::skip]
 pub(super) const GROUP: &[AttributeSchema] = &join::<5, 2, 7>([
     may("name", Text, "", "its name", "名"),
-    may("x", ANYWHERE, "0", "where the origin of its houses lies, metres east", "中の建物の原点の位置。東へ(m)"),
-    may("y", ANYWHERE, "0", "the same, metres north", "同じく北へ(m)"),
-    may("z", ANYWHERE, "0", "height of the ground, metres", "地盤の高さ(m)"),
+    may("x", ANYWHERE, "0", "where the origin of its houses lies, metres east", "中の建物の原点の位置。東へ(m)").metres(),
+    may("y", ANYWHERE, "0", "the same, metres north", "同じく北へ(m)").metres(),
+    may("z", ANYWHERE, "0", "height of the ground, metres", "地盤の高さ(m)").metres(),
     may("turn", TURN, "0", "how far its houses are turned about that origin, degrees clockwise from above", "その原点の周りに回す角度。上から見て時計回り(度)"),
 ], AGED);
 #[rustfmt::skip]
 pub(super) const PLACEMENT: &[AttributeSchema] = &join::<8, 2, 10>([
     must("type", Text, "a house type of the library, a `define` or a file; all other attributes set its parameters", "建物の型、`define` の名、またはファイル。ほかの属性はすべて変数"),
     may("name", Text, "", "its name; without, that of the type", "建物の名。無ければ型の名"),
-    may("x", ANYWHERE, "0", "place of the house, metres east", "建物の位置。東へ(m)"),
-    may("y", ANYWHERE, "0", "place of the house, metres north", "建物の位置。北へ(m)"),
-    may("z", ANYWHERE, "0", "height of the ground, metres", "地盤の高さ(m)"),
+    may("x", ANYWHERE, "0", "place of the house, metres east", "建物の位置。東へ(m)").metres(),
+    may("y", ANYWHERE, "0", "place of the house, metres north", "建物の位置。北へ(m)").metres(),
+    may("z", ANYWHERE, "0", "height of the ground, metres", "地盤の高さ(m)").metres(),
     may("azimuth", TURN, "180", "compass direction that the front looks to, degrees; 180 is south", "正面の向く方位(度)。180 は南"),
     may("at", ANCHOR, "corner", "what stands there: the right end of the front, or the centre of the ground storey", "その位置に来る点。正面の右端 `corner` か、一階の中心 `centre`"),
     may("seed", Whole(0, u64::MAX), "", "key of the draws, parameters that are not set among them", "抽選の種。指定しない変数も抽選する"),
@@ -85,7 +85,7 @@ pub(super) const PLACEMENT: &[AttributeSchema] = &join::<8, 2, 10>([
 pub(super) const HOUSE: &[AttributeSchema] = &join::<8, 2, 10>(HOUSE_OWN, AGED);
 #[rustfmt::skip]
 pub(super) const STOREY: &[AttributeSchema] = &[
-    may("height", SIZE, "9", "from its floor to the next, shaku", "階高(尺)"),
+    may("height", SIZE, "9", "from its floor to the next, shaku", "階高(尺)").shaku(),
     may("start", PLACE, "0 0", "where its walk starts, units to the left and back from the house's origin", "歩き始めの位置。原点から左へ、奥へ(ユニット)"),
     may("kind", STOREYS, "storey", "a `parapet` stands on the storey below and bears no roof of its own", "`parapet` は下の階に載る胸壁で、屋根を持たない"),
 ];
@@ -103,13 +103,13 @@ pub(super) const ROW: &[AttributeSchema] = &[
 #[rustfmt::skip]
 pub(super) const PART: &[AttributeSchema] = &[
     must("code", Text, "its code in the catalogue, or the name of an own part or a picture", "部材コード。自作部材や画像の名でもよい"),
-    may("width", LENGTH, "", "units, in place of the code's own width", "幅(ユニット)。コードの幅に代わる"),
-    may("height", SIZE, "", "shaku, in place of the storey's height", "高さ(尺)。階高に代わる"),
+    may("width", LENGTH, "", "units, in place of the code's own width", "幅(ユニット)。コードの幅に代わる").units(),
+    may("height", SIZE, "", "shaku, in place of the storey's height", "高さ(尺)。階高に代わる").shaku(),
 ];
 #[rustfmt::skip]
 pub(super) const STRUCTURE: &[AttributeSchema] = &[
     may("size", SIZE, "", "width of a facade of ratio 1, in size units; 1 where only `scale` or a `ratio` is given", "比 1 の壁面の幅(寸法単位)。`scale` か `ratio` だけのときは 1"),
-    may("scale", SCALE, "", "one size unit in metres; 0.1 where only `size` or a `ratio` is given", "寸法単位の長さ(m)。`size` か `ratio` だけのときは 0.1"),
+    may("scale", SCALE, "", "one size unit in metres; 0.1 where only `size` or a `ratio` is given", "寸法単位の長さ(m)。`size` か `ratio` だけのときは 0.1").metres(),
     may("order", Choice(&words(&vocabulary::PART_ORDERS)), "left", "to which side the parts of a floor run, seen from outside", "外から見て部材がどちらへ並ぶか"),
 ];
 #[rustfmt::skip]
@@ -122,7 +122,7 @@ pub(super) const FACADE: &[AttributeSchema] = &[
 #[rustfmt::skip]
 pub(super) const FLOOR: &[AttributeSchema] = &[
     may("id", Text, "", "floors of one name share a row: one says it, the others take it", "同じ名の階は並びを共有する"),
-    may("height", SIZE, "11.55", "from its floor to the next, shaku; 11.55 is 3.5 m", "階高(尺)。11.55 は 3.5 m"),
+    may("height", SIZE, "11.55", "from its floor to the next, shaku; 11.55 is 3.5 m", "階高(尺)。11.55 は 3.5 m").shaku(),
     may("kind", STOREYS, "storey", "a `parapet` stands on the floor below", "`parapet` は下の階に載る胸壁"),
 ];
 #[rustfmt::skip]
@@ -164,9 +164,9 @@ const STYLE: [AttributeSchema; 11] = [
     may("shape", SHAPE, "", "KIR gable, YOS hip, YOK gable along the short side, IRI hip and gable, HAK half-hip, HOG pyramid, KAT lean-to, HIS pent roof, TER temple, KAR karahafu, RIK flat",
         "KIR 切妻、YOS 寄棟、YOK 横長切妻、IRI 入母屋、HAK 袴腰、HOG 宝形、KAT 片流れ、HIS 庇、TER 寺院、KAR 唐破風、RIK 陸屋根"),
     may("pitch", Number(0.0, 100.0), "", "rise in 10, sun", "勾配(寸)"),
-    may("eaves", LENGTH, "", "overhang at the eaves, shaku", "軒の出(尺)"),
-    may("verge", LENGTH, "", "overhang at the gables, shaku", "けらばの出(尺)"),
-    may("thickness", SIZE, "", "thickness of the slab, shaku", "屋根の厚さ(尺)"),
+    may("eaves", LENGTH, "", "overhang at the eaves, shaku", "軒の出(尺)").shaku(),
+    may("verge", LENGTH, "", "overhang at the gables, shaku", "けらばの出(尺)").shaku(),
+    may("thickness", SIZE, "", "thickness of the slab, shaku", "屋根の厚さ(尺)").shaku(),
     may("noshi", Whole(0, 100), "", "courses of ridge tiles", "熨斗瓦の段数"),
     may("sori", Number(-50.0, 50.0), "", "sagitta of the slope in per cent of its length; negative is convex (mukuri)", "反り。流れ長さに対する矢高(%)。負は起り"),
     may("gable", Number(0.0, 0.5), "", "how far an irimoya's gable stands inside its walls, share of the span", "入母屋の妻の引っ込み。梁間に対する割合"),
@@ -191,35 +191,35 @@ const ROOFS_OWN: [AttributeSchema; 2] = [
 ];
 #[rustfmt::skip]
 const ROOF_OWN: [AttributeSchema; 6] = [
-    must("a0", ANYWHERE, "a corner of the walls below, units to the left", "下の壁の角。左へ(ユニット)"),
-    must("b0", ANYWHERE, "the same, units back", "同じく奥へ(ユニット)"),
-    must("a1", ANYWHERE, "the opposite corner, units to the left", "対角の角。左へ(ユニット)"),
-    must("b1", ANYWHERE, "the same, units back", "同じく奥へ(ユニット)"),
+    must("a0", ANYWHERE, "a corner of the walls below, units to the left", "下の壁の角。左へ(ユニット)").units(),
+    must("b0", ANYWHERE, "the same, units back", "同じく奥へ(ユニット)").units(),
+    must("a1", ANYWHERE, "the opposite corner, units to the left", "対角の角。左へ(ユニット)").units(),
+    must("b1", ANYWHERE, "the same, units back", "同じく奥へ(ユニット)").units(),
     may("ridge", Choice(&words(&vocabulary::RIDGE_DIRECTIONS)), "", "X along the first line, Y across it; one slope falls to F front, B back, L left, R right",
         "X は最初の行に平行、Y は直交。片流れは F 前、B 奥、L 左、R 右へ下る"),
-    may("height", Either(&["*"], -FAR, FAR), "*", "of the eaves above the ground sill, shaku; `*` is the top of the walls there", "軒の高さ(尺)。`*` はそこの壁の上端"),
+    may("height", Either(&["*"], -FAR, FAR), "*", "of the eaves above the ground sill, shaku; `*` is the top of the walls there", "軒の高さ(尺)。`*` はそこの壁の上端").shaku(),
 ];
 pub(super) const ROOFS: &[AttributeSchema] = &join::<2, 11, 13>(ROOFS_OWN, STYLE);
 pub(super) const ROOF: &[AttributeSchema] = &join::<6, 11, 17>(ROOF_OWN, STYLE);
 
 #[rustfmt::skip]
 pub(super) const PLATFORM: &[AttributeSchema] = &[
-    may("height", NEAR, "3", "shaku", "高さ(尺)"),
+    may("height", NEAR, "3", "shaku", "高さ(尺)").shaku(),
     may("margin", Pair(0.0, 300.0), "6", "from the walls to its edge, shaku; two numbers: left and right, front and back", "壁から縁まで(尺)。ふたつ書けば左右と前後"),
     may("stairs", SIDES, "", "sides with stairs: F, B, L, R", "階段のある側。F 前、B 奥、L 左、R 右"),
-    may("width", SIZE, "", "of the stairs, shaku; the middle bay without", "階段の幅(尺)。無ければ中央間"),
+    may("width", SIZE, "", "of the stairs, shaku; the middle bay without", "階段の幅(尺)。無ければ中央間").shaku(),
 ];
 #[rustfmt::skip]
 pub(super) const POSTS: &[AttributeSchema] = &[
-    may("size", THICK, "0.4", "thickness, shaku", "太さ(尺)"),
+    may("size", THICK, "0.4", "thickness, shaku", "太さ(尺)").shaku(),
     may("round", YesNo, "no", "round posts", "丸柱にする"),
     may("paint", PAINT, "cedar", "wood or colour", "材または色"),
     may("nageshi", Whole(0, 5), "0", "rows of tie beams", "長押の段数"),
 ];
 #[rustfmt::skip]
 pub(super) const VERANDA: &[AttributeSchema] = &[
-    may("width", LENGTH, "3", "shaku", "幅(尺)"),
-    may("height", NEAR, "0", "of its boards: on the ground storey it raises the house, upstairs it counts from the storey's foot, shaku", "床の高さ(尺)。1階では建物を上げ、上階では階の足元から測る"),
+    may("width", LENGTH, "3", "shaku", "幅(尺)").shaku(),
+    may("height", NEAR, "0", "of its boards: on the ground storey it raises the house, upstairs it counts from the storey's foot, shaku", "床の高さ(尺)。1階では建物を上げ、上階では階の足元から測る").shaku(),
     may("rail", Choice(&words(&vocabulary::RAILS)), "none", "railing: crossed or knobbed posts", "高欄。組高欄または擬宝珠"),
     may("stairs", SIDES, "", "sides with stairs: F, B, L, R", "階段のある側。F 前、B 奥、L 左、R 右"),
     may("paint", PAINT, "", "wood or colour; that of the posts without", "材または色。無ければ柱と同じ"),
@@ -227,14 +227,14 @@ pub(super) const VERANDA: &[AttributeSchema] = &[
 #[rustfmt::skip]
 pub(super) const BRACKETS: &[AttributeSchema] = &[
     may("steps", STEPS, "0", "steps outwards", "手先の数"),
-    may("height", NEAR, "", "what they take of the storey's top, shaku", "階の上端から占める高さ(尺)"),
-    may("out", NEAR, "", "from the wall to the purlin they bear, shaku", "壁から丸桁まで(尺)"),
+    may("height", NEAR, "", "what they take of the storey's top, shaku", "階の上端から占める高さ(尺)").shaku(),
+    may("out", NEAR, "", "from the wall to the purlin they bear, shaku", "壁から丸桁まで(尺)").shaku(),
     may("paint", PAINT, "", "wood or colour; that of the posts without", "材または色。無ければ柱と同じ"),
 ];
 #[rustfmt::skip]
 pub(super) const FINIAL: &[AttributeSchema] = &[
     must("kind", Choice(&words(&FinialKind::ALL)), "sorin 相輪, hoju 宝珠, shibi 鴟尾, chigi 千木・鰹木", "sorin 相輪、hoju 宝珠、shibi 鴟尾、chigi 千木・鰹木"),
-    may("height", SIZE, "", "shaku", "高さ(尺)"),
+    may("height", SIZE, "", "shaku", "高さ(尺)").shaku(),
     may("count", Whole(0, 99), "", "of logs (katsuogi)", "鰹木の数"),
     may("at", PLACE, "", "over which place, units; the highest roof without", "どこの上か(ユニット)。無ければいちばん高い屋根"),
 ];
@@ -242,27 +242,27 @@ pub(super) const FINIAL: &[AttributeSchema] = &[
 /// Attributes of all monuments.
 #[rustfmt::skip]
 const MEASURES: [AttributeSchema; 12] = [
-    may("columns", SPAN, "", "height of the columns, shaku", "柱の高さ(尺)"),
-    may("post", THICK, "", "diameter of the columns, shaku", "柱の径(尺)"),
+    may("columns", SPAN, "", "height of the columns, shaku", "柱の高さ(尺)").shaku(),
+    may("post", THICK, "", "diameter of the columns, shaku", "柱の径(尺)").shaku(),
     may("paint", PAINT, "", "wood or colour", "材または色"),
     may("steps", STEPS, "", "steps of the brackets", "組物の手先の数"),
     may("pitch", Number(0.5, 30.0), "", "of the main roof, sun", "主屋根の勾配(寸)"),
-    may("eaves", Number(0.0, 33.0), "", "overhang, shaku", "軒の出(尺)"),
+    may("eaves", Number(0.0, 33.0), "", "overhang, shaku", "軒の出(尺)").shaku(),
     may("sori", Number(-50.0, 50.0), "", "curve of the slopes, per cent", "反り(%)"),
-    may("thickness", Number(0.05, 6.0), "", "of the roofs, shaku", "屋根の厚さ(尺)"),
+    may("thickness", Number(0.05, 6.0), "", "of the roofs, shaku", "屋根の厚さ(尺)").shaku(),
     may("kind", COVERING, "", "covering", "葺き材"),
     may("shape", SHAPE, "", "shape of the main roof", "主屋根の形"),
-    may("platform", NEAR, "", "height of the platform, shaku; 0 = none", "基壇の高さ(尺)。0 なら無し"),
+    may("platform", NEAR, "", "height of the platform, shaku; 0 = none", "基壇の高さ(尺)。0 なら無し").shaku(),
     may("margin", Pair(0.0, 300.0), "", "from the walls to the platform's edge, shaku", "壁から基壇の縁まで(尺)"),
 ];
 #[rustfmt::skip]
 const PAGODA_OWN: [AttributeSchema; 6] = [
     may("storeys", Whole(1, 15), "5", "number of storeys", "重数"),
-    may("width", SPAN, "18", "of the first storey, shaku", "初重の幅(尺)"),
+    may("width", SPAN, "18", "of the first storey, shaku", "初重の幅(尺)").shaku(),
     may("bays", Whole(1, 9), "3", "bays a side", "一辺の間数"),
     may("taper", Number(0.2, 0.99), "0.7", "the last storey's width in the first", "逓減。最上重の幅の初重に対する比"),
     may("rise", Number(0.1, 3.0), "0.855", "from wall plate to wall plate, in widths of the upper storey", "重ごとの高さ。上の重の幅に対する比"),
-    may("sorin", NEAR, "", "height of the spire, shaku; 0.3 of the whole without", "相輪の高さ(尺)。無ければ総高の 0.3"),
+    may("sorin", NEAR, "", "height of the spire, shaku; 0.3 of the whole without", "相輪の高さ(尺)。無ければ総高の 0.3").shaku(),
 ];
 #[rustfmt::skip]
 const GATE_OWN: [AttributeSchema; 6] = [
@@ -270,8 +270,8 @@ const GATE_OWN: [AttributeSchema; 6] = [
     may("bay", Pair(0.1, 1000.0), "17", "width of a bay, shaku; two numbers: along, across", "柱間(尺)。ふたつ書けば間口と奥行"),
     may("storeys", Whole(1, 2), "2", "storeys", "重数"),
     may("doors", Whole(0, 60), "", "bays with doors", "扉のある間の数"),
-    may("inset", NEAR, "", "how far the upper storey stands back, shaku", "上重の引っ込み(尺)"),
-    may("upper", SPAN, "", "height of the upper columns, shaku", "上重の柱の高さ(尺)"),
+    may("inset", NEAR, "", "how far the upper storey stands back, shaku", "上重の引っ込み(尺)").shaku(),
+    may("upper", SPAN, "", "height of the upper columns, shaku", "上重の柱の高さ(尺)").shaku(),
 ];
 pub(super) const PAGODA: &[AttributeSchema] = &join::<6, 12, 18>(PAGODA_OWN, MEASURES);
 pub(super) const GATE: &[AttributeSchema] = &join::<6, 12, 18>(GATE_OWN, MEASURES);
@@ -280,10 +280,10 @@ pub(super) const GATE: &[AttributeSchema] = &join::<6, 12, 18>(GATE_OWN, MEASURE
 #[rustfmt::skip]
 const HALL_OWN: [AttributeSchema; 6] = [
     may("doors", Whole(0, 60), "", "bays with doors in the front", "正面の扉の間数"),
-    may("aisle", NEAR, "0", "depth of the aisle round the core, shaku", "庇の深さ(尺)"),
-    may("upper", SPAN, "", "height of the core above the aisle's roof, shaku", "庇の屋根から上の身舎の高さ(尺)"),
-    may("veranda", NEAR, "", "width of the veranda, shaku", "縁の幅(尺)"),
-    may("floor", NEAR, "", "height of the floor, shaku", "床の高さ(尺)"),
+    may("aisle", NEAR, "0", "depth of the aisle round the core, shaku", "庇の深さ(尺)").shaku(),
+    may("upper", SPAN, "", "height of the core above the aisle's roof, shaku", "庇の屋根から上の身舎の高さ(尺)").shaku(),
+    may("veranda", NEAR, "", "width of the veranda, shaku", "縁の幅(尺)").shaku(),
+    may("floor", NEAR, "", "height of the floor, shaku", "床の高さ(尺)").shaku(),
     may("katsuogi", Whole(0, 99), "", "logs on the ridge; 0 = no chigi either", "鰹木の数。0 なら千木も無し"),
 ];
 /// The bays of a hall or a shrine: their number, and their width.

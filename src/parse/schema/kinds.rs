@@ -1,6 +1,8 @@
 //! The kind of value of an attribute. The reader takes its bounds and words from here, and so do the schemas in `grammar/schema`
 //! and the reference.
 
+use super::lengths::Measure;
+
 /// The value of an attribute, if it is not an expression.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
@@ -41,6 +43,8 @@ pub struct AttributeSchema {
     pub required: bool,
     /// The default; empty if it follows from other values.
     pub default: &'static str,
+    /// The unit of a number without one, if it is a single length.
+    pub measure: Option<Measure>,
     /// The description in English.
     pub en: &'static str,
     /// The description in Japanese.
@@ -60,8 +64,33 @@ pub(super) const fn may(
         kind,
         required: false,
         default,
+        measure: None,
         en,
         ja,
+    }
+}
+
+impl AttributeSchema {
+    /// Makes it a length in units of the house.
+    pub(super) const fn units(self) -> AttributeSchema {
+        self.measured(Measure::Units)
+    }
+
+    /// Makes it a length in shaku.
+    pub(super) const fn shaku(self) -> AttributeSchema {
+        self.measured(Measure::Shaku)
+    }
+
+    /// Makes it a length in metres.
+    pub(super) const fn metres(self) -> AttributeSchema {
+        self.measured(Measure::Metres)
+    }
+
+    const fn measured(self, measure: Measure) -> AttributeSchema {
+        AttributeSchema {
+            measure: Some(measure),
+            ..self
+        }
     }
 }
 

@@ -30,6 +30,7 @@ pub(in crate::parse) fn outline(source: &Source, at: usize, nesting: usize) -> O
         text: source.text(),
         reader: Reader {
             turn: None,
+            unit: super::UNIT,
             tree: &tree,
             reporter: &mut reporter,
             suggest: Suggest::new(),

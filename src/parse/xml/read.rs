@@ -19,6 +19,7 @@ use crate::diagnostic::{Noun, noun};
 use crate::parse::meanings;
 use crate::parse::reporter::Reporter;
 use crate::parse::schema;
+use crate::parse::schema::lengths::Measure;
 use crate::parse::schema::{Content, Kind, Schema, Tag};
 use crate::parse::xml::tree::chars::is_blank;
 use crate::parse::xml::tree::text::Text;
@@ -33,6 +34,8 @@ pub(super) struct Reader<'t, 'a> {
     pub(super) suggest: Suggest,
     /// The place for a `turn` of the current row, if it has none.
     pub(super) turn: Option<usize>,
+    /// One unit of the current house, shaku.
+    pub(super) unit: f64,
 }
 
 /// A child that is allowed at its place.
@@ -64,6 +67,11 @@ impl<'t> Attributes<'t> {
     /// Returns the kind of value of an attribute.
     pub(super) fn kind(&self, name: &str) -> Kind {
         self.schema.attribute(name).map_or(Kind::Text, |a| a.kind)
+    }
+
+    /// Returns what a number without a unit means for an attribute that is a length.
+    pub(super) fn measure(&self, name: &str) -> Option<Measure> {
+        self.schema.attribute(name)?.measure
     }
 
     /// Returns the meaning of an attribute.

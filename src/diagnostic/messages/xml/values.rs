@@ -1,6 +1,6 @@
 //! Messages about the values of attributes.
 
-use super::fixes::{offer, removing};
+use super::fixes::{offer, removing, writing};
 use crate::diagnostic::messages::words::{any_of, quote};
 use crate::diagnostic::{Diagnostic, Noun, Text};
 use crate::source::Span;
@@ -12,6 +12,41 @@ const FEW: usize = 8;
 /// A value that is not a number.
 #[cold]
 pub fn not_a_number(span: Span, name: &str, text: &str, fix: Option<&str>) -> Diagnostic {
+    let digits = text!(
+        "write digits with a decimal point, such as `9.5`, without a unit",
+        "`9.5` のように、半角の数字と小数点だけで単位を付けずに書いてください"
+    );
+    no_number(span, name, text, fix, digits)
+}
+
+/// The height of a storey that is surely in metres.
+#[cold]
+pub fn height_in_metres(span: Span, height: f64) -> Diagnostic {
+    let metres = (height * 1000.0 / 33.0).round() / 100.0;
+    let meant = format!("{height} m");
+    let message = text!([height, metres]
+        "a storey of {height} shaku is {metres} m high",
+        "階高 {height} 尺は {metres} m になります"
+    );
+    Diagnostic::warning(137, span, message)
+        .help(text!([meant]
+            "a number without a unit is in shaku: write `{meant}` if you mean metres",
+            "単位のない数は尺です。メートルのつもりなら `{meant}` と書いてください"
+        ))
+        .fix(writing(&meant), span, meant.clone())
+}
+
+/// A value that is not a length.
+#[cold]
+pub fn not_a_length(span: Span, name: &str, text: &str, fix: Option<&str>) -> Diagnostic {
+    let digits = text!(
+        "write a number such as `9.5`; a unit may follow it: `m`, `cm`, `mm`, `shaku`, `sun`, `ken`",
+        "`9.5` のような数を書いてください。後ろに単位 `m`、`cm`、`mm`、`尺`、`寸`、`間` を付けられます"
+    );
+    no_number(span, name, text, fix, digits)
+}
+
+fn no_number(span: Span, name: &str, text: &str, fix: Option<&str>, digits: Text) -> Diagnostic {
     let offered = fix;
     let (name, text) = (quote(name), quote(text));
     let message = text!([text, name]
@@ -20,10 +55,7 @@ pub fn not_a_number(span: Span, name: &str, text: &str, fix: Option<&str>) -> Di
     );
     let found = Diagnostic::error(225, span, message).help(match fix.map(quote) {
         Some(fix) => text!([fix] "write {fix}", "{fix} と書いてください"),
-        None => text!(
-            "write digits with a decimal point, such as `9.5`, without a unit",
-            "`9.5` のように、半角の数字と小数点だけで単位を付けずに書いてください"
-        ),
+        None => digits,
     });
     offer(found, span, offered)
 }

@@ -12,6 +12,10 @@ use crate::parse::xml::suggest::narrow_ascii;
 use crate::parse::xml::tree::Element;
 use crate::parse::xml::tree::chars::is_blank;
 use crate::source::{Span, Spanned};
+use std::ops::RangeInclusive;
+
+/// Heights of storeys that are plausible in metres and not in shaku.
+const METRES: RangeInclusive<f64> = 2.1..=4.0;
 
 impl<'t> Reader<'t, '_> {
     /// Reads a house.
@@ -21,10 +25,12 @@ impl<'t> Reader<'t, '_> {
         element: &'t Element<'t>,
     ) -> House {
         let of = self.attributes(schema, element);
+        let settings = self.settings(&of);
+        self.unit = settings.unit.map_or(of.usual("unit"), |unit| unit.value);
         let mut house = House {
             span: self.whole(element),
             name: self.text(&of, "name"),
-            settings: self.settings(&of).into(),
+            settings: settings.into(),
             ..House::default()
         };
         let mut roofs: Option<Span> = None;
@@ -107,6 +113,18 @@ impl<'t> Reader<'t, '_> {
         }
     }
 
+    /// Reports a height without a unit that is surely meant in metres.
+    fn in_metres(&mut self, of: &Attributes<'t>, storey: &Storey) {
+        let bare = |text: &str| text.trim_matches(is_blank).parse::<f64>().is_ok();
+        let written = of.get("height").is_some_and(|a| bare(a.value.as_str()));
+        let height = storey.height.as_ref();
+        let height = height.filter(|_| written && storey.kind == StoreyKind::Storey);
+        if let Some(height) = height.filter(|h| METRES.contains(&h.value)) {
+            let (span, value) = (height.span, height.value);
+            self.reporter.push(|| say::height_in_metres(span, value));
+        }
+    }
+
     fn storey(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Storey {
         let of = self.attributes(schema, element);
         let kind = self.choice(&of, "kind", &STOREY_KINDS);
@@ -117,6 +135,7 @@ impl<'t> Reader<'t, '_> {
             kind: kind.map_or(StoreyKind::Storey, |k| k.value),
             ..Storey::default()
         };
+        self.in_metres(&of, &storey);
         // Rows directly in the storey form its first loop.
         let mut own = Loop {
             span: storey.span,

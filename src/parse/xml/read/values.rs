@@ -2,6 +2,7 @@
 
 use crate::diagnostic::messages::xml as say;
 use crate::parse::meanings;
+use crate::parse::schema::lengths::length;
 use crate::parse::xml::read::{Attributes, Reader};
 use crate::parse::xml::suggest::narrow_ascii;
 use crate::parse::xml::tree::chars::is_blank;
@@ -274,11 +275,13 @@ impl<'t> Reader<'t, '_> {
         let (attribute, range) = (of.get(name)?, &of.bounds(name));
         let text = attribute.value.as_str()[piece.clone()].trim_matches(is_blank);
         let span = self.reporter.span(&attribute.value.range(piece));
-        let (given, plain) = (attribute.name, decimal(text));
+        let (given, measure) = (attribute.name, of.measure(name));
+        let with_unit = |text: &str| length(text, measure?, self.unit);
+        let plain = decimal(text).or_else(|| with_unit(text));
         let fix = || {
             narrowed(text)
                 .or_else(|| Some(text.replacen(',', ".", 1)))
-                .filter(|t| decimal(t).is_some())
+                .filter(|t| decimal(t).is_some() || with_unit(t).is_some())
                 .or_else(|| meanings::digits(text, range))
         };
         let value = match plain {
@@ -288,9 +291,13 @@ impl<'t> Reader<'t, '_> {
                 let about = meanings::is_truth(text).and_then(|_| of.about(name));
                 self.reporter.push(|| match about {
                     Some(about) => say::yes_for_a_number(span, given, text, about, fix.as_deref()),
+                    None if measure.is_some() => {
+                        say::not_a_length(span, given, text, fix.as_deref())
+                    }
                     None => say::not_a_number(span, given, text, fix.as_deref()),
                 });
-                decimal(&fix?)?
+                let fix = fix?;
+                decimal(&fix).or_else(|| with_unit(&fix))?
             }
         };
         if range.contains(&value) {
