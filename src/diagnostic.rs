@@ -2,7 +2,7 @@
 //! [`messages`], in English and Japanese side by side ([`text!`](crate::text)); every code has a page for `hsd explain` in
 //! `grammar/diagnostics/` and a Japanese one in `grammar/diagnostics/ja/`.
 
-use crate::source::Span;
+use crate::source::{FileId, Span};
 use crate::text;
 use std::sync::Arc;
 
@@ -116,6 +116,17 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
+    /// Puts it at another place if it is in this file, without what leads into the file; returns whether it was.
+    pub(crate) fn leave(&mut self, file: FileId, to: Span) -> bool {
+        let is_there = self.span().is_some_and(|span| span.file == file);
+        if is_there {
+            self.origin = to.into();
+            self.fixes.clear();
+        }
+        self.labels.retain(|label| label.span.file != file);
+        is_there
+    }
+
     /// Creates an error.
     pub fn error(code: u16, origin: impl Into<Origin>, message: impl Into<Text>) -> Self {
         Self::new(Severity::Error, code, origin.into(), message.into())

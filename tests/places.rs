@@ -26,15 +26,28 @@ fn places(inner: &str) -> Vec<[i64; 4]> {
         .collect()
 }
 
+/// What is built counts, not where it is written.
+fn without_spans(value: &mut Value) {
+    match value {
+        Value::Object(map) => {
+            map.retain(|key, _| key != "span");
+            map.values_mut().for_each(without_spans);
+        }
+        Value::Array(list) => list.iter_mut().for_each(without_spans),
+        _ => {}
+    }
+}
+
 /// The walls, roofs and fittings of each house, without its place and name.
 fn built(inner: &str) -> Vec<Value> {
     let run = run(inner);
     let houses = run.building.houses.iter().map(|b| {
         let mut value = serde_json::to_value(b).expect("is plain data");
         let house = value["house"].as_object_mut().expect("is one");
-        for key in ["origin", "azimuth", "name", "span", "placed"] {
+        for key in ["origin", "azimuth", "name", "placed"] {
             house.remove(key);
         }
+        without_spans(&mut value);
         value
     });
     houses.collect()

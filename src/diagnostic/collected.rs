@@ -131,15 +131,10 @@ impl Diagnostics {
         let mut moved = Diagnostics::new();
         let mut known = BTreeSet::new();
         for mut diagnostic in self.list {
-            if away(&diagnostic) {
-                diagnostic.origin = to.into();
-                diagnostic.fixes.clear();
-                diagnostic.labels.retain(|label| label.span.file != from);
-                if !known.insert(diagnostic.code) {
-                    continue;
-                }
+            let is_news = !diagnostic.leave(from, to) || known.insert(diagnostic.code);
+            if is_news {
+                moved.push(diagnostic);
             }
-            moved.push(diagnostic);
         }
         moved
     }

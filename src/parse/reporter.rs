@@ -6,7 +6,7 @@
 
 use crate::diagnostic::messages::file;
 use crate::diagnostic::{Diagnostic, Diagnostics, ENOUGH, Origin, Severity, Text};
-use crate::source::{Source, Span};
+use crate::source::{FileId, Source, Span};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -28,6 +28,8 @@ pub(super) struct Reporter<'a> {
     first: &'a Source,
     /// Messages already reported, for content that is read several times.
     once: Option<BTreeMap<(u16, Origin), Vec<Text>>>,
+    /// A file whose messages are put at another place: one that no author can change.
+    instead: Option<(FileId, Span)>,
     /// The line end of the first source.
     line_end: &'static str,
     out: Diagnostics,
@@ -53,6 +55,7 @@ impl<'a> Reporter<'a> {
             more: vec![],
             first: source,
             once: None,
+            instead: None,
             line_end: line_end(source.text()),
             out: Diagnostics::new(),
             said: 0,
@@ -80,6 +83,11 @@ impl<'a> Reporter<'a> {
     /// Returns to the first source: from now on ranges are those of all texts.
     pub(super) fn leave(&mut self) {
         (self.source, self.base) = (self.first, 0);
+    }
+
+    /// From now on, puts the messages of a file at another place; returns what held before.
+    pub(super) fn instead(&mut self, of: Option<(FileId, Span)>) -> Option<(FileId, Span)> {
+        std::mem::replace(&mut self.instead, of)
     }
 
     /// From now on, reports the same message only once per place.
@@ -138,6 +146,14 @@ impl<'a> Reporter<'a> {
 
     /// Reports a message. It is built only if it will be kept.
     pub(super) fn push(&mut self, message: impl FnOnce() -> Diagnostic) {
+        let instead = self.instead;
+        let message = || {
+            let mut message = message();
+            if let Some((file, place)) = instead {
+                message.leave(file, place);
+            }
+            message
+        };
         if self.once.is_some() {
             if self.said > ENOUGH && self.worst == Some(Severity::Error) {
                 self.said += 1;

@@ -19,11 +19,6 @@ const FOREIGN: &str = r#"
       <attribute><anyName><except><nsName ns=""/></except></anyName><text/></attribute>
     </zeroOrMore>
   </define>
-  <define name="parameters">
-    <zeroOrMore>
-      <attribute><anyName><except><name>name</name></except></anyName><text/></attribute>
-    </zeroOrMore>
-  </define>
 "#;
 
 /// The elements of a part, which are the business of the catalogue.
@@ -123,12 +118,17 @@ fn one(out: &mut String, name: &str, element: &Schema, place: &Place) {
     for attribute_schema in element.attributes {
         attribute(out, attribute_schema);
     }
-    let others = if element.takes_any_attribute() {
-        "parameters"
+    if element.takes_any_attribute() {
+        let own = element.attributes.iter();
+        let own: String = own.map(|a| format!("<name>{}</name>", a.name)).collect();
+        let any = format!("<anyName><except>{own}</except></anyName>");
+        let _ = writeln!(
+            out,
+            "      <zeroOrMore><attribute>{any}<text/></attribute></zeroOrMore>"
+        );
     } else {
-        "foreign"
-    };
-    let _ = writeln!(out, "      <ref name=\"{others}\"/>");
+        let _ = writeln!(out, "      <ref name=\"foreign\"/>");
+    }
     match model::inside(element, place) {
         Some(inside) => {
             let _ = writeln!(out, "      <zeroOrMore>\n        <choice>");

@@ -31,6 +31,9 @@ const UNITS: [(&str, f64, Measure); 14] = [
     ("u", 1.0, Measure::Units),
 ];
 
+/// The steps in one unit that a converted length keeps.
+const EXACT: f64 = 1e9;
+
 /// Returns the words that may follow a length.
 pub fn units() -> impl Iterator<Item = &'static str> {
     UNITS.iter().map(|(word, ..)| *word)
@@ -52,6 +55,8 @@ pub fn length(text: &str, of: Measure, unit: f64) -> Option<f64> {
         true => number * size,
         false => number * size * shaku(*measure) / shaku(of),
     };
+    // 2.7 m are 8.91 shaku, whatever the last digits.
+    let length = (length * EXACT).round() / EXACT;
     length.is_finite().then_some(length)
 }
 

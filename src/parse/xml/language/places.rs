@@ -125,9 +125,16 @@ impl<'a> Expander<'a, '_> {
             Origin::Piece(piece, home) => expander.fill_with_piece(&piece, &home, &kind, made),
             Origin::File(tree, path) => {
                 let span = expander.reporter.span(&kind.value.whole());
+                let source = expander.setting.cache.find(&path);
+                let source = source.filter(|_| Template::is_source(&path));
+                let place = expander.reporter.span(&element.tag);
+                let before = source.map(|s| expander.reporter.instead(Some((s.id(), place))));
                 expander.files.open.push((path, span));
                 expander.fill_with_file(&tree, made);
                 expander.files.open.pop();
+                if let Some(before) = before {
+                    expander.reporter.instead(before);
+                }
             }
         });
         self.storeys = storeys;

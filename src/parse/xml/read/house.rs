@@ -116,7 +116,10 @@ impl<'t> Reader<'t, '_> {
     /// Reports a height without a unit that is surely meant in metres.
     fn in_metres(&mut self, of: &Attributes<'t>, storey: &Storey) {
         let bare = |text: &str| text.trim_matches(is_blank).parse::<f64>().is_ok();
-        let written = of.get("height").is_some_and(|a| bare(a.value.as_str()));
+        // What is computed has a name that says what it is.
+        let written = of
+            .get("height")
+            .is_some_and(|a| bare(a.value.as_str()) && bare(self.reporter.quote(&a.value.whole())));
         let height = storey.height.as_ref();
         let height = height.filter(|_| written && storey.kind == StoreyKind::Storey);
         if let Some(height) = height.filter(|h| METRES.contains(&h.value)) {

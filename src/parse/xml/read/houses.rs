@@ -110,10 +110,13 @@ impl<'t> Reader<'t, '_> {
             Child::Text(_) => None,
         });
         let source = written.map(|at| self.reporter.source_at(at).1);
+        let source = source.filter(|source| Template::is_source(source.name()));
+        let span = self.start(element);
         inner.place = Some(PlacedBy {
-            span: self.start(element),
-            library: source.is_some_and(|source| Template::is_source(source.name())),
+            span,
+            library: source.is_some(),
         });
+        let before = source.map(|source| self.reporter.instead(Some((source.id(), span))));
         inner.enter(Frame {
             origin: self.origin(&of),
             turn: azimuth - 180.0,
@@ -125,6 +128,9 @@ impl<'t> Reader<'t, '_> {
             ..inner
         };
         self.members(element, &schema::PLACED, first, &mut own, &mut parts);
+        if let Some(before) = before {
+            self.reporter.instead(before);
+        }
         let lone = own.len() == 1;
         if let (Some(anchor), Some(attribute), count @ 2..) = (anchor, of.get("at"), own.len()) {
             let whole = self.reporter.with_gap(&attribute.range);
