@@ -106,7 +106,7 @@ pub fn check(
     let mut read = documents_noted(sources, world, options, noted, out);
     let parameters = |d: &mut Document| std::mem::take(&mut d.parameters);
     let parameters = read.documents.iter_mut().flat_map(parameters).collect();
-    let building = house::houses(&mut read, sources, world, options, out);
+    let building = house::houses(&mut read, (sources, false), world, options, out);
     let (included, catalog) = (read.included, read.catalog);
     #[cfg(feature = "models")]
     models::check_images(&building, world, &options.expand.limits, out);

@@ -256,6 +256,22 @@ fn a_folder_takes_a_model_for_each_text() {
 }
 
 #[test]
+fn files_that_are_checked_together_stand_apart() {
+    let folder = folder();
+    fs::write(folder.path().join("second.hsd"), SOUND).unwrap();
+    let output = hsd(folder.path(), &["check", "sound.hsd", "second.hsd"]);
+    assert_eq!(code(&output), 0);
+    assert!(!stdout(&output).contains("HSD0420"), "{}", stdout(&output));
+    let one = ["build", "sound.hsd", "second.hsd", "-o", "both.glb"];
+    let output = hsd(folder.path(), &one);
+    assert!(
+        stderr(&output).contains("HSD0420"),
+        "one scene: {}",
+        stderr(&output)
+    );
+}
+
+#[test]
 fn texts_of_one_scene_share_a_file() {
     let folder = folder();
     let beside = format!("30 0{}", &SOUND[3..]);

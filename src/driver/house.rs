@@ -216,12 +216,13 @@ impl Batch {
 /// Makes all houses of the documents, as [`each_house`] does.
 pub(super) fn houses(
     read: &mut Read,
-    sources: &[&Source],
+    (sources, together): (&[&Source], bool),
     world: &dyn World,
     options: &Options,
     out: &mut Diagnostics,
 ) -> Building {
     let mut houses = vec![];
+    let sources = (sources, together);
     let images = each_house(read, sources, world, options, out, &mut |built, _| {
         houses.push(built);
     });
@@ -230,10 +231,11 @@ pub(super) fn houses(
 
 /// Makes the houses of the documents on the threads of the current `rayon` pool and drops the syntax of each when it is
 /// expanded: while some are finished, those after them are. The id of an unnamed house is its index in its document.
-/// `each` receives them in their order, with the number of images found so far. Returns the images.
+/// `each` receives them in their order, with the number of images found so far. Returns the images. `together` is true if
+/// the sources make one scene, so that their houses must not stand in each other.
 pub(super) fn each_house(
     read: &mut Read,
-    sources: &[&Source],
+    (sources, together): (&[&Source], bool),
     world: &dyn World,
     options: &Options,
     out: &mut Diagnostics,
@@ -242,7 +244,7 @@ pub(super) fn each_house(
     let documents = std::mem::take(&mut read.documents);
     let catalog = &*read.catalog;
     let mut expansion = Expansion::new(documents, catalog, sources, world, &options.expand);
-    let mut grounds = Grounds::default();
+    let mut grounds = Grounds::new(together || sources.len() == 1);
     let mut next = expansion.batch(BATCH);
     while let Some(batch) = next {
         let images = expansion.images().len();

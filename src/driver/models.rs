@@ -52,7 +52,7 @@ pub fn inspect(
     let limits = &options.expand.limits;
     let images = house::each_house(
         &mut read,
-        sources,
+        (sources, false),
         world,
         options,
         out,
@@ -120,7 +120,7 @@ pub fn compile(
     });
     let mut found = Diagnostics::new();
     let mut building = timed(&mut times, "houses", || {
-        house::houses(&mut read, sources, world, options, &mut found)
+        house::houses(&mut read, (sources, true), world, options, &mut found)
     });
     let (included, catalog) = (read.included, read.catalog);
     match options.variants {

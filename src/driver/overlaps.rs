@@ -28,8 +28,12 @@ const CELLS: i64 = 64;
 const PAIRS: usize = 64;
 
 /// The ground storeys of the houses so far.
-#[derive(Debug, Default)]
-pub(super) struct Grounds(Vec<Ground>);
+#[derive(Debug)]
+pub(super) struct Grounds {
+    list: Vec<Ground>,
+    /// True if houses of different files stand in one scene.
+    together: bool,
+}
 
 /// The ground storey of a house, in the world.
 #[derive(Debug)]
@@ -100,9 +104,17 @@ impl Ground {
 }
 
 impl Grounds {
+    /// Creates the list for houses of one scene, or of files that are only checked together.
+    pub(super) fn new(together: bool) -> Grounds {
+        Grounds {
+            list: vec![],
+            together,
+        }
+    }
+
     /// Adds houses, in their order.
     pub(super) fn add(&mut self, grounds: impl IntoIterator<Item = Ground>) {
-        self.0.extend(grounds);
+        self.list.extend(grounds);
     }
 
     /// Reports the houses that stand in each other, each with the first one before it that it stands in.
@@ -118,8 +130,8 @@ impl Grounds {
         let mut cells: HashMap<(i64, i64), Vec<u32>> = HashMap::new();
         let mut large: Vec<u32> = vec![];
         // Ten thousand houses in one place are compared with some of the others only.
-        let mut pairs = PAIRS * self.0.len().max(4096);
-        for (number, ground) in self.0.iter().enumerate() {
+        let mut pairs = PAIRS * self.list.len().max(4096);
+        for (number, ground) in self.list.iter().enumerate() {
             let mut near: Vec<u32> = match ground.cells() {
                 Some(own) => own
                     .filter_map(|cell| cells.get(&cell))
@@ -135,8 +147,9 @@ impl Grounds {
             near.dedup();
             let mut own = None;
             let met = near.into_iter().find_map(|other| {
-                let other = &self.0[other as usize];
-                if !ground.meets(other) {
+                let other = &self.list[other as usize];
+                let beside = self.together || ground.span.file == other.span.file;
+                if !beside || !ground.meets(other) {
                     return None;
                 }
                 let own = own.get_or_insert_with(|| ground.area());

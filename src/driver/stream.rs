@@ -73,7 +73,7 @@ pub fn stream(
         scene: SceneBuilder::new(options.detail),
         library: Library::default(),
         counter: Counter::default(),
-        grounds: Grounds::default(),
+        grounds: Grounds::new(true),
         houses: 0,
         together: BATCH / 4,
         first: Span::default(),
