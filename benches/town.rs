@@ -31,7 +31,7 @@ struct Row {
     detail: Detail,
 }
 
-/// What a run took and made.
+/// The cost and the output of a run.
 struct Taken {
     processor: Duration,
     clock: Duration,
@@ -118,7 +118,7 @@ impl Row {
         );
     }
 
-    /// The fastest of some runs on so many threads.
+    /// Returns the fastest of several runs on a number of threads.
     fn run(&self, threads: usize) -> Taken {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         let pool = pool.expect("threads start");

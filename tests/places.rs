@@ -258,3 +258,17 @@ fn lengths_have_units() {
     assert_eq!(built(&house("270cm", "13尺", "33 shaku")), plain);
     assert_eq!(places(&house("2.7m", "2間", "33 shaku"))[0][0], 1000);
 }
+
+/// The default takes the place of a faulty value, so that nothing follows from it.
+#[test]
+fn a_faulty_parameter_is_reported_once() {
+    for (value, code) in [("{1 / 0}", 254), ("60", 259), ("{nothing}", 252)] {
+        let text = format!("<Houses><Place type='kura' width='{value}'/></Houses>");
+        let codes: Vec<u16> = compile("kura.hsd", text.as_bytes())
+            .diagnostics
+            .iter()
+            .map(|d| d.code.0)
+            .collect();
+        assert_eq!(codes, [code], "{value}");
+    }
+}

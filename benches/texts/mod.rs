@@ -205,7 +205,7 @@ pub fn facades(count: usize, aged: usize) -> String {
     houses + "</Houses>\n"
 }
 
-/// Parts for so many units.
+/// Returns parts that fill a number of units.
 fn row(units: usize, codes: &[&str], draw: &mut Draw) -> String {
     let (mut row, mut done) = (String::new(), 0);
     while done < units {

@@ -1,4 +1,4 @@
-//! Any bytes as the image of a part: it is shown, or the reason why not is told, and no image takes more memory than its limit
+//! Reads arbitrary bytes as the image of a part: it is shown or reported, and no image takes more memory than its limit
 //! allows.
 
 #![no_main]

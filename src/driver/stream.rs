@@ -21,7 +21,7 @@ use std::borrow::Cow;
 use std::io;
 use std::time::Duration;
 
-/// What is left of a run when its houses are gone.
+/// The result of a streamed run, whose houses have been handed on.
 #[derive(Debug)]
 pub struct Streamed {
     /// Files that the sources include, for reports.
@@ -164,8 +164,8 @@ impl Made {
 /// The bytes of meshes to make at a time.
 const BYTES: usize = 16 << 20;
 
-/// Returns the number of houses to make at a time from now on, where the last so many made so many bytes. It depends on
-/// houses alone, and no house depends on it.
+/// Returns the next number of houses to make at a time, from the number of the last ones and their bytes. It depends on houses
+/// alone, and no house depends on it.
 fn paced(together: usize, houses: usize, bytes: usize) -> usize {
     let each = bytes / houses.max(1);
     (BYTES / each.max(1)).min(2 * together).clamp(1, BATCH)

@@ -9,12 +9,12 @@ use crate::source::{Limits, Span};
 /// Steps of operations that one part of a limit allows for.
 const STEPS_A_PART: u64 = 10;
 
-/// What a storey, a row or floor, and a facade count as in the bound of a run, besides their parts.
+/// The weights of a storey, of a row or floor, and of a facade in the limit of a run, in addition to their parts.
 pub(super) const STOREY: u64 = 10;
 pub(super) const ROW: u64 = 3;
 pub(super) const FACADE: u64 = 5;
 
-/// What a house has used so far.
+/// The consumption of a house so far.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Spent {
     /// Parts, and one for whatever is empty.

@@ -1,6 +1,6 @@
 //! What both schemas have in common: which elements there are in which surroundings, and the names of types.
 
-use hsd::parse::schema::lengths;
+use hsd::parse::schema::lengths::{self, Measure};
 use hsd::parse::schema::{AttributeSchema, Content, ELEMENTS, Holds, Kind, ROOT, Schema};
 
 /// Surroundings in which anything may stand: those of `define`.
@@ -210,4 +210,18 @@ pub fn bounds(kind: Kind) -> Option<(&'static str, String, String)> {
 pub fn escape(text: &str) -> String {
     let text = text.replace('&', "&amp;").replace('<', "&lt;");
     text.replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// Asserts that a length has the unit that its explanation names.
+pub fn assert_measure(element: &str, attribute: &AttributeSchema, unit: &str) {
+    if !matches!(attribute.kind, Kind::Number(..) | Kind::Either(..)) {
+        return;
+    }
+    let measure = match unit {
+        "U" => Some(Measure::Units),
+        "shaku | 尺" => Some(Measure::Shaku),
+        "m" => Some(Measure::Metres),
+        _ => None,
+    };
+    assert_eq!(attribute.measure, measure, "{element} {}", attribute.name);
 }

@@ -4,7 +4,6 @@
 use crate::schema::model::{self, Place};
 use crate::schema::table::held;
 use hsd::parse::legacy;
-use hsd::parse::schema::lengths::Measure;
 use hsd::parse::schema::{AttributeSchema, Kind, Schema};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -242,15 +241,7 @@ impl Page<'_> {
 
     fn unit(&self, element: &str, schema: &AttributeSchema) -> String {
         let unit = self.explanations.of(element, schema.name, "unit");
-        if matches!(schema.kind, Kind::Number(..) | Kind::Either(..)) {
-            let measure = match unit.unwrap_or_default() {
-                "U" => Some(Measure::Units),
-                "shaku | 尺" => Some(Measure::Shaku),
-                "m" => Some(Measure::Metres),
-                _ => None,
-            };
-            assert_eq!(schema.measure, measure, "{element} {}", schema.name);
-        }
+        model::assert_measure(element, schema, unit.unwrap_or_default());
         match counts(schema.kind) {
             false => self.language.side(unit.unwrap_or_default()),
             true => {

@@ -3,7 +3,7 @@
 use super::fixes::{offer, removing};
 use super::language::{known, write};
 use crate::diagnostic::messages::words::quote;
-use crate::diagnostic::{Diagnostic, Edit};
+use crate::diagnostic::{Diagnostic, Edit, Text};
 use crate::source::Span;
 use crate::text;
 
@@ -143,6 +143,15 @@ pub fn use_with_content(span: Span, fix: Option<Vec<Edit>>) -> Diagnostic {
         "`use` cannot have content: it is replaced by the content of its `define`",
         "`use` の中には何も書けません。`define` の中身がその場所に入ります"
     );
+    replaced_with_content(span, message, fix)
+}
+
+/// Content of an element that is replaced.
+pub(super) fn replaced_with_content(
+    span: Span,
+    message: Text,
+    fix: Option<Vec<Edit>>,
+) -> Diagnostic {
     let found = Diagnostic::error(266, span, message).help(text!(
         "end it with `/>`, and move its content before or behind it",
         "`/>` で閉じ、中身は前か後ろに移してください"

@@ -2,7 +2,7 @@
 
 use super::fixes::{offer, removing};
 use super::language::{known, write};
-use super::pieces::{marked, names, path_end};
+use super::pieces::{marked, names, path_end, replaced_with_content};
 use crate::diagnostic::messages::words::quote;
 use crate::diagnostic::{Diagnostic, Edit};
 use crate::source::Span;
@@ -15,15 +15,7 @@ pub fn place_with_content(span: Span, fix: Option<Vec<Edit>>) -> Diagnostic {
         "`Place` cannot have content: it is replaced by the house that `type` names",
         "`Place` の中には何も書けません。`type` の建物がその場所に入ります"
     );
-    let found = Diagnostic::error(266, span, message).help(text!(
-        "end it with `/>`, and move its content before or behind it",
-        "`/>` で閉じ、中身は前か後ろに移してください"
-    ));
-    let title = text!("Move its content behind it", "中身を後ろに移す");
-    match fix {
-        Some(edits) => found.fix_all(title, edits),
-        None => found,
-    }
+    replaced_with_content(span, message, fix)
 }
 
 /// A house type that does not exist; `types` are the definitions and the types of the library.

@@ -100,7 +100,10 @@ impl<'a> Expander<'a, '_> {
         let at_run = matches!(given, Given::Run);
         let weights = self.weights(&of, scope);
         let drawn = self.drawn(&parameter, weights, parameter.span);
+        // In a placed house the default takes the place of a faulty value: its author wrote no wall that could miss a length.
+        let placed = !self.placed.is_empty();
         let value = self.given(&parameter, given, name.span);
+        let value = value.filter(|value| value.is_some() || !placed);
         parameter.value = value.unwrap_or_else(|| drawn.or_else(|| parameter.default.clone()));
         if parameter.value.is_none() && !written && !at_run {
             let span = self.uses.last().map_or(name.span, |u| u.span);

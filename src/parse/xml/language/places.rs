@@ -17,10 +17,13 @@ use crate::templates::{TYPES, Template};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+/// The parameters that a `Place` sets, with their values. `None` = an error was reported.
+type Arguments<'a> = BTreeMap<String, (Attribute<'a>, Option<Value>)>;
+
 /// The house that a `Place` is being replaced by.
 pub(super) struct Placed<'a> {
     /// The parameters that it sets and that have not been asked for yet.
-    arguments: BTreeMap<String, (Attribute<'a>, Option<Value>)>,
+    arguments: Arguments<'a>,
     /// The names of the parameters that the house has.
     known: Vec<String>,
     /// The attribute `type`, in whose place generated names stand.
@@ -213,16 +216,12 @@ impl<'a> Expander<'a, '_> {
     }
 
     /// Returns the attributes of a `Place` itself with their values, and those that are parameters.
-    #[expect(clippy::type_complexity)]
     fn attributes_of_place(
         &mut self,
         element: &Element<'a>,
         schema: &'static Schema,
         scope: &Scope<'a>,
-    ) -> (
-        Vec<Attribute<'a>>,
-        BTreeMap<String, (Attribute<'a>, Option<Value>)>,
-    ) {
+    ) -> (Vec<Attribute<'a>>, Arguments<'a>) {
         let (mut own, mut arguments) = (vec![], BTreeMap::new());
         for attribute in element.attributes.iter().filter(|a| !a.is_foreign()) {
             let mut attribute = attribute.clone();
