@@ -43,19 +43,21 @@ pub fn groups(roofs: &[Roof]) -> impl Iterator<Item = &[Roof]> {
 /// one closed solid: such a group becomes several.
 pub fn massive(roofs: &[Roof]) -> Option<Vec<Solid>> {
     roofs.iter().find(|r| r.attic.filled)?;
-    Some(sets(roofs.iter()))
+    Some(united(&roofs.iter().collect::<Vec<_>>()))
 }
 
 /// Returns the solids of some roofs, as one if that is possible.
-fn sets<'r>(roofs: impl Iterator<Item = &'r Roof> + Clone) -> Vec<Solid> {
-    if let Some(solids) = together(roofs.clone()) {
-        return solids;
-    }
+fn united(roofs: &[&Roof]) -> Vec<Solid> {
+    together(roofs).unwrap_or_else(|| sets(roofs, together))
+}
+
+/// Returns the solids of some roofs that cannot all become one, in as few sets as `together` allows.
+fn sets(roofs: &[&Roof], together: impl Fn(&[&Roof]) -> Option<Vec<Solid>>) -> Vec<Solid> {
     let mut sets: Vec<(Vec<&Roof>, Vec<Solid>)> = vec![];
-    for roof in roofs {
+    for &roof in roofs {
         let joined = sets.iter_mut().take(MOST_SETS).find_map(|set| {
-            let all = set.0.iter().copied().chain([roof]);
-            Some((together(all)?, set))
+            let all = [&set.0[..], &[roof]].concat();
+            Some((together(&all)?, set))
         });
         match joined {
             Some((solids, set)) => {
@@ -63,7 +65,7 @@ fn sets<'r>(roofs: impl Iterator<Item = &'r Roof> + Clone) -> Vec<Solid> {
                 set.1 = solids;
             }
             None => {
-                let own = together([roof]).unwrap_or_else(|| roof.solids.clone());
+                let own = together(&[roof]).unwrap_or_else(|| roof.solids.clone());
                 sets.push((vec![roof], own));
             }
         }
@@ -72,7 +74,7 @@ fn sets<'r>(roofs: impl Iterator<Item = &'r Roof> + Clone) -> Vec<Solid> {
 }
 
 /// Returns the solids of some roofs as one, if that is possible.
-fn together<'r>(roofs: impl IntoIterator<Item = &'r Roof>) -> Option<Vec<Solid>> {
+fn together(roofs: &[&Roof]) -> Option<Vec<Solid>> {
     let (mut parts, mut others) = (vec![], vec![]);
     for roof in roofs {
         let filled = roof.attic.filled;

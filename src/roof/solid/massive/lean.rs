@@ -17,7 +17,8 @@ use crate::ast::RoofShape;
 use crate::building::{Finish, Roof, Solid};
 use crate::check::{has_area, is_plane};
 use crate::roof::solid::massive::closed;
-use glam::DVec2;
+use crate::roof::solid::massive::merge::Polygon;
+use glam::{DVec2, DVec3};
 
 /// Roofs whose bounds are farther apart do not touch, metres.
 const APART: f64 = 1e-3;
@@ -30,37 +31,58 @@ pub fn lean(roofs: &[Roof]) -> Option<Vec<Solid>> {
     roofs.iter().find(|r| r.attic.filled)?;
     let mut solids = vec![];
     for part in apart(roofs) {
-        match direct(&part) {
-            Some(own) => solids.extend(own),
-            None => solids.extend(
-                super::sets(part.iter().copied())
-                    .into_iter()
-                    .filter(is_seen),
-            ),
-        }
+        solids.extend(divided(&part).into_iter().filter(is_seen));
     }
     Some(solids)
 }
 
-/// Returns the solids of some roofs, if they can be told without the general union.
-fn direct(roofs: &[&Roof]) -> Option<Vec<Solid>> {
+/// Returns the solids of some roofs, of each half by itself if the whole would touch itself along an edge.
+fn divided(roofs: &[&Roof]) -> Vec<Solid> {
+    match direct(roofs) {
+        Ok(solids) => solids,
+        Err(Refused::Touching) if roofs.len() > 1 => {
+            let (these, those) = roofs.split_at(roofs.len() / 2);
+            [divided(these), divided(those)].concat()
+        }
+        Err(_) => super::united(roofs),
+    }
+}
+
+/// Why roofs cannot become solids without the general union.
+enum Refused {
+    /// They meet in a way that only the general union knows.
+    Meeting,
+    /// They touch along an edge only, so that they cannot be one closed solid.
+    Touching,
+}
+
+/// Returns the solids of some roofs without the general union.
+fn direct(roofs: &[&Roof]) -> Result<Vec<Solid>, Refused> {
     // Verges of half-hips that meet other roofs end in the middle of slopes.
     if roofs.len() > 1 && roofs.iter().any(|r| r.shape == RoofShape::HalfHip) {
-        return None;
+        return Err(Refused::Meeting);
     }
+    let (points, faces) = bounds(roofs).ok_or(Refused::Meeting)?;
+    let solids = closed::bounded(&points, faces).ok_or(Refused::Touching)?;
+    let sound = |s: &Solid| s.faces.iter().all(|f| has_area(s, f) && is_plane(s, f));
+    match solids.iter().all(sound) {
+        true => Ok(solids),
+        false => Err(Refused::Meeting),
+    }
+}
+
+/// Returns the faces that bound some roofs, and their points.
+fn bounds(roofs: &[&Roof]) -> Option<(Vec<DVec3>, Vec<Polygon>)> {
     let pieces = settled::settle(pieces::pieces(roofs))?;
     let mut plan = plan::Plan::of(&pieces);
     for _ in 0..ROUNDS {
         plan.conform();
         let raised = plan.raised(&pieces)?;
-        if plan.split(&raised) {
-            continue;
+        if !plan.split(&raised) {
+            let patches = plan.patches(&pieces, &raised)?;
+            let faces = faces::merged(&raised.points, patches)?;
+            return Some((raised.points, faces));
         }
-        let patches = plan.patches(&pieces, &raised)?;
-        let faces = faces::merged(&raised.points, patches)?;
-        let solids = closed::bounded(&raised.points, faces)?;
-        let sound = |s: &Solid| s.faces.iter().all(|f| has_area(s, f) && is_plane(s, f));
-        return solids.iter().all(sound).then_some(solids);
     }
     None
 }
