@@ -8,6 +8,7 @@ mod era;
 mod fittings;
 mod frame;
 mod monuments;
+mod outline;
 mod parts;
 mod pieces;
 mod rare;
@@ -20,6 +21,7 @@ pub use fittings::{
 };
 pub use frame::{Anchor, Frame, PlacedBy, Placement};
 pub use monuments::{Gate, Given, Hall, Measures, Monument, Pagoda, Pair};
+pub use outline::{Hole, On, Outline, Points, SidePart, SideWall, Stand, Walls};
 pub use parts::{WrittenAttribute, WrittenBody, WrittenPart, attribute_value};
 pub use pieces::{CodeText, Half, Part, Piece, Split};
 pub use rare::{Rare, Usual};
@@ -70,6 +72,9 @@ pub struct House {
     pub heights: Vec<Spanned<f64>>,
     /// Storeys from the ground up.
     pub storeys: Vec<Item<Storey>>,
+    /// The outline of storeys without rows, if it is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outline: Option<Box<Outline>>,
     /// Walls given facade by facade (the `Structure` of 003), if the house is written that way.
     pub structures: Vec<Structure>,
     /// The monument, if the house is written as one element.
@@ -190,6 +195,9 @@ pub struct Storey {
     pub order: Order,
     /// Rows that stand in the storey itself form one loop; further ones are courtyards or wings.
     pub loops: Vec<Loop>,
+    /// What stands on the sides of the house's outline.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub walls: Option<Box<Walls>>,
     /// `random` and `replace` directly in the storey: edits of all its rows.
     pub edits: Vec<Edit>,
 }

@@ -15,6 +15,7 @@ use crate::source::{Limits, Source, Span, Spanned, World};
 use bounds::{Bounds, Repeated, Spent};
 use codes::Codes;
 use edits::Operation;
+use outline::Surveyed;
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
@@ -26,9 +27,8 @@ mod floors;
 mod lists;
 mod monuments;
 mod images;
-mod random;
+mod outline;
 mod repeat;
-mod replace;
 mod roofs;
 mod rows;
 mod split;
@@ -198,9 +198,10 @@ impl<'a, 'c> Pass<'a, 'c> {
         let unit = unit.and_then(positive).unwrap_or(UNIT);
         self.given_pictures(house);
         let mut draft = self.monument(house, unit);
+        let mut surveyed = self.survey(house, unit);
         let mut storeys = match &mut draft {
             Some(draft) => self.own_parts(std::mem::take(&mut draft.storeys)),
-            None => self.all_storeys(house, place, unit),
+            None => self.all_storeys(house, place, unit, surveyed.as_mut()),
         };
         monuments::share(&mut storeys, &house.fittings, draft.is_some());
         if self.over {
@@ -231,8 +232,10 @@ impl<'a, 'c> Pass<'a, 'c> {
             age: self.age(settings, place),
             roofs: roofs::roofs(&house.roofs).into(),
         };
-        if let Some(draft) = draft {
-            monuments::furnish(&mut made, draft);
+        match (draft, surveyed) {
+            (Some(draft), _) => monuments::furnish(&mut made, draft),
+            (None, Some(surveyed)) => surveyed.stand(&mut made),
+            (None, None) => {}
         }
         Some(made)
     }
@@ -253,8 +256,14 @@ impl<'a, 'c> Pass<'a, 'c> {
         })
     }
 
-    fn all_storeys(&mut self, house: &ast::House, place: Place, unit: f64) -> Vec<Storey> {
-        let mut storeys = self.storeys(house, place);
+    fn all_storeys(
+        &mut self,
+        house: &ast::House,
+        place: Place,
+        unit: f64,
+        surveyed: Option<&mut Surveyed>,
+    ) -> Vec<Storey> {
+        let mut storeys = self.storeys(house, place, surveyed);
         if let Some(structure) = house.structures.first().filter(|_| !storeys.is_empty()) {
             let span = self.head(structure.span);
             self.out

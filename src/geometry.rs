@@ -6,6 +6,7 @@
 //! (x, y) the same walk turns counter-clockwise, so its signed area is positive.
 
 pub(crate) mod convex;
+pub mod outline;
 pub mod overlap;
 pub mod plan;
 pub mod tolerance;

@@ -20,7 +20,7 @@ use crate::ast::{Anchor, StoreyKind};
 use crate::building::{House, Ring, Shell, Storey};
 use crate::diagnostic::{Diagnostics, messages::plan};
 use crate::geometry::{Heading, SHAKU};
-use crate::program::{self, Program};
+use crate::program::{self, Drawn, Program};
 use glam::{DVec2, dvec2};
 
 /// Places the walls of all houses, one after another.
@@ -106,14 +106,14 @@ fn lower_storey(loops: Vec<program::Loop>, unit: f64, out: &mut Diagnostics) -> 
     let mut rings = Vec::with_capacity(loops.len());
     let mut facade = 0;
     for walk in loops {
-        let (ring, inner) = (walk.ring, walk.inner);
+        let (drawn, inner) = (walk.drawn, walk.inner);
         let mut walked = walk::walk(walk, &mut facade);
         if walked.walls.is_empty() {
             out.push(plan::no_wall(walked.span));
             continue;
         }
-        let closed = !inner && close::close(&mut walked, ring, out);
-        if closed {
+        let closed = !inner && close::close(&mut walked, drawn, out);
+        if closed && drawn != Drawn::Outline {
             square::square(&mut walked, unit, out);
         }
         rings.push(Ring {

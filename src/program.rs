@@ -132,12 +132,23 @@ pub struct Loop {
     pub hole: bool,
     /// True if it is a wall inside the storey, which does not close.
     pub inner: bool,
-    /// True if its lines are facades of a ring: a small closing error is distributed, not reported.
-    pub ring: bool,
+    /// What its lines come from.
+    pub drawn: Drawn,
     /// Start point (a, b) in U.
     pub start: (f64, f64),
     /// Wall lines in walk order.
     pub lines: Vec<WallLine>,
+}
+
+/// What the lines of a walk come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Drawn {
+    /// Rows, which close exactly unless their angles are measured.
+    Rows,
+    /// The facades of a ring: a small closing error is distributed, not reported.
+    Facades,
+    /// The sides of an outline, which is closed, and squared as far as it may be.
+    Outline,
 }
 
 /// One wall line, then a turn.

@@ -18,6 +18,7 @@ const PAGES: &str = "grammar/diagnostics";
 const WITHOUT_FIXTURE: &[(u16, &str)] = &[
     (8, "a file that is not there: tests/cli"),
     (260, "a parameter of the command line: tests/language"),
+    (281, "more than 10,000 corners: tests/outlines.rs"),
     (330, "a file of parts without any: tests/catalogs.rs"),
     (331, "more than 65,534 parts: tests/catalogs.rs"),
     (601, "a file that cannot be read: tests/pictures.rs"),
@@ -48,6 +49,7 @@ const WITHOUT_EXAMPLE: &[(u16, &str)] = &[
     (269, "the files are several"),
     (270, "the files are several"),
     (272, "the pictures are not there"),
+    (281, "the corners are too many to print"),
     (319, "the pictures are not there"),
     (330, "the files are several"),
     (331, "the parts are too many to print"),

@@ -5,7 +5,7 @@ use hsd::building::{Ring, Shell};
 use hsd::catalog::PartId;
 use hsd::diagnostic::{Diagnostics, Severity};
 use hsd::lower::lower;
-use hsd::program::{Content, House, Loop, Program, Roofs, Storey, Unit, WallLine};
+use hsd::program::{Content, Drawn, House, Loop, Program, Roofs, Storey, Unit, WallLine};
 use hsd::source::{FileId, Span};
 
 /// A unit of that width: a part, or a void below zero.
@@ -69,7 +69,7 @@ fn walk(text: &str) -> Loop {
         span: all,
         hole: false,
         inner: false,
-        ring: false,
+        drawn: Drawn::Rows,
         start: (0.0, 0.0),
         lines: lines(text),
     }
@@ -267,7 +267,7 @@ fn courtyards_lie_inside() {
 #[test]
 fn rings_of_facades_spread_a_small_error() {
     let facades = |text| Loop {
-        ring: true,
+        drawn: Drawn::Facades,
         ..walk(text)
     };
     let (shell, said) = lowered(vec![vec![facades("10R 5R 10.1R 5R")]]);
@@ -302,7 +302,7 @@ fn rings_of_facades_spread_a_small_error() {
 #[test]
 fn spread_rings_are_exact_whatever_their_shape() {
     let facades = |text: &str| Loop {
-        ring: true,
+        drawn: Drawn::Facades,
         ..walk(text)
     };
     let l = "6.01R 4R 3R 2.02L 3R 2R";

@@ -35,6 +35,7 @@ mod fixes;
 mod mistakes;
 mod monuments;
 mod order;
+mod outlines;
 mod parse_legacy;
 mod parse_legacy_robust;
 mod parse_xml;

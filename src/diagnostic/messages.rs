@@ -6,6 +6,7 @@ pub mod file;
 pub mod fittings;
 pub mod legacy;
 pub mod limits;
+pub mod outline;
 pub mod parts;
 pub mod pictures;
 pub mod plan;

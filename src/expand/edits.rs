@@ -1,6 +1,9 @@
 //! `random` and `replace` as edits: both act on the fully expanded row of the
 //! enclosing element, including the halves of splits, and change its units (docs/contract.md 3).
 
+mod random;
+mod replace;
+
 use super::Pass;
 use super::codes::{Found, Mode, Which};
 use crate::ast::{Random, Replace};

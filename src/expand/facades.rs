@@ -11,7 +11,7 @@ use super::{Pass, bounds, positive};
 use crate::ast::{self, Order, StoreyKind};
 use crate::diagnostic::messages::parts as say;
 use crate::geometry::{SAME, SHAKU};
-use crate::program::{Content, Loop, Storey, Unit, WallLine};
+use crate::program::{Content, Drawn, Loop, Storey, Unit, WallLine};
 use crate::rng::Place;
 use crate::source::{Span, Spanned};
 
@@ -266,7 +266,7 @@ fn ring(structure: &ast::Structure, walls: &mut [Wall<'_>], storey: usize) -> Lo
         span: structure.span,
         hole: false,
         inner: false,
-        ring: true,
+        drawn: Drawn::Facades,
         start: (0.0, 0.0),
         lines,
     }

@@ -2,11 +2,12 @@
 
 use super::codes::Mode;
 use super::edits::{EditRef, Strip, numbered};
+use super::outline::Surveyed;
 use super::repeat::storey_edits;
 use super::{Pass, bounds, positive};
 use crate::ast;
 use crate::diagnostic::messages::parts as say;
-use crate::program::{Loop, Storey, WallLine};
+use crate::program::{Drawn, Loop, Storey, WallLine};
 use crate::rng::Place;
 use crate::source::Spanned;
 
@@ -20,12 +21,26 @@ const STOREYS: u64 = 0x300;
 
 impl Pass<'_, '_> {
     /// Returns all storeys, without repetitions. `place` is the house's place in the keys of random choices.
-    pub(super) fn storeys(&mut self, house: &ast::House, place: Place) -> Vec<Storey> {
-        let flat = self.flatten(&house.storeys, STOREYS);
+    pub(super) fn storeys(
+        &mut self,
+        house: &ast::House,
+        place: Place,
+        mut surveyed: Option<&mut Surveyed>,
+    ) -> Vec<Storey> {
+        // An outline alone is a house of one storey.
+        let bare = house.outline.as_ref().map(|outline| ast::Storey {
+            span: outline.span,
+            ..ast::Storey::default()
+        });
+        let mut flat = self.flatten(&house.storeys, STOREYS);
+        if flat.ones.is_empty() {
+            flat.ones.extend(bare.as_ref());
+        }
         let mut storeys = vec![];
         for (index, storey) in flat.ones.iter().enumerate() {
             let height = house.heights.get(index);
-            storeys.push(self.storey(storey, height, place.at(index as u64)));
+            let surveyed = surveyed.as_deref_mut();
+            storeys.push(self.storey(storey, height, place.at(index as u64), surveyed));
             if self.stopped() {
                 return storeys;
             }
@@ -45,6 +60,7 @@ impl Pass<'_, '_> {
         storey: &ast::Storey,
         header: Option<&Spanned<f64>>,
         place: Place,
+        surveyed: Option<&mut Surveyed>,
     ) -> Storey {
         self.charge(u64::from(storey.loops.is_empty()), storey.span);
         self.charge_frame(bounds::STOREY, storey.span);
@@ -63,11 +79,14 @@ impl Pass<'_, '_> {
                 span: walk.span,
                 hole: walk.hole,
                 inner: walk.inner,
-                ring: false,
+                drawn: Drawn::Rows,
                 start: self.start(walk, storey, index),
                 lines,
             });
         }
+        let outlined = self.outlined(storey, surveyed, place);
+        let rings = outlined.len();
+        made.loops.extend(outlined);
         for (edit, ordinal) in numbered(storey_edits(&storey.edits)) {
             self.edit_storey(edit, (STOREY << 32) | ordinal, &mut made, place);
         }
@@ -77,6 +96,7 @@ impl Pass<'_, '_> {
             let walk = walks.next();
             walk.is_none_or(|walk| !walk.hole || walk.start.is_some())
         });
+        made.loops.rotate_right(rings);
         made
     }
 

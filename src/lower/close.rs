@@ -5,6 +5,7 @@ use super::walk::Walk;
 use crate::building::Wall;
 use crate::diagnostic::{Diagnostics, Edit, messages::plan};
 use crate::geometry::{SAME, area2};
+use crate::program::Drawn;
 use crate::source::Span;
 use glam::{DVec2, dvec2};
 use std::ops::Range;
@@ -20,7 +21,8 @@ const OPEN_TURNS: f64 = 180.0;
 const LARGEST: f64 = 100_000.0;
 
 /// Checks a walk, spreads a small closing error, and returns whether the walk bounds an area.
-pub(super) fn close(walk: &mut Walk, ring: bool, out: &mut Diagnostics) -> bool {
+pub(super) fn close(walk: &mut Walk, drawn: Drawn, out: &mut Diagnostics) -> bool {
+    let ring = drawn != Drawn::Rows;
     if let Some(far) = walk
         .walls
         .iter()
@@ -45,7 +47,8 @@ pub(super) fn close(walk: &mut Walk, ring: bool, out: &mut Diagnostics) -> bool 
         report_gap(walk, ring, gap, length, out);
         return false;
     }
-    if !turns_close(walk, out) {
+    // An outline that is more than one circle crosses itself, which says more.
+    if drawn != Drawn::Outline && !turns_close(walk, out) {
         return false;
     }
     if gap.length() > 0.0 {

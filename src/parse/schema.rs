@@ -2,12 +2,15 @@
 //! unknown words, wrong places and values come from these tables; the schemas in `grammar/schema` and the reference are
 //! generated from them.
 
-mod attributes;
+pub(in crate::parse) mod attributes;
+mod contents;
 mod kinds;
 pub mod lengths;
 pub(in crate::parse) mod vocabulary;
 
 use attributes as bear;
+pub(in crate::parse) use contents::*;
+pub use contents::{Content, ROOT};
 pub use kinds::{AttributeSchema, Kind};
 
 /// An element of the language.
@@ -17,7 +20,13 @@ pub(in crate::parse) enum Tag {
     Group,
     Place,
     House,
+    Outline,
+    Hole,
     Storey,
+    Walls,
+    SideWall,
+    Fill,
+    Door,
     Loop,
     Row,
     Part,
@@ -113,25 +122,6 @@ pub enum Holds {
     Choices,
 }
 
-/// Content that is allowed in a place.
-#[derive(Debug)]
-pub struct Content {
-    /// Its name.
-    pub name: &'static str,
-    pub(in crate::parse) tags: &'static [Tag],
-    /// True if text is read as codes there.
-    pub text: bool,
-    /// The content of a `repeat` there, if it differs.
-    again: Option<&'static Content>,
-}
-
-impl Content {
-    /// Returns true if it allows neither elements nor text.
-    pub fn is_nothing(&self) -> bool {
-        self.name == NOTHING.name
-    }
-}
-
 impl Schema {
     /// Returns the attribute of a name.
     pub fn attribute(&self, name: &str) -> Option<&'static AttributeSchema> {
@@ -184,18 +174,6 @@ impl Schema {
     }
 }
 
-impl Content {
-    /// Returns the elements allowed there, excluding those of the language.
-    pub fn elements(&self) -> impl Iterator<Item = &'static Schema> + use<'_> {
-        ELEMENTS.iter().filter(|e| self.tags.contains(&e.tag))
-    }
-
-    /// Returns the content of a `repeat` there.
-    pub fn repeated(&'static self) -> &'static Content {
-        self.again.unwrap_or(self)
-    }
-}
-
 const fn element(
     tag: Tag,
     name: &'static str,
@@ -232,8 +210,20 @@ pub static ELEMENTS: &[Schema] = &[
         ["a house that is written elsewhere, at a place of its own", "別の場所に書いた建物を、この位置に置く"]),
     element(Tag::House, "House", bear::HOUSE, Only(&HOUSE), "`Houses` or `Group`, or is the outermost element",
         ["a house: storeys or facades from the ground up, then roofs", "建物。下の階から順に書き、最後に屋根を書く"]),
+    element(Tag::Outline, "Outline", bear::OUTLINE, Only(&OUTLINE), "`House`",
+        ["the outline of the house in metres: the walls of every storey without rows of its own", "メートルで測った建物の輪郭。行の無い階の壁になる"]),
+    element(Tag::Hole, "Hole", bear::HOLE, Only(&NOTHING), "`Outline`",
+        ["a court in the outline", "輪郭の中の中庭"]),
     element(Tag::Storey, "Storey", bear::STOREY, Only(&STOREY), "`House`",
         ["a storey; the rows right in it are one closed walk", "階。直下の行がひと回りの壁になる"]),
+    element(Tag::Walls, "Walls", bear::WALLS, Only(&WALLS), "`Storey`",
+        ["what stands on the sides of the outline, in place of rows", "輪郭の各辺に立つもの。行の代わりに書く"]),
+    element(Tag::SideWall, "Side", bear::SIDE_WALL, Only(&SIDE_WALL), "`Walls`",
+        ["the wall of all sides of a kind: its first parts, `fill`, its last parts", "同じ種類の辺の壁。始めの部材、`fill`、終わりの部材"]),
+    element(Tag::Fill, "fill", &[], Only(&PIECES), "`Side`",
+        ["parts that are repeated, and stretched by up to 8 per cent, until the side is full", "辺が埋まるまで繰り返す部材。幅は8%まで伸び縮みする"]),
+    element(Tag::Door, "door", &[], Only(&PIECES), "`Side`",
+        ["parts that stand once in the house, on the front if it is such a side", "建物に一度だけ置く部材。正面がその種類の辺なら正面に置く"]),
     element(Tag::Loop, "Loop", bear::LOOP, Only(&ROWS), "`Storey`",
         ["a closed walk of its own: a courtyard, or a wall inside", "独立したひと回りの壁。中庭や内側の壁"]),
     element(Tag::Row, "Row", bear::ROW, Only(&PIECES), "`Storey` or `Loop`",
@@ -305,128 +295,6 @@ pub static ELEMENTS: &[Schema] = &[
     element(Tag::PartDef, "PartDef", bear::PART_DEF, Shapes, "`Catalog`, `House` or `Houses`",
         ["a part of one's own, from elements of shape and changes of its base", "自分の部材。形の要素と base の変更で作る"]),
 ];
-
-const fn content(name: &'static str, tags: &'static [Tag]) -> Content {
-    Content {
-        name,
-        tags,
-        text: false,
-        again: None,
-    }
-}
-
-/// Content in which a `repeat` contains something else.
-const fn repeating(again: &'static Content, name: &'static str, tags: &'static [Tag]) -> Content {
-    Content {
-        again: Some(again),
-        ..content(name, tags)
-    }
-}
-
-/// The elements that may be outermost.
-pub static ROOT: Content = content(
-    "root",
-    &[Tag::House, Tag::Houses, Tag::Structure, Tag::Catalog],
-);
-pub(in crate::parse) static HOUSES: Content = content(
-    "houses",
-    &[
-        Tag::House,
-        Tag::Group,
-        Tag::Place,
-        Tag::Repeat,
-        Tag::Random,
-        Tag::PartDef,
-    ],
-);
-/// What a `Place` has become when the document is read.
-pub(in crate::parse) static PLACED: Content = content(
-    "placed",
-    &[Tag::House, Tag::Group, Tag::Place, Tag::PartDef],
-);
-pub(in crate::parse) static HOUSE: Content = repeating(
-    &STOREYS,
-    "house",
-    &[
-        Tag::Storey,
-        Tag::Repeat,
-        Tag::Random,
-        Tag::Replace,
-        Tag::Structure,
-        Tag::Texture,
-        Tag::Roofs,
-        Tag::Platform,
-        Tag::Posts,
-        Tag::Brackets,
-        Tag::Finial,
-        Tag::Pagoda,
-        Tag::Gate,
-        Tag::Hall,
-        Tag::Shrine,
-        Tag::PartDef,
-    ],
-);
-pub(in crate::parse) static STOREYS: Content = content(
-    "storeys",
-    &[Tag::Storey, Tag::Repeat, Tag::Random, Tag::Replace],
-);
-pub(in crate::parse) static STOREY: Content = repeating(
-    &ROWS,
-    "storey",
-    &[
-        Tag::Row,
-        Tag::Loop,
-        Tag::Repeat,
-        Tag::Random,
-        Tag::Replace,
-        Tag::Posts,
-        Tag::Veranda,
-        Tag::Brackets,
-    ],
-);
-pub(in crate::parse) static ROWS: Content =
-    content("rows", &[Tag::Row, Tag::Repeat, Tag::Random, Tag::Replace]);
-pub(in crate::parse) static PIECES: Content = Content {
-    name: "pieces",
-    tags: &[
-        Tag::Part,
-        Tag::Repeat,
-        Tag::Split,
-        Tag::Random,
-        Tag::Replace,
-    ],
-    text: true,
-    again: None,
-};
-/// A floor may hold its base row as a `Row` too (docs/evidence.md 8).
-pub(in crate::parse) static FLOOR: Content = Content {
-    name: "floor",
-    tags: &[
-        Tag::Part,
-        Tag::Repeat,
-        Tag::Split,
-        Tag::Random,
-        Tag::Replace,
-        Tag::Row,
-    ],
-    text: true,
-    again: Some(&PIECES),
-};
-pub(in crate::parse) static SPLIT: Content = content("split", &[Tag::Upper, Tag::Lower]);
-pub(in crate::parse) static STRUCTURE: Content =
-    content("structure", &[Tag::Facades, Tag::Texture]);
-pub(in crate::parse) static FACADES: Content = content(
-    "facades",
-    &[Tag::Facade, Tag::Repeat, Tag::Random, Tag::Replace],
-);
-pub(in crate::parse) static FACADE: Content = content(
-    "facade",
-    &[Tag::Floor, Tag::Repeat, Tag::Random, Tag::Replace],
-);
-pub(in crate::parse) static ROOFS: Content = content("roofs", &[Tag::Roof]);
-/// Definitions that only other files use.
-pub(in crate::parse) static DEFINITIONS: Content = content("definitions", &[Tag::PartDef]);
-pub(in crate::parse) static NOTHING: Content = content("nothing", &[]);
 
 /// Returns the element of a name.
 pub fn named(name: &str) -> Option<&'static Schema> {

@@ -21,7 +21,9 @@ use raw::{Element, RawNode};
 const WIDTH: usize = 100;
 
 /// Elements whose text is codes of five columns.
-const HOLDS_CODES: [&str; 5] = ["Row", "Floor", "split", "upper", "lower"];
+const HOLDS_CODES: [&str; 8] = [
+    "Row", "Floor", "Side", "fill", "door", "split", "upper", "lower",
+];
 
 /// Formats a source file with these line ends; `None` if it is not well-formed. Line breaks in values and in CDATA
 /// sections stay as they are.

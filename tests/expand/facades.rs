@@ -5,7 +5,7 @@ use crate::support::Words;
 use hsd::ast::{Facade, House, Item, StoreyKind, Texture};
 use hsd::expand::Options;
 use hsd::geometry::SHAKU;
-use hsd::program::{Content, Program};
+use hsd::program::{Content, Drawn, Program};
 use hsd::source::NoFiles;
 
 const U: f64 = 3.0 * SHAKU;
@@ -54,7 +54,7 @@ fn figure_4_compiles_as_printed() {
     assert_eq!(storeys.len(), 10);
     for (index, storey) in storeys.iter().enumerate() {
         let made = &storey.loops[0];
-        assert!(made.ring && made.lines.len() == 1 && made.lines[0].reflection);
+        assert!(made.drawn == Drawn::Facades && made.lines.len() == 1 && made.lines[0].reflection);
         assert_eq!(storey.height, 11.55);
         let wide = width(&made.lines[0].units) * U;
         assert!((wide - 10.0).abs() < 1e-9, "storey {index}: {wide} m");

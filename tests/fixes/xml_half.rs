@@ -19,6 +19,7 @@ pub(super) const WITHOUT_FIX: &[(u16, &str)] = &[
     (272, "the picture is out of reach"),
     (275, "what may be drawn is the author's"),
     (278, "which house is meant, only the author knows"),
+    (280, "the corner is the author's"),
     (324, "which of the parts has another base is the author's"),
     (329, "which count to lower is the author's"),
     (604, "the picture is not there"),

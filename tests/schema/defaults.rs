@@ -14,6 +14,10 @@ const HOSTS: &[(&[&str], &str)] = &[
          <Row>KSK  KSK  KSK</Row><Row>KSK  KSK  KSK  KSK</Row><Row>KSK  KSK  KSK</Row><Posts/><Veranda/><Brackets/></Storey><Roofs/></House>",
     ),
     (
+        &["Outline", "Walls", "Side"],
+        "<House><Outline points=\"0 0, 5 0, 5 4, 0 4\"/><Storey><Walls><Side><fill>KSK  MRE</fill></Side></Walls></Storey></House>",
+    ),
+    (
         &["Loop"],
         "<House><Storey><Loop><Row>KSK  KSK  KSK</Row><Row>KSK  KSK</Row><Row>KSK  KSK  KSK</Row><Row>KSK  KSK</Row></Loop>
          </Storey></House>",

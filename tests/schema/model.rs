@@ -145,6 +145,7 @@ pub fn kind_name(attribute: &AttributeSchema) -> String {
         Kind::Pair(..) => "pair".into(),
         Kind::WholePair(..) => "whole_pair".into(),
         Kind::Point(..) => "point".into(),
+        Kind::Points(..) => "points".into(),
         Kind::YesNo => "yes_no".into(),
         Kind::Choice(words) => format!("one_of_{}", words.join("_")),
         Kind::Choices(words) => format!("some_of_{}", words.join("_")),
@@ -177,6 +178,11 @@ pub fn pattern(attribute: &AttributeSchema) -> Option<String> {
         Kind::Pair(..) => padded(&format!("{NUMBER}({BETWEEN}{NUMBER})?")),
         Kind::WholePair(..) => padded(&format!(r"\+?[0-9]+({BETWEEN}\+?[0-9]+)?")),
         Kind::Point(..) => padded(&format!("{NUMBER}{BETWEEN}{NUMBER}")),
+        Kind::Points(..) => {
+            const BREAK: &str = "[ ,;、\\s]+";
+            let pair = format!("{NUMBER}{BREAK}{NUMBER}");
+            padded(&format!("{pair}({BREAK}{pair})*"))
+        }
         Kind::Choices(words) => list(&format!("({})", words.join("|"))),
         Kind::Positions => list("0*[1-9][0-9]*(-0*[1-9][0-9]*)?"),
         _ => return None,

@@ -16,6 +16,7 @@ use std::path::{Path, PathBuf};
 
 pub mod cpu;
 pub mod depths;
+pub mod maps;
 pub mod shapes;
 pub mod view;
 

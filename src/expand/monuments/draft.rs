@@ -6,7 +6,7 @@ use crate::ast::{
 };
 use crate::catalog::Catalog;
 use crate::geometry::STEPS;
-use crate::program::{Content, Loop, Split, Storey, Unit, WallLine};
+use crate::program::{Content, Drawn, Loop, Split, Storey, Unit, WallLine};
 use crate::source::{Span, Spanned};
 
 /// The part of a bay, and the bay's width in shaku.
@@ -137,7 +137,7 @@ impl<'c> Draft<'c> {
             span: self.span,
             hole: false,
             inner,
-            ring: false,
+            drawn: Drawn::Rows,
             start,
             lines,
         }

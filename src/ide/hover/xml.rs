@@ -223,6 +223,11 @@ fn form(kind: Kind) -> Option<Text> {
         )
         .into(),
         Kind::Point(..) => noun("two numbers: a and b", "ふたつの数値 a、b").into(),
+        Kind::Points(..) => noun(
+            "corners: two numbers each, divided by commas",
+            "コンマで区切った隅。数値ふたつずつ",
+        )
+        .into(),
         Kind::YesNo => noun("`yes` or `no`", "`yes` か `no`").into(),
         Kind::Choice(words) => list(words).into(),
         Kind::Choices(words) => {

@@ -185,7 +185,7 @@ impl<'a> Sheet<'a> {
         let mut row = match self.home(&place) {
             Some(Home::Line(line)) => self.line(line),
             Some(Home::Element(element)) => self.element(element),
-            None => return fixed(Reason::Monument),
+            None => return fixed(self.made_by(place.start)),
         };
         let matched = self.match_units(&mut row, wall);
         row.fixed = row.fixed.or(matched.err());
@@ -216,7 +216,7 @@ impl<'a> Sheet<'a> {
         let fixed = beside.clone().find_map(|w| rows[w].fixed);
         let own = rows[wall]
             .fixed
-            .filter(|r| matches!(r, Reason::Include | Reason::Monument));
+            .filter(|r| matches!(r, Reason::Include | Reason::Monument | Reason::Outline));
         let right = |w: usize| {
             ring.walls[w]
                 .direction
@@ -318,6 +318,15 @@ impl<'a> Sheet<'a> {
         let own = &self.outline.elements[element];
         let row = own.range.start == place.start && matches!(name(own), "Row" | "Floor");
         row.then_some(Home::Element(element))
+    }
+
+    /// Returns the reason why what comes from no line cannot be changed: the element here that it comes from.
+    pub(in crate::ide) fn made_by(&self, at: usize) -> Reason {
+        let element = self.outline.element_at(at);
+        match element.map(|e| name(&self.outline.elements[e])) {
+            Some("Outline" | "Hole" | "Walls" | "Side") => Reason::Outline,
+            _ => Reason::Monument,
+        }
     }
 
     /// Returns true if the line has reported syntax errors. Full-width characters are read as their plain equivalents.

@@ -181,7 +181,7 @@ pub(in crate::ide) fn storey_fixed(sheet: &Sheet<'_>, storey: &Storey) -> Option
         Some(element) if matches!(name(&sheet.outline.elements[element]), "Storey" | "Floor") => {
             sheet.around_fixed(element)
         }
-        _ => Some(Reason::Monument),
+        _ => Some(sheet.made_by(at)),
     }
 }
 

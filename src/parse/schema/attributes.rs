@@ -2,7 +2,8 @@
 
 use crate::ast::{Era, FinialKind, Paint, RoofMethod, RoofShape};
 use crate::parse::schema::kinds::Kind::{
-    Choice, Choices, Either, Number, Numbers, Pair, Point, Positions, Text, Whole, WholePair, YesNo,
+    Choice, Choices, Either, Number, Numbers, Pair, Point, Points, Positions, Text, Whole,
+    WholePair, YesNo,
 };
 use crate::parse::schema::kinds::{AttributeSchema, Kind, join, may, must, words};
 use crate::parse::schema::vocabulary;
@@ -37,6 +38,11 @@ const STEPS: Kind = Whole(0, 4);
 const SPAN: Kind = Number(0.1, 1000.0);
 /// The bound on repetitions.
 const MANY: u64 = 10_000_000;
+
+/// The bound on corners of an outline; each is compared with all others.
+pub(in crate::parse) const CORNERS_MOST: u64 = 10_000;
+/// Corners of an outline, metres.
+const CORNERS: Kind = Points(-FAR, FAR);
 
 const STOREYS: Kind = Choice(&words(&vocabulary::STOREY_KINDS));
 const PAINT: Kind = Choice(&words(&Paint::ALL));
@@ -88,6 +94,28 @@ pub(super) const STOREY: &[AttributeSchema] = &[
     may("height", SIZE, "9", "from its floor to the next, shaku", "階高(尺)").shaku(),
     may("start", PLACE, "0 0", "where its walk starts, units to the left and back from the house's origin", "歩き始めの位置。原点から左へ、奥へ(ユニット)"),
     may("kind", STOREYS, "storey", "a `parapet` stands on the storey below and bears no roof of its own", "`parapet` は下の階に載る胸壁で、屋根を持たない"),
+];
+#[rustfmt::skip]
+pub(super) const OUTLINE: &[AttributeSchema] = &[
+    must("points", CORNERS, "its corners `e n, e n, ...`: metres east and north of the house's place, in either direction", "隅の列 `e n, e n, ...`。建物の位置から東へ、北へ(m)。向きは問わない"),
+    may("square", Either(&["no"], 0.0, 100.0), "0.3", "how far corners may move to make the walls square, metres; `no` leaves them where they are", "壁を直角に直すために隅が動いてよい距離(m)。`no` なら動かさない").metres(),
+    may("join", Number(0.0, 100.0), "0.3", "how far walls may move onto the line of another, so that no roof is a narrow strip, metres", "細長い屋根ができないよう、壁がほかの壁の線に寄ってよい距離(m)").metres(),
+    may("front", Whole(1, CORNERS_MOST), "", "number of the side that is the first line: side 1 runs from the first corner to the second; without, the longest side on a street, or the southernmost", "正面になる辺の番号。辺 1 は最初の隅から次の隅まで。無ければ通りに面したいちばん長い辺か、いちばん南の辺"),
+    may("street", Positions, "", "numbers of the sides on streets, such as `1,3-4`; the front without", "通りに面した辺の番号。`1,3-4` のように書く。無ければ正面"),
+    may("neighbour", Positions, "", "numbers of the sides on which a neighbour stands", "隣の建物に接する辺の番号"),
+];
+#[rustfmt::skip]
+pub(super) const HOLE: &[AttributeSchema] = &[
+    must("points", CORNERS, "its corners, as those of the outline", "隅の列。輪郭と同じ書き方"),
+];
+#[rustfmt::skip]
+pub(super) const WALLS: &[AttributeSchema] = &[
+    may("of", Choice(&["outline"]), "outline", "whose sides", "どの輪郭の辺か"),
+];
+#[rustfmt::skip]
+pub(super) const SIDE_WALL: &[AttributeSchema] = &[
+    may("on", Either(&words(&vocabulary::ON), 1.0, CORNERS_MOST as f64), "any", "which sides: a kind, or the number of one; a number goes before `front`, that before `street`, `neighbour` and `court`, then `back`, then `any`",
+        "どの辺か。種類または番号。番号、`front`、`street` `neighbour` `court`、`back`、`any` の順に優先する"),
 ];
 #[rustfmt::skip]
 pub(super) const LOOP: &[AttributeSchema] = &[

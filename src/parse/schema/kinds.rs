@@ -20,6 +20,8 @@ pub enum Kind {
     WholePair(f64, f64),
     /// Two coordinates.
     Point(f64, f64),
+    /// Corners of a ring: pairs of numbers.
+    Points(f64, f64),
     /// `yes` or `no`; `true`, `false`, `1` and `0` are accepted for them.
     YesNo,
     /// One of several words.

@@ -1,6 +1,6 @@
 //! Words that attributes may have as values, with their meanings in the tree.
 
-use crate::ast::{Anchor, Rail, RoofDirection, RoofKind, RoofMode, Side, StoreyKind};
+use crate::ast::{Anchor, On, Rail, RoofDirection, RoofKind, RoofMode, Side, StoreyKind};
 
 /// The kind of a storey or a floor.
 pub(in crate::parse) const STOREY_KINDS: [(&str, StoreyKind); 2] = [
@@ -23,6 +23,16 @@ pub(in crate::parse) const SIDES: [(&str, Side); 4] = [
     ("B", Side::Back),
     ("L", Side::Left),
     ("R", Side::Right),
+];
+
+/// The kinds of sides of an outline.
+pub(in crate::parse) const ON: [(&str, On); 6] = [
+    ("front", On::Front),
+    ("street", On::Street),
+    ("neighbour", On::Neighbour),
+    ("court", On::Court),
+    ("back", On::Back),
+    ("any", On::Any),
 ];
 
 pub(in crate::parse) const RAILS: [(&str, Rail); 3] = [

@@ -7,6 +7,7 @@ pub(in crate::parse::xml) mod values;
 pub(in crate::parse::xml) mod fittings;
 pub(in crate::parse::xml) mod roofs;
 pub(in crate::parse::xml) mod house;
+pub(in crate::parse::xml) mod outline;
 pub(in crate::parse::xml) mod houses;
 pub(in crate::parse::xml) mod codes;
 pub(in crate::parse::xml) mod monuments;
@@ -81,10 +82,11 @@ impl<'t> Attributes<'t> {
 
     /// Returns the bounds of an attribute's numbers.
     pub(super) fn bounds(&self, name: &str) -> RangeInclusive<f64> {
-        use Kind::{Either, Number, Numbers, Pair, Point, WholePair};
+        use Kind::{Either, Number, Numbers, Pair, Point, Points, WholePair};
         match self.kind(name) {
             Number(least, most) | Numbers(least, most) | Pair(least, most) => least..=most,
-            WholePair(least, most) | Point(least, most) | Either(_, least, most) => least..=most,
+            WholePair(least, most) | Point(least, most) | Points(least, most) => least..=most,
+            Either(_, least, most) => least..=most,
             kind => {
                 debug_assert!(false, "{name} is no number but {kind:?}");
                 f64::MIN..=f64::MAX

@@ -10,13 +10,16 @@
 //!    else a gable with the ridge running into the wall;
 //! 3. its trunk, the largest region (at equal area the least (b0, a0)) with a larger area on
 //!    whose side it lies with a whole edge, and the street region before any other and of any
-//!    area: a strip at most 2 units deep and at least twice as long is a lean-to falling away
+//!    area, then one that a strip touches with its long side: a strip is a lean-to falling away
 //!    from it, anything else a branch, ridge perpendicular to the edge. A branch wider than its
 //!    trunk's span would stand higher: it becomes a main roof that runs [`Region::through`] the
 //!    other. Its ridge keeps its direction, since along the trunk it would leave a valley;
 //! 4. a strip at most 3 units deep and at least twice as long, an upper wall along at least
 //!    half of it (round the corner of a smaller upper storey): a lean-to against that wall;
 //! 5. main, ridge along the long side; a square's parallel to the first line.
+//!
+//! A strip is at most 2 units deep and at least twice as long, or at most 3 and more than 2.5 times. Nothing leans that
+//! would fall against another roof: it becomes the gable of a link between the two (docs/contract.md 8).
 //!
 //! Roofs that the author wrote are trunks like any other, but for flat ones.
 
@@ -177,7 +180,14 @@ impl Judge<'_> {
     /// Returns true if a cell is shallow and long enough to be a lean-to against a side.
     fn is_strip(&self, cell: &Cell, side: Side) -> bool {
         let (length, depth) = side.measure(cell);
-        depth <= self.steps(2) && length >= depth.saturating_mul(2)
+        let long = depth <= self.steps(2) && length >= depth.saturating_mul(2);
+        let wide = depth <= self.steps(3) && length.saturating_mul(2) > depth.saturating_mul(5);
+        long || wide
+    }
+
+    /// Returns true if a lean-to against a side would fall onto another roof.
+    fn falls_on_roof(&self, cell: &Cell, side: Side) -> bool {
+        self.sides.touches(cell, side.opposite())
     }
 
     /// Converts `units` to grid steps.
@@ -196,7 +206,8 @@ impl Judge<'_> {
         let half = |side: &Side| {
             let (length, depth) = side.measure(cell);
             let wall = self.walls.along(cell, *side);
-            wall >= length - wall && depth <= self.steps(3) && length >= depth.saturating_mul(2)
+            let long = depth <= self.steps(3) && length >= depth.saturating_mul(2);
+            long && wall >= length - wall && !self.falls_on_roof(cell, *side)
         };
         longest(
             cell,
@@ -209,7 +220,7 @@ impl Judge<'_> {
     /// Applies rule 2.
     fn against_wall(&self, cell: Cell, side: Side) -> Region {
         let against_wall = Some(side);
-        if side.measure(&cell).1 <= self.steps(3) {
+        if side.measure(&cell).1 <= self.steps(3) && !self.falls_on_roof(&cell, side) {
             return Region {
                 against_wall,
                 ..Region::lean_to(cell, side)
@@ -232,10 +243,11 @@ impl Judge<'_> {
             .filter_map(|side| Some((self.sides.beyond(&self.cells[n], side)?, side)))
             .filter(|(t, _)| Some(*t) == street || self.cells[*t].area() > area)
             .filter(|(t, side)| self.bears(*t, n, *side))
-            .min_by_key(|(t, _)| {
+            .min_by_key(|(t, side)| {
                 // Cells are sorted, so the lesser index is the lesser (b0, a0).
                 (
                     Some(*t) != street,
+                    !self.is_strip(&self.cells[n], *side),
                     std::cmp::Reverse(self.cells[*t].area()),
                     *t,
                 )
@@ -253,7 +265,7 @@ impl Judge<'_> {
     fn joined(&self, cell: Cell, side: Side, trunk: usize, t: &Region) -> Region {
         let (length, _) = side.measure(&cell);
         let (over, joins) = (Some(trunk), Some(side));
-        if self.is_strip(&cell, side) {
+        if self.is_strip(&cell, side) && !self.falls_on_roof(&cell, side) {
             return Region {
                 over,
                 joins,

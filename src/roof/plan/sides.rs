@@ -42,6 +42,16 @@ impl Sides {
         let &(line, from, to, owner) = facing.get(next.checked_sub(1)?)?;
         (line == at && from <= lo && hi <= to).then_some(owner)
     }
+
+    /// Returns true if another region lies along part of side `side` of `cell`.
+    pub(in crate::roof) fn touches(&self, cell: &Cell, side: Side) -> bool {
+        let (at, lo, hi) = piece(cell, side);
+        let facing = &self.facing[index(side.opposite())];
+        // Pieces of a line are disjoint, so the last that begins before the end of the side reaches farthest.
+        let next = facing.partition_point(|p| (p.0, p.1) < (at, hi));
+        let last = next.checked_sub(1).map(|last| facing[last]);
+        last.is_some_and(|(line, _, to, _)| line == at && to > lo)
+    }
 }
 
 /// The walls of the storey above.

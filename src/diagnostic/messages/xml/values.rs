@@ -238,3 +238,30 @@ pub fn no_weight(span: Span, count: Option<usize>) -> Diagnostic {
         None => found,
     }
 }
+
+/// A coordinate without the other.
+#[cold]
+pub fn odd_corner(last: Span, name: &str, count: usize) -> Diagnostic {
+    let name = quote(name);
+    let message = text!([name, count]
+        "{name} has {count} numbers, so the last corner lacks one of its two",
+        "{name} の数値は{count}個なので、最後の隅の数値がひとつ足りません"
+    );
+    Diagnostic::error(280, last, message).help(text!(
+        "write two numbers a corner: metres east, then metres north, such as `0 0, 9.5 0, 9.5 6, 0 6`",
+        "隅ひとつにつき、東へのメートル、北へのメートルの二つを `0 0, 9.5 0, 9.5 6, 0 6` のように書いてください"
+    ))
+}
+
+/// More corners than an outline may have.
+#[cold]
+pub fn too_many_corners(points: Span, count: usize, most: u64) -> Diagnostic {
+    let message = text!([count, most]
+        "the outline has {count} corners; {most} are the most",
+        "輪郭の隅が{count}個あります。{most}個までです"
+    );
+    Diagnostic::error(281, points, message).help(text!(
+        "simplify the outline, or divide it into several houses",
+        "輪郭を簡単にするか、いくつかの建物に分けてください"
+    ))
+}

@@ -44,6 +44,7 @@ impl<'t> Reader<'t, '_> {
                     house.structures.push(structure);
                     house.textures.extend(textures);
                 }
+                Tag::Outline => self.only_outline(schema, child, &of, &mut house),
                 Tag::PartDef => house.parts.extend(self.written_part(schema, child)),
                 Tag::Texture => house.textures.extend(self.texture(schema, child)),
                 Tag::Roofs => {
@@ -150,6 +151,7 @@ impl<'t> Reader<'t, '_> {
             };
             match schema.tag {
                 Tag::Loop => storey.loops.push(self.walk(schema, child)),
+                Tag::Walls => self.only_walls(schema, child, element, &mut storey),
                 Tag::Random => {
                     let edit = self.random(schema, child).map(Edit::Random);
                     storey.edits.extend(edit);

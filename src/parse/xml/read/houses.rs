@@ -1,6 +1,6 @@
 //! The houses of a file, alone and in groups: `Houses`, `Group`, and what a `Place` has become.
 
-use crate::ast::{Era, Frame, House, PlacedBy, Placement, WrittenPart};
+use crate::ast::{Era, Frame, House, PlacedBy, Placement, Stand, WrittenPart};
 use crate::diagnostic::messages::xml as say;
 use crate::geometry::Heading;
 use crate::parse::schema;
@@ -143,6 +143,9 @@ impl<'t> Reader<'t, '_> {
                 settings.anchor = anchor.map(|a| a.value);
                 [settings.x, settings.y, settings.z] = [None; 3];
                 settings.azimuth = None;
+                if let Some(outline) = &mut house.outline {
+                    outline.stand = Stand::Facing;
+                }
             }
             house.parts.extend(parts.iter().cloned());
             houses.push(inner.put(house));
@@ -191,6 +194,9 @@ impl Around {
         (settings.x, settings.y, settings.z) = (at(x), at(y), at(z));
         let azimuth = number(settings.azimuth, 180.0) + frame.turn;
         settings.azimuth = at(Heading::new(azimuth).degrees());
+        if let Some(Stand::Surveyed(turn)) = house.outline.as_mut().map(|o| &mut o.stand) {
+            *turn += frame.turn;
+        }
         let inner = house.placement.take().map_or(Placement::default(), |p| *p);
         house.placement = Some(Box::new(Placement {
             frame: frame.within(inner.frame),

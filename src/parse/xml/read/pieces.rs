@@ -51,7 +51,8 @@ impl<'t> Reader<'t, '_> {
         line
     }
 
-    fn piece(
+    /// Reads a piece, or an operation beside it.
+    pub(in crate::parse::xml) fn piece(
         &mut self,
         schema: &'static Schema,
         element: &'t Element<'t>,

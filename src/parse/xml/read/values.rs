@@ -271,7 +271,12 @@ impl<'t> Reader<'t, '_> {
     }
 
     /// Reads the number in a piece of a value.
-    fn number_in(&mut self, of: &Attributes<'t>, name: &str, piece: Range<usize>) -> Option<f64> {
+    pub(in crate::parse::xml) fn number_in(
+        &mut self,
+        of: &Attributes<'t>,
+        name: &str,
+        piece: Range<usize>,
+    ) -> Option<f64> {
         let (attribute, range) = (of.get(name)?, &of.bounds(name));
         let text = attribute.value.as_str()[piece.clone()].trim_matches(is_blank);
         let span = self.reporter.span(&attribute.value.range(piece));
@@ -374,7 +379,10 @@ fn position(text: &str) -> Option<(u32, u32)> {
 }
 
 /// Returns the ranges between separators, without empty ones.
-fn pieces(text: &str, divides: impl Fn(char) -> bool + Copy) -> Vec<Range<usize>> {
+pub(in crate::parse::xml) fn pieces(
+    text: &str,
+    divides: impl Fn(char) -> bool + Copy,
+) -> Vec<Range<usize>> {
     let (mut found, mut start) = (vec![], 0);
     for (end, mark) in text.match_indices(divides).chain([(text.len(), "")]) {
         if end > start {

@@ -1,16 +1,16 @@
 //! `random`: a random choice from a list (003-10). If a code of the list is in the enclosing element, it replaces that
 //! code anew; otherwise it is a slot, one part at its place in the row.
 
-use super::Pass;
-use super::codes::{Found, Mode};
-use super::edits::{EditRef, Operation};
+use super::{EditRef, Operation};
 use crate::ast::Random;
 use crate::diagnostic::messages::parts as say;
+use crate::expand::Pass;
+use crate::expand::codes::{Found, Mode};
 use crate::geometry::SAME;
 use crate::rng::Place;
 
 impl Pass<'_, '_> {
-    pub(super) fn prepare_random(&mut self, random: &Random, mode: Mode) -> Operation {
+    pub(in crate::expand) fn prepare_random(&mut self, random: &Random, mode: Mode) -> Operation {
         let list = self.list(&random.codes);
         if mode.is_row()
             && let Some((first, rest)) = list.split_first()
@@ -37,7 +37,7 @@ impl Pass<'_, '_> {
 
     /// Returns the content of a slot; `None` if its list is empty. In a row the outline must not depend on the choice,
     /// so the first code's width counts.
-    pub(super) fn draw_slot(
+    pub(in crate::expand) fn draw_slot(
         &mut self,
         random: &Random,
         mode: Mode,

@@ -1,14 +1,14 @@
 //! `replace`: a substitution (003-11), of codes, at positions, or of codes at positions. Positions count
 //! the units of each row from 1; a split is one unit.
 
-use super::Pass;
-use super::edits::{EditRef, Operation};
+use super::{EditRef, Operation};
 use crate::ast::Replace;
 use crate::diagnostic::messages::parts as say;
+use crate::expand::Pass;
 use crate::source::Spanned;
 
 impl Pass<'_, '_> {
-    pub(super) fn prepare_replace(&mut self, replace: &Replace) -> Operation {
+    pub(in crate::expand) fn prepare_replace(&mut self, replace: &Replace) -> Operation {
         let codes = replace.codes.as_ref().map(|codes| {
             let list = self.list(codes);
             let mut codes: Vec<_> = list.iter().map(|(found, _)| found.which).collect();

@@ -1,0 +1,100 @@
+//! Outlines as surveyed, and the walls that stand on their sides (docs/contract.md 8).
+
+use super::{Half, Item, Piece};
+use crate::source::{Span, Spanned};
+use glam::DVec2;
+use serde::Serialize;
+
+/// The outline of a house in metres: the walk of every storey without rows of its own.
+#[derive(Clone, Debug, Serialize)]
+pub struct Outline {
+    /// The start tag.
+    pub span: Span,
+    /// Its corners: metres east and north of the house's place, in either direction.
+    pub points: Points,
+    /// Farthest that a corner may move to make the walls square, metres; 0 = none may.
+    pub square: Option<Spanned<f64>>,
+    /// Farthest that a wall may move onto the line of another, metres.
+    pub join: Option<Spanned<f64>>,
+    /// The number of the side that is the first line, from 1.
+    pub front: Option<Spanned<u32>>,
+    /// The sides on streets, as inclusive ranges.
+    pub street: Option<Spanned<Vec<(u32, u32)>>>,
+    /// The sides on which a neighbour stands, as inclusive ranges.
+    pub neighbour: Option<Spanned<Vec<(u32, u32)>>>,
+    /// How the house stands.
+    pub stand: Stand,
+    /// Its courts.
+    pub holes: Vec<Hole>,
+}
+
+/// Corners with their places in the text.
+pub type Points = Spanned<Vec<Spanned<DVec2>>>;
+
+/// How a house with an outline stands.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub enum Stand {
+    /// As surveyed, then turned by these degrees clockwise about the house's place.
+    Surveyed(f64),
+    /// As any house: the right end of its front at its place, the front facing its azimuth.
+    Facing,
+}
+
+/// A court in an outline.
+#[derive(Clone, Debug, Serialize)]
+pub struct Hole {
+    /// The element.
+    pub span: Span,
+    /// Its corners, as those of the outline.
+    pub points: Points,
+}
+
+/// What stands on the sides of an outline, in one storey.
+#[derive(Clone, Debug, Serialize)]
+pub struct Walls {
+    /// The start tag.
+    pub span: Span,
+    /// In the order of the file.
+    pub sides: Vec<SideWall>,
+}
+
+/// The wall of sides of one kind.
+#[derive(Clone, Debug, Serialize)]
+pub struct SideWall {
+    /// The element.
+    pub span: Span,
+    /// Which sides.
+    pub on: Spanned<On>,
+    /// Its parts from right to left as seen from outside.
+    pub parts: Vec<SidePart>,
+}
+
+/// A kind of side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum On {
+    /// The side with this number, from 1.
+    Number(u32),
+    /// The first line.
+    Front,
+    /// On a street.
+    Street,
+    /// A neighbour stands there.
+    Neighbour,
+    /// Round a court.
+    Court,
+    /// Opposite the front, within 45 degrees.
+    Back,
+    /// All others.
+    Any,
+}
+
+/// A stretch of a side.
+#[derive(Clone, Debug, Serialize)]
+pub enum SidePart {
+    /// Parts of a width of their own.
+    Pieces(Vec<Item<Piece>>),
+    /// Parts that are repeated and stretched until the side is full.
+    Fill(Half),
+    /// Parts that stand once in the house.
+    Door(Half),
+}
