@@ -267,7 +267,9 @@ impl Storey<'_, '_> {
         turn(&mut found, shape, shape.has_equal_slopes(ratio));
         self.refuse(&found, shape, out);
         let shape = if flat { RoofShape::Flat } else { shape };
-        done.plans.push(report::plan(level, &found, shape));
+        if found.is_empty() || flat {
+            done.plans.push(report::plan(level, &found, shape));
+        }
         if found.is_empty() {
             return vec![];
         }
@@ -283,6 +285,8 @@ impl Storey<'_, '_> {
         }
         let automatic = Automatic::new(context, found, &trunks);
         automatic.report(out);
+        let built = automatic.own_regions();
+        done.plans.push(report::plan(level, built, shape));
         automatic.roofs(&mut done.ceilings)
     }
 

@@ -170,14 +170,15 @@ fn the_branch_rule_holds_for_every_region() {
         for method in ALL {
             let found = regions(&map.plan(), None, method, None, 1);
             for (n, r) in found.iter().enumerate() {
-                let mut trunks: Vec<(i128, usize, bool)> = Vec::new();
+                let mut trunks: Vec<(bool, i128, usize, bool)> = Vec::new();
                 for (m, t) in found
                     .iter()
                     .enumerate()
                     .filter(|(_, t)| t.cell.area() > r.cell.area())
                 {
                     if let Some(along_a) = lies_on(&r.cell, &t.cell) {
-                        trunks.push((-t.cell.area(), m, along_a));
+                        let strip = is_strip(&r.cell, along_a);
+                        trunks.push((!strip, -t.cell.area(), m, along_a));
                     }
                 }
                 judge(r, trunks.into_iter().min(), &found, n);
@@ -196,15 +197,37 @@ fn lies_on(r: &Cell, t: &Cell) -> Option<bool> {
     (in_b && (r.a0 == t.a1 || r.a1 == t.a0)).then_some(false)
 }
 
-fn judge(r: &Region, trunk: Option<(i128, usize, bool)>, found: &[Region], n: usize) {
+/// Whether a region may lean by an edge along a or b.
+fn is_strip(r: &Cell, along_a: bool) -> bool {
+    let (w, d) = (r.width(), r.depth());
+    let (edge, depth) = if along_a { (w, d) } else { (d, w) };
+    depth <= 2 && edge >= 2 * depth || depth <= 3 && 2 * edge > 5 * depth
+}
+
+/// Whether some other region lies along the far side of a region that leans on another.
+fn falls_on_roof(r: &Cell, t: &Cell, along_a: bool, found: &[Region]) -> bool {
+    let over = |lo: i64, hi: i64, from: i64, to: i64| hi.min(to) > lo.max(from);
+    found.iter().map(|f| &f.cell).filter(|c| *c != r).any(|c| {
+        if along_a {
+            let far = if r.b0 == t.b1 { c.b0 == r.b1 } else { c.b1 == r.b0 };
+            far && over(r.a0, r.a1, c.a0, c.a1)
+        } else {
+            let far = if r.a0 == t.a1 { c.a0 == r.a1 } else { c.a1 == r.a0 };
+            far && over(r.b0, r.b1, c.b0, c.b1)
+        }
+    })
+}
+
+fn judge(r: &Region, trunk: Option<(bool, i128, usize, bool)>, found: &[Region], n: usize) {
     let (w, d) = (r.cell.width(), r.cell.depth());
-    let Some((_, t, along_a)) = trunk else {
+    let Some((_, _, t, along_a)) = trunk else {
         let long = if d > w { Ridge::B } else { Ridge::A };
         assert_eq!((r.role, r.ridge), (Role::Main, Some(long)), "{n} {found:?}");
         return;
     };
-    let (edge, depth) = if along_a { (w, d) } else { (d, w) };
-    if depth <= 2 && edge >= 2 * depth {
+    let edge = if along_a { w } else { d };
+    let against = falls_on_roof(&r.cell, &found[t].cell, along_a, found);
+    if is_strip(&r.cell, along_a) && !against {
         assert_eq!((r.role, r.over), (Role::LeanTo, Some(t)));
         return;
     }

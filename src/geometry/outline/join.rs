@@ -34,45 +34,55 @@ impl Line {
 }
 
 /// Joins the lines of squared rings, the outer ring first: walls move by `most` metres at most. Courts that vanish are
-/// empty rings afterwards. Returns the farthest move; rings that would cross stay as they are.
+/// empty rings afterwards. Returns the farthest move. Lines stay apart if walls would cross or touch otherwise.
 pub fn join(rings: &mut Vec<Ring>, most: f64) -> f64 {
-    let (mut joined, mut moved) = (rings.clone(), 0.0_f64);
+    let mut farthest = 0.0_f64;
+    let mut keep = |made: Option<(Vec<Ring>, f64)>, rings: &mut Vec<Ring>| match made {
+        Some((made, moved)) => {
+            *rings = made;
+            farthest = farthest.max(moved);
+            true
+        }
+        None => false,
+    };
     for axis in [Axis::X, Axis::Y] {
-        let lines = lines(rings, axis);
-        let places = united(&lines, most);
-        for (ring, before) in joined.iter_mut().zip(rings.iter()) {
-            for side in 0..before.len() {
-                let (p, q) = ends(before, side);
-                if Axis::of(q - p) != axis {
-                    continue;
-                }
-                let was = axis.across(p);
-                let Some(place) = places.iter().find(|l| l.low <= was && was <= l.high) else {
-                    continue;
-                };
-                let now = place.place(most);
-                moved = moved.max((now - was).abs());
-                let next = (side + 1) % before.len();
-                for corner in [side, next] {
-                    ring[corner].from = axis.onto(ring[corner].from, now);
-                }
+        let mut lines = united(&lines(rings, axis), most);
+        lines.retain(|line| line.low < line.high);
+        // Where not all lines can be joined, each is tried alone.
+        if !keep(moved(rings, axis, &lines, most), rings) {
+            for line in &lines {
+                keep(moved(rings, axis, &[*line], most), rings);
             }
         }
     }
-    if moved == 0.0 {
-        return 0.0;
-    }
-    for ring in &mut joined {
+    farthest
+}
+
+/// Returns rings whose walls on some lines stand at the place of each, and the farthest move; nothing if walls would meet.
+fn moved(rings: &[Ring], axis: Axis, lines: &[Line], most: f64) -> Option<(Vec<Ring>, f64)> {
+    let mut made = rings.to_vec();
+    let mut farthest = 0.0_f64;
+    for (ring, before) in made.iter_mut().zip(rings) {
+        for side in 0..before.len() {
+            let (p, q) = ends(before, side);
+            let was = axis.across(p);
+            let line = lines.iter().find(|l| l.low <= was && was <= l.high);
+            let Some(line) = line.filter(|_| Axis::of(q - p) == axis) else {
+                continue;
+            };
+            let now = line.place(most);
+            farthest = farthest.max((now - was).abs());
+            for corner in [side, (side + 1) % before.len()] {
+                ring[corner].from = axis.onto(ring[corner].from, now);
+            }
+        }
         straighten(ring);
         if ring.len() < 4 {
             ring.clear();
         }
     }
-    if joined[0].is_empty() || !are_simple(&joined) {
-        return 0.0;
-    }
-    *rings = joined;
-    moved
+    let stands = made.first().is_some_and(|outer| !outer.is_empty());
+    (stands && are_simple(&made)).then_some((made, farthest))
 }
 
 /// Returns the lines of all walls along an axis, in order.

@@ -1,13 +1,14 @@
 //! `least-cut`: the best guillotine tree, exactly, by dynamic programming over all
 //! rectangles of grid lines (`docs/contract.md` 4; `opt` in domain 3.5).
 //!
-//! Least roof cut, then fewest roofs, then the largest sum of squared areas: sums over the
+//! Least roof cut, then fewest roofs narrower than a metre, then fewest roofs, then the largest sum of squared areas: sums over the
 //! halves, so the best tree of a rectangle is made of best trees. So is the last criterion,
 //! the least sorted list of roofs: of two sets the one holding the least element of their
 //! symmetric difference has the lesser list (their sizes are equal by then), and that element
 //! stays the same whatever disjoint set joins both. Only rectangles on the way down from the
 //! root ever need it, so ties are settled afterwards.
 
+use crate::geometry::STEPS;
 use crate::geometry::plan::Cell;
 use crate::geometry::plan::raster::{Raster, Span};
 use crate::roof::partition::scan::{Lengths, ScanDirection, halves};
@@ -40,11 +41,17 @@ pub(in crate::roof) fn cut(raster: &Raster, most: u64) -> (Option<Vec<Cell>>, u6
     (cells, most - ties.steps)
 }
 
+/// Roofs of less width or depth are teeth on an outline: a metre, in steps of the usual unit. On coarser grids all roofs
+/// are, and the criterion decides nothing.
+const NARROW: i64 = STEPS * 11 / 10;
+
 /// The score of a rectangle's best tree, in the order of comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Score {
     /// Roof cut, reduced length.
     cut: u64,
+    /// Roofs narrower than [`NARROW`].
+    narrow: u32,
     roofs: u32,
     /// Sum of squared areas, reduced, saturating.
     squares: Reverse<u128>,
@@ -54,6 +61,7 @@ impl Score {
     fn plus(self, other: Self, cut: u64) -> Self {
         Self {
             cut: self.cut.saturating_add(other.cut).saturating_add(cut),
+            narrow: self.narrow + other.narrow,
             roofs: self.roofs + other.roofs,
             squares: Reverse(self.squares.0.saturating_add(other.squares.0)),
         }
@@ -73,17 +81,34 @@ struct Best {
 }
 
 impl Best {
-    /// A rectangle without walls: one roof if `area` is given, otherwise nothing.
-    fn pure(area: Option<u128>, s: Span) -> Self {
-        let squares = area.map_or(0, |a| a.saturating_mul(a));
+    /// A rectangle without walls that is nothing but roof.
+    fn roof(raster: &Raster, s: Span) -> Self {
+        let area = raster.area(s);
+        let cell = raster.cell(s);
         Self {
             score: Score {
                 cut: 0,
-                roofs: u32::from(area.is_some()),
-                squares: Reverse(squares),
+                narrow: u32::from(cell.width().min(cell.depth()) < NARROW),
+                roofs: 1,
+                squares: Reverse(area.saturating_mul(area)),
             },
             cut: None,
-            print: if area.is_some() { print(s) } else { 0 },
+            print: print(s),
+            open: false,
+        }
+    }
+
+    /// A rectangle without any roof.
+    fn empty() -> Self {
+        Self {
+            score: Score {
+                cut: 0,
+                narrow: 0,
+                roofs: 0,
+                squares: Reverse(0),
+            },
+            cut: None,
+            print: 0,
             open: false,
         }
     }
@@ -158,7 +183,7 @@ impl<'r> Search<'r> {
             steps: steps.checked_sub(size as u64)?,
             place: vec![0; size],
             least: vec![0; size],
-            best: vec![Best::pure(None, raster.span())],
+            best: vec![Best::empty()],
         };
         for i1 in 1..=cols {
             for i0 in (0..i1).rev() {
@@ -214,7 +239,7 @@ impl<'r> Search<'r> {
         }
         let best = match self.best_cut(s)? {
             Some(best) => best,
-            None => Best::pure(Some(self.raster.area(s)), s),
+            None => Best::roof(self.raster, s),
         };
         self.place[at] = self.best.len() as u32;
         self.least[at] = best.score.cut;

@@ -40,8 +40,10 @@ pub(in crate::roof) struct Automatic<'c, 'h> {
     pub(in crate::roof) base: f64,
     /// The look of each region.
     pub(in crate::roof) looks: Vec<Look>,
-    /// For each lean-to that fits under the eaves of its trunk, its slope.
+    /// For each lean-to under the eaves of its trunk, its slope.
     tucked: Vec<Option<LeanTo>>,
+    /// The lowest outer wall that a lean-to would have left, if some became gables for that, metres.
+    too_low: Option<f64>,
     /// Neighbours along whole sides.
     sides: Option<Sides>,
     /// Spatial index of the regions, made on first use.
@@ -69,6 +71,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
             base,
             looks,
             tucked: vec![],
+            too_low: None,
             sides,
             nearby: OnceCell::new(),
         };
@@ -89,25 +92,30 @@ impl<'c, 'h> Automatic<'c, 'h> {
             let Some(fall) = self.regions[n].fall else {
                 continue;
             };
-            self.tucked[n] =
-                Some(self.tucked_slope(n, fall)).filter(|slope| self.left(slope) >= LEAST_WALL);
+            let slope = self.tucked_slope(n, fall);
+            let left = slope.low - self.context.level.storey.z0;
+            if left >= LEAST_WALL {
+                self.tucked[n] = Some(slope);
+                continue;
+            }
+            let region = self.regions[n];
+            self.regions[n] = Region {
+                ridge: Some(along(fall)),
+                street: region.street,
+                ..Region::main(region.cell)
+            };
+            self.too_low = Some(self.too_low.map_or(left, |lowest| lowest.min(left)));
         }
     }
 
-    /// Returns the height of the outer wall under a tucked lean-to, metres.
-    fn left(&self, slope: &LeanTo) -> f64 {
-        slope.low - self.context.level.storey.z0
+    /// Returns the regions as they are built.
+    pub(in crate::roof) fn own_regions(&self) -> &[Region] {
+        &self.regions[..self.count]
     }
 
     /// Reports lean-tos that do not fit, by the lowest.
     pub(in crate::roof) fn report(&self, out: &mut Diagnostics) {
-        let leans = |n: &usize| self.tucked[*n].is_none() && self.regions[*n].over.is_some();
-        let left = |n: usize| Some(self.left(&self.tucked_slope(n, self.regions[n].fall?)));
-        let lowest = (0..self.count)
-            .filter(leans)
-            .filter_map(left)
-            .reduce(f64::min);
-        if let Some(lowest) = lowest {
+        if let Some(lowest) = self.too_low {
             let storey = self.context.level.storey;
             out.push(say::low_lean_to(
                 storey.span,
@@ -122,17 +130,14 @@ impl<'c, 'h> Automatic<'c, 'h> {
         let roof = |n: usize| {
             let region = &self.regions[n];
             match (region.ridge, region.fall) {
-                (None, Some(fall)) if region.over.is_some() => match &self.tucked[n] {
+                (None, Some(fall)) => match &self.tucked[n] {
                     Some(slope) => self.tucked_roof(n, slope, ceilings),
-                    None => self
-                        .context
-                        .ridge_roof(region.cell, along(fall), self.base, None),
+                    None => {
+                        let look = self.looks[n];
+                        self.context
+                            .lean_to_with(region.cell, fall, self.base, look)
+                    }
                 },
-                (None, Some(fall)) => {
-                    let look = self.looks[n];
-                    self.context
-                        .lean_to_with(region.cell, fall, self.base, look)
-                }
                 (ridge, _) => self.ridge_roof(n, ridge.unwrap_or(Ridge::A)),
             }
         };
