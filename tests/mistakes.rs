@@ -23,6 +23,14 @@ const XML: &[(u16, &str)] = &[
         "<House unit='«three»'><Storey><Row>KSK  KSK  TOD</Row>*</House>",
     ),
     (
+        225,
+        "<House azimuth='«south»'><Storey><Row>KSK  KSK  TOD</Row>*</House>",
+    ),
+    (
+        225,
+        "<House unit='«京間»'><Storey><Row>KSK  KSK  TOD</Row>*</House>",
+    ),
+    (
         226,
         "<House unit='«1000»'><Storey><Row>KSK  KSK  TOD</Row>*</House>",
     ),
@@ -175,6 +183,9 @@ const LEGACY: &[(u16, &str)] = &[
     (106, "0 0 180\n9\nroofs «none»\n\nKSM  KSM\nKSM  KSM\nKSM  KSM\nKSM  KSM\n"),
     (117, "0 0 180\n9\n«unit»\n\nKSM  KSM\nKSM  KSM\nKSM  KSM\nKSM  KSM\n"),
     (118, "0 0 180\n9\nseed «-7»\n\nKSM  KSM\nKSM  KSM\nKSM  KSM\nKSM  KSM\n"),
+    (103, "0 0 180\n9\nunit «kyoma»\n\nKSM  KSM\nKSM  KSM\nKSM  KSM\nKSM  KSM\n"),
+    (103, "0 0 «南»\n9\n\nKSM  KSM\nKSM  KSM\nKSM  KSM\nKSM  KSM\n"),
+    (132, "0 0 180\n9\n\nKSM  KSM\nKSM  KSM\nKSM «KSM» R\nKSM  KSM\n"),
     (103, "0 0 180\n9\nunit «three»\n\nKSM  KSM\nKSM  KSM\nKSM  KSM\nKSM  KSM\n"),
     (111, "0 0 180\n9\n«5.0»\n\nKSM  KSM\nKSM  KSM\nKSM  KSM\nKSM  KSM\n"),
     (107, "0 0 180 «9.0»\n9\n\nKSM  KSM\nKSM  KSM\nKSM  KSM\nKSM  KSM\n"),

@@ -4,7 +4,7 @@ use super::text;
 use super::walk::Walk;
 use crate::building::Wall;
 use crate::diagnostic::{Diagnostics, Edit, messages::plan};
-use crate::geometry::{SAME, area2};
+use crate::geometry::{Heading, SAME, area2};
 use crate::program::Drawn;
 use crate::source::Span;
 use glam::{DVec2, dvec2};
@@ -43,6 +43,10 @@ pub(super) fn close(walk: &mut Walk, drawn: Drawn, out: &mut Diagnostics) -> boo
         true => (length * MEASURED_ERROR).max(SAME),
         false => SAME,
     };
+    if ring && is_interior(walk, length) {
+        out.push(plan::interior_angles(walk.span, walk.turns[0]));
+        return false;
+    }
     if gap.length() > allowed {
         report_gap(walk, ring, gap, length, out);
         return false;
@@ -55,6 +59,23 @@ pub(super) fn close(walk: &mut Walk, drawn: Drawn, out: &mut Diagnostics) -> boo
         spread(&mut walk.walls, gap, length);
     }
     true
+}
+
+/// Returns true if a ring does not close as it is written, but closes once its angles are taken for those between the walls.
+fn is_interior(walk: &Walk, length: f64) -> bool {
+    let between = |turn: f64| 180.0 - turn;
+    let inner = &walk.turns[..walk.turns.len() - 1];
+    let sum = inner.iter().map(|t| between(*t)).sum();
+    if closes_with(walk, written(walk)) || !closes_with(walk, sum) {
+        return false;
+    }
+    let turns = walk.turns.iter().map(|t| between(*t));
+    let (mut at, mut heading) = (DVec2::ZERO, Heading::default());
+    for (wall, turn) in walk.walls.iter().zip(turns) {
+        at += heading.vector() * wall.from.distance(wall.to);
+        heading = heading.turned(turn);
+    }
+    at.length() <= (length * MEASURED_ERROR).max(SAME)
 }
 
 /// Returns the sum of the turns between walls, degrees, without the closing one.
@@ -102,6 +123,10 @@ fn report_gap(walk: &Walk, ring: bool, gap: DVec2, length: f64, out: &mut Diagno
                 gap.length(),
             ));
         }
+        return;
+    }
+    if let Some((void, by)) = walk.led.filter(|(_, by)| (gap + *by).length() < SAME) {
+        out.push(plan::void_moves_start(void, by.length()));
         return;
     }
     let open = written <= OPEN_TURNS && !walk.hole;

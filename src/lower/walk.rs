@@ -20,6 +20,8 @@ pub(super) struct Walk {
     pub turns: Vec<f64>,
     /// The end of the walk.
     pub end: DVec2,
+    /// The voids before the first part, which move the start: the first of them, and by how much.
+    pub led: Option<(Span, DVec2)>,
 }
 
 /// Places the walls of a loop; `facade` counts them over the storey.
@@ -32,6 +34,7 @@ pub(super) fn walk(steps: Loop, facade: &mut u32) -> Walk {
         walls: Vec::with_capacity(steps.lines.len()),
         turns: Vec::with_capacity(steps.lines.len()),
         end: at,
+        led: None,
     };
     let mut started = false;
     let mut waiting = vec![]; // posts of lines without length stand at the start of the next wall
@@ -42,7 +45,13 @@ pub(super) fn walk(steps: Loop, facade: &mut u32) -> Walk {
                 .iter()
                 .take_while(|u| u.content == Content::Void)
                 .count();
-            at += heading.vector() * line.units.drain(..leading).map(|u| u.width).sum::<f64>();
+            let void = line.units.first().filter(|_| leading > 0).map(|u| u.span);
+            let by = heading.vector() * line.units.drain(..leading).map(|u| u.width).sum::<f64>();
+            at += by;
+            if let Some(void) = void {
+                let (first, before) = out.led.unwrap_or((void, DVec2::ZERO));
+                out.led = Some((first, before + by));
+            }
             started = !line.units.is_empty();
         }
         let length: f64 = line.units.iter().map(|u| u.width).sum();

@@ -133,6 +133,36 @@ pub(crate) const ERAS: [Meaning; 4] = [
     means("all", "any time", "いつでも", &["any"]),
 ];
 
+/// Compass directions that a front can look to, degrees.
+#[rustfmt::skip]
+const COMPASS: [Meaning; 8] = [
+    means("0", "north", "北", &["north", "n", "kita"]),
+    means("45", "north-east", "北東", &["northeast", "north-east", "ne", "hokuto", "東北"]),
+    means("90", "east", "東", &["east", "e", "higashi"]),
+    means("135", "south-east", "南東", &["southeast", "south-east", "se", "nanto", "東南"]),
+    means("180", "south", "南", &["south", "s", "minami"]),
+    means("225", "south-west", "南西", &["southwest", "south-west", "sw", "nansei", "西南"]),
+    means("270", "west", "西", &["west", "w", "nishi"]),
+    means("315", "north-west", "北西", &["northwest", "north-west", "nw", "hokusei", "西北"]),
+];
+
+/// Modules of the tatami: half of a ken, shaku.
+#[rustfmt::skip]
+const MODULES: [Meaning; 3] = [
+    means("3", "Edo-ma", "江戸間", &["edoma", "edo", "edo-ma", "関東間", "kantoma", "田舎間", "inakama"]),
+    means("3.15", "Chukyo-ma", "中京間", &["chukyoma", "chukyo", "chukyo-ma", "間の間", "ainoma"]),
+    means("3.25", "Kyo-ma", "京間", &["kyoma", "kyo", "kyo-ma", "kyōma", "本間", "honma", "関西間", "kansaima"]),
+];
+
+/// Returns the number that is meant by its name, for an attribute or a key of this name: `kyoma` for a unit is 3.25.
+pub(super) fn number_called(name: &str, attribute: &str) -> Option<&'static Meaning> {
+    match attribute {
+        "azimuth" => called(name, &COMPASS),
+        "unit" => called(name, &MODULES),
+        _ => None,
+    }
+}
+
 /// `yes` and `no`, which need no explanation.
 const TRUTHS: [Meaning; 2] = [means("yes", "", "", YES), means("no", "", "", NO)];
 
@@ -162,6 +192,8 @@ const TABLES: &[&[Meaning]] = &[
     &PAINTS,
     &FINIALS,
     &ERAS,
+    &COMPASS,
+    &MODULES,
     &TRUTHS,
 ];
 

@@ -62,6 +62,11 @@ pub(super) const WITHOUT_FIX: &[(u16, &str)] = &[
     (426, "which parts may be missing, only the author knows"),
     (427, "corners only the author knows"),
     (428, "whether rows or walls count, only the author knows"),
+    (
+        429,
+        "which of the angles are meant so, only the author knows",
+    ),
+    (430, "whether an open bay is meant, only the author knows"),
     (502, "corners only the author knows"),
     (503, "corners only the author knows"),
     (504, "which rectangle is wrong, only the author knows"),

@@ -209,10 +209,18 @@ fn falls_on_roof(r: &Cell, t: &Cell, along_a: bool, found: &[Region]) -> bool {
     let over = |lo: i64, hi: i64, from: i64, to: i64| hi.min(to) > lo.max(from);
     found.iter().map(|f| &f.cell).filter(|c| *c != r).any(|c| {
         if along_a {
-            let far = if r.b0 == t.b1 { c.b0 == r.b1 } else { c.b1 == r.b0 };
+            let far = if r.b0 == t.b1 {
+                c.b0 == r.b1
+            } else {
+                c.b1 == r.b0
+            };
             far && over(r.a0, r.a1, c.a0, c.a1)
         } else {
-            let far = if r.a0 == t.a1 { c.a0 == r.a1 } else { c.a1 == r.a0 };
+            let far = if r.a0 == t.a1 {
+                c.a0 == r.a1
+            } else {
+                c.a1 == r.a0
+            };
             far && over(r.b0, r.b1, c.b0, c.b1)
         }
     })

@@ -317,6 +317,34 @@ pub(crate) fn ring_open(span: Span, last: Span, percent: f64, gap: f64) -> Diagn
         ))
 }
 
+/// Facades whose angles are those between the walls; `turn` is one of them.
+#[cold]
+pub(crate) fn interior_angles(span: Span, turn: f64) -> Diagnostic {
+    let [written, meant] = [turn, 180.0 - turn].map(|a| (a * 1000.0).round() / 1000.0);
+    let message = text!(
+        "the angles of the facades are those between the walls: read so, the ring closes",
+        "壁面の角度が壁と壁の間の角度になっています。そう読めば一周が閉じます"
+    );
+    Diagnostic::error(429, span, message).help(text!([written, meant]
+        "`angle` is the turn from one facade to the next: write 180 minus the angle between them, such as `{meant}` for `{written}`",
+        "`angle` は前の壁面からの曲がりです。180 から壁の間の角度を引いた値を書いてください（`{written}` なら `{meant}`）"
+    ))
+}
+
+/// Voids before the first part that were meant as an open bay.
+#[cold]
+pub(crate) fn void_moves_start(void: Span, by: f64) -> Diagnostic {
+    let by = units(by);
+    let message = text!([by]
+        "a void at the beginning of the first line is no open bay: it moves the start by {by}",
+        "最初の行の頭にある空きは開口ではなく、始点を {by} 動かします"
+    );
+    Diagnostic::error(430, void, message).help(text!(
+        "put a post `HHA 0` before it for an open bay, or delete it if the walls begin there",
+        "開口にするなら空きの前に柱 `HHA 0` を置き、そこから壁が始まるなら空きを消してください"
+    ))
+}
+
 /// A walk without a part.
 #[cold]
 pub(crate) fn no_wall(span: Span) -> Diagnostic {

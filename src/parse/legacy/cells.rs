@@ -12,13 +12,14 @@ use nom::bytes::complete::take;
 use nom::{IResult, Parser};
 use std::ops::Range;
 
-/// Returns the pieces of a part of a line; `turned` = a control letter follows it.
+/// Returns the pieces of a part of a line, and whether they are in their columns; `turn` is the place of the control letter
+/// after it.
 pub(super) fn pieces(
     line: &SourceLine<'_>,
     mut range: Range<usize>,
-    turned: bool,
+    turn: Option<usize>,
     reporter: &mut Reporter<'_>,
-) -> Vec<Item<Piece>> {
+) -> (Vec<Item<Piece>>, bool) {
     range.start += leading_shift(line, range.clone(), reporter);
     let text = &line.text[range.clone()];
     let mut pieces = Vec::with_capacity(text.len() / CELL + 1);
@@ -34,16 +35,16 @@ pub(super) fn pieces(
     let last = rest.trim_end_matches(' ');
     form.see(last);
     if let Some(cells) = form.in_step(text, range.start) {
-        return fixed(line, range, &cells, turned, reporter);
+        return (fixed(line, range, &cells, turn, reporter), false);
     }
     if form.is_odd() {
         point_voids(line, range.clone(), &mut pieces, reporter);
     }
     remainder(line, at..range.end, rest, &mut pieces, reporter);
-    if !turned && text.ends_with("     ") {
+    if turn.is_none() && text.ends_with("     ") {
         trailing_voids(line, text, range.start, reporter);
     }
-    pieces
+    (pieces, true)
 }
 
 /// Returns the number of columns, which are characters whatever their bytes.
@@ -166,7 +167,7 @@ fn fixed(
     line: &SourceLine<'_>,
     range: Range<usize>,
     cells: &[Cell<'_>],
-    turned: bool,
+    turn: Option<usize>,
     reporter: &mut Reporter<'_>,
 ) -> Vec<Item<Piece>> {
     let text = &line.text[range.clone()];
@@ -179,11 +180,10 @@ fn fixed(
     let end = range.start + text.trim_end_matches(' ').len();
     let span = line.span(reporter.source, slip..end);
     let meant: String = cells.iter().map(|c| format!("{:5}", c.meant())).collect();
-    // A correctly placed turn stays after the five columns of the last code.
-    let (last, whole) = if turned && text.len().is_multiple_of(CELL) {
-        (range.end, &*meant)
-    } else {
-        (end, meant.trim_end())
+    // A turn belongs right after the five columns of the last code.
+    let (last, whole) = match turn {
+        Some(letter) => (letter, &*meant),
+        None => (end, meant.trim_end()),
     };
     let all = line.span(reporter.source, range.start..last);
     let column = slip - range.start + 1;

@@ -5,6 +5,7 @@ use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, wi
 use crate::ast::{Era, House, RoofMethod, RoofMode};
 use crate::diagnostic::messages::legacy as say;
 use crate::diagnostic::noun;
+use crate::parse::meanings;
 use crate::parse::reporter::Reporter;
 use crate::source::{Span, Spanned};
 
@@ -226,8 +227,9 @@ fn value<'w>(words: &'w [Word<'w>]) -> Vec<(&'w str, Span)> {
 fn place(words: &[Word<'_>], house: &mut House, reporter: &mut Reporter<'_>) {
     let settings = &mut *house.settings;
     let slots = [&mut settings.x, &mut settings.y, &mut settings.azimuth];
-    for ((word, range), slot) in words.iter().zip(&PLACE).zip(slots) {
-        *slot = within(word.text, word.span, range, reporter);
+    let ranges = ["x", "y", "azimuth"].into_iter().zip(&PLACE);
+    for ((word, range), slot) in words.iter().zip(ranges).zip(slots) {
+        *slot = named(word.text, word.span, range, reporter);
     }
     if let [only] = words {
         reporter.say(say::missing_number(only.span.after(), "y"));
@@ -237,6 +239,23 @@ fn place(words: &[Word<'_>], house: &mut House, reporter: &mut Reporter<'_>) {
         let place = reporter.with_blanks(span);
         reporter.say(say::surplus(span, place, PLACE[2].what));
     }
+}
+
+/// Reads a number within bounds, or one by its name: `south`, `京間`.
+fn named(
+    text: &str,
+    span: Span,
+    (attribute, range): (&str, &Range64),
+    reporter: &mut Reporter<'_>,
+) -> Option<Spanned<f64>> {
+    let bare = text.trim_start_matches(['=', ':']);
+    let Some(meant) = meanings::number_called(bare, attribute) else {
+        return within(text, span, range, reporter);
+    };
+    let place = reporter.tail(span, text);
+    let (word, noun) = (meant.word, meant.noun);
+    reporter.say(say::named_number(span, text, range.what, word, noun, place));
+    Some(Spanned::new(number(word)?, span))
 }
 
 /// Returns the rest of the line as written, since a name may contain any character.
@@ -277,7 +296,7 @@ fn setting(
     }
     let (settings, roofs) = (&mut house.settings, &mut house.roofs);
     match key {
-        "unit" => settings.unit = within(text, span, &UNIT, reporter),
+        "unit" => settings.unit = named(text, span, ("unit", &UNIT), reporter),
         "seed" => settings.seed = seed(text, span, reporter),
         "street" => settings.street = choice(key, text, span, &STREET, reporter),
         "age" => settings.age = within(text, span, &AGE, reporter),

@@ -4,8 +4,8 @@ use super::cells::{columns, pieces};
 use super::line::{CELL, SourceLine};
 use super::words::say_comment;
 use crate::ast::{Item, Loop, Row, Storey};
-use crate::diagnostic::Edit;
 use crate::diagnostic::messages::legacy as say;
+use crate::diagnostic::{Diagnostic, Edit};
 use crate::parse::reporter::Reporter;
 use crate::source::{Span, Spanned};
 use std::ops::Range;
@@ -64,8 +64,17 @@ impl Walls {
     }
 
     fn wall(&mut self, line: &SourceLine<'_>, range: Range<usize>, reporter: &mut Reporter<'_>) {
-        let (codes, control) = ending(line, range.clone(), reporter);
-        let pieces = pieces(line, range.start..codes, control.is_some(), reporter);
+        let Ending {
+            codes,
+            control,
+            misplaced,
+        } = ending(line, range.clone(), reporter);
+        let turn = control.as_ref().map(|(_, at)| at.start);
+        let (pieces, in_step) = pieces(line, range.start..codes, turn, reporter);
+        // Where the codes have left their columns, a letter after them is in none either.
+        if let Some(misplaced) = misplaced.filter(|_| in_step) {
+            reporter.say(misplaced);
+        }
         let span = line.span(reporter.source, range);
         let control = control.map(|(c, at)| (c, line.span(reporter.source, at)));
         let turn = control.and_then(|(c, at)| match c {
@@ -214,15 +223,26 @@ fn before_reset(
     range.start..range.start + at + 1
 }
 
-/// Returns the control letter at the end of a line, and the end of the codes before it.
-fn ending(
-    line: &SourceLine<'_>,
-    range: Range<usize>,
-    reporter: &mut Reporter<'_>,
-) -> (usize, Option<(Control, Range<usize>)>) {
+/// The end of a line.
+struct Ending {
+    /// The end of its codes.
+    codes: usize,
+    /// The control letter and its place.
+    control: Option<(Control, Range<usize>)>,
+    /// The message that the letter is inside a code.
+    misplaced: Option<Diagnostic>,
+}
+
+/// Returns the end of a line.
+fn ending(line: &SourceLine<'_>, range: Range<usize>, reporter: &mut Reporter<'_>) -> Ending {
+    let ending = |codes, control| Ending {
+        codes,
+        control,
+        misplaced: None,
+    };
     let text = line.text[range.clone()].trim_end_matches(' ');
     let Some((control, lower)) = text.chars().next_back().and_then(control) else {
-        return (range.end, None);
+        return ending(range.end, None);
     };
     let before = &text[..text.len() - 1];
     let at = range.start + before.len()..range.start + text.len();
@@ -235,11 +255,11 @@ fn ending(
             let blanks = line.span(reporter.source, at.end..range.end);
             reporter.say(say::blanks_after(blanks, &text[before.len()..]));
         }
-        return (at.start, Some((control, at)));
+        return ending(at.start, Some((control, at)));
     }
     let apart = before.ends_with(' ');
     if lower || !apart && control != Control::NextStorey {
-        return (range.end, None);
+        return ending(range.end, None);
     }
     let letter = &text[before.len()..];
     let mut codes = before.trim_end_matches(' ');
@@ -255,17 +275,15 @@ fn ending(
             turn,
             gap,
         ));
-        return (range.start + codes.len(), Some((control, at)));
+        return ending(range.start + codes.len(), Some((control, at)));
     }
     let surplus = columns(before) % CELL;
     let blanks = line.span(reporter.source, at.start.saturating_sub(surplus)..at.start);
-    reporter.say(say::misplaced_control(
-        span,
-        letter,
-        (columns(before), columns(codes)),
-        blanks,
-    ));
-    (range.start + codes.len(), Some((control, at)))
+    let places = (columns(before), columns(codes));
+    Ending {
+        misplaced: Some(say::misplaced_control(span, letter, places, blanks)),
+        ..ending(range.start + codes.len(), Some((control, at)))
+    }
 }
 
 /// Returns the edit that ends a row without a turn with a letter right after the five columns of its last code.

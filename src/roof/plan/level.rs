@@ -2,6 +2,7 @@
 
 use crate::ast::StoreyKind;
 use crate::building::{House, Ring, Storey};
+use crate::geometry::SAME;
 use crate::geometry::plan::Plan;
 use crate::geometry::steps;
 use glam::DVec2;
@@ -96,5 +97,10 @@ pub(in crate::roof) fn is_facade(ring: &Ring) -> bool {
         libm::atan2(p.perp_dot(q), p.dot(q))
     };
     let turned: f64 = ring.walls.windows(2).map(turn).sum();
-    !ring.closed && turned <= std::f64::consts::PI + 1e-6
+    // Walls that cross or touch return to their start all the same.
+    let returns = match &ring.walls[..] {
+        [first, .., last] => first.from.distance(last.to) < SAME,
+        _ => false,
+    };
+    !ring.closed && !ring.hole && !returns && turned <= std::f64::consts::PI + 1e-6
 }

@@ -288,6 +288,7 @@ impl<'t> Reader<'t, '_> {
                 .or_else(|| Some(text.replacen(',', ".", 1)))
                 .filter(|t| decimal(t).is_some() || with_unit(t).is_some())
                 .or_else(|| meanings::digits(text, range))
+                .or_else(|| Some(meanings::number_called(text, name)?.word.to_owned()))
         };
         let value = match plain {
             Some(value) => value,
