@@ -5,6 +5,8 @@
 
 #[cfg(feature = "models")]
 mod arrange;
+#[cfg(feature = "models")]
+mod beside;
 mod convert;
 mod house;
 #[cfg(feature = "models")]

@@ -262,12 +262,20 @@ fn files_that_are_checked_together_stand_apart() {
     let output = hsd(folder.path(), &["check", "sound.hsd", "second.hsd"]);
     assert_eq!(code(&output), 0);
     assert!(!stdout(&output).contains("HSD0420"), "{}", stdout(&output));
+    // In one scene they are put side by side, unless they say where they stand.
     let one = ["build", "sound.hsd", "second.hsd", "-o", "both.glb"];
-    let output = hsd(folder.path(), &one);
+    let said = stderr(&hsd(folder.path(), &one));
     assert!(
-        stderr(&output).contains("HSD0420"),
-        "one scene: {}",
-        stderr(&output)
+        said.contains("HSD0431") && !said.contains("HSD0420"),
+        "{said}"
+    );
+    let placed = format!("1 0{}", &SOUND[3..]);
+    fs::write(folder.path().join("sound.hsd"), &placed).unwrap();
+    fs::write(folder.path().join("second.hsd"), &placed).unwrap();
+    let said = stderr(&hsd(folder.path(), &one));
+    assert!(
+        said.contains("HSD0420") && !said.contains("HSD0431"),
+        "{said}"
     );
 }
 

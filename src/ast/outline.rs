@@ -24,7 +24,7 @@ pub struct Outline {
     pub neighbour: Option<Spanned<Vec<(u32, u32)>>>,
     /// How the house stands.
     pub stand: Stand,
-    /// Its courts.
+    /// Its courtyards.
     pub holes: Vec<Hole>,
 }
 
@@ -40,7 +40,7 @@ pub enum Stand {
     Facing,
 }
 
-/// A court in an outline.
+/// A courtyard in an outline.
 #[derive(Clone, Debug, Serialize)]
 pub struct Hole {
     /// The element.
@@ -80,7 +80,7 @@ pub enum On {
     Street,
     /// A neighbour stands there.
     Neighbour,
-    /// Round a court.
+    /// Round a courtyard.
     Court,
     /// Opposite the front, within 45 degrees.
     Back,

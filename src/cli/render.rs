@@ -17,6 +17,7 @@ use crate::texture;
 use crate::view::{self, Preview, PreviewOptions, Screenshot};
 use browser::Browser;
 use clap::{Args, ValueEnum};
+use percent_encoding::{NON_ALPHANUMERIC, utf8_percent_encode};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
@@ -41,7 +42,10 @@ const POLL_INTERVAL: Duration = Duration::from_millis(250);
 Examples:
   hsd render shop.hsd -o shop.png                              render the view from the street
   hsd render street/*.hsd -o pictures/ --view front,above      render two views of each house
-  hsd render street.hsd -o eye.png --from 2,0,1.6 --to 60,0,3  stand in the street and look east")]
+  hsd render street.hsd -o eye.png --from 2,0,1.6 --to 60,0,3  stand in the street and look east
+  hsd render shop.hsd -o front.png --view elevation-front      draw the front in parallel projection
+  hsd render plot.hsd -o kura.png --house kura --date 2026-12-21 --hour 9
+                                                               show the storehouse on a winter morning")]
 pub(super) struct Render {
     /// Source files or models (.glb).
     #[arg(value_name = "FILE", required = true)]
@@ -66,6 +70,18 @@ pub(super) struct Render {
         value_name = "VIEW"
     )]
     views: Vec<Viewpoint>,
+
+    /// Show this house of the file: its name.
+    #[arg(long, value_name = "NAME", conflicts_with = "from")]
+    house: Option<String>,
+
+    /// Take the sun of Kyoto on this date instead of an afternoon's.
+    #[arg(long, value_name = "YYYY-MM-DD", value_parser = date)]
+    date: Option<String>,
+
+    /// Take it at this hour, as on a clock [default: 12].
+    #[arg(long, value_name = "H[:MM]", requires = "date", value_parser = hour)]
+    hour: Option<f64>,
 
     /// Place the camera: metres east, north and up, instead of a view.
     #[arg(long, value_name = "E,N,U", requires = "to", conflicts_with = "views", allow_hyphen_values = true, value_parser = place)]
@@ -116,6 +132,16 @@ enum Viewpoint {
     Right,
     /// From straight above.
     Top,
+    /// The front in parallel projection.
+    ElevationFront,
+    /// The back in parallel projection.
+    ElevationBack,
+    /// The left side in parallel projection.
+    ElevationLeft,
+    /// The right side in parallel projection.
+    ElevationRight,
+    /// The roofs in parallel projection, the front at the bottom.
+    Plan,
     /// From a place of its own.
     #[value(skip)]
     Camera,
@@ -132,6 +158,11 @@ impl Viewpoint {
             Viewpoint::Left => "left",
             Viewpoint::Right => "right",
             Viewpoint::Top => "top",
+            Viewpoint::ElevationFront => "elevation-front",
+            Viewpoint::ElevationBack => "elevation-back",
+            Viewpoint::ElevationLeft => "elevation-left",
+            Viewpoint::ElevationRight => "elevation-right",
+            Viewpoint::Plan => "plan",
             Viewpoint::Camera => "camera",
         }
     }
@@ -308,8 +339,14 @@ impl Render {
             ),
             _ => String::new(),
         };
+        let encoded = |name| utf8_percent_encode(name, NON_ALPHANUMERIC);
+        let house = self.house.as_deref().map(encoded);
+        let house = house.map_or(String::new(), |house| format!("&house={house}"));
+        let sun = self.date.as_ref().map_or(String::new(), |date| {
+            format!("&date={date}&hour={}", self.hour.unwrap_or(12.0))
+        });
         let url = format!(
-            "{}&render={views}{camera}&size={width}x{height}&samples={}",
+            "{}&render={views}{camera}{house}{sun}&size={width}x{height}&samples={}",
             preview.page(&name),
             self.samples
         );
@@ -409,6 +446,35 @@ fn place(text: &str) -> Result<Place, &'static str> {
     let number = |t: &str| t.trim().parse().ok().filter(|n: &f64| n.abs() <= 1e8);
     let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
     numbers.ok_or(EXPECTED)?.try_into().map_err(|_| EXPECTED)
+}
+
+/// Parses a date such as `2026-12-21`.
+fn date(text: &str) -> Result<String, &'static str> {
+    const EXPECTED: &str = "expected a date, as in 2026-12-21";
+    let parts: Option<Vec<u32>> = text.split('-').map(|t| t.parse().ok()).collect();
+    match parts.as_deref() {
+        Some([1..=9999, 1..=12, 1..=31]) => Ok(text.to_owned()),
+        _ => Err(EXPECTED),
+    }
+}
+
+/// Parses an hour such as `9`, `9.5` or `9:30`.
+fn hour(text: &str) -> Result<f64, &'static str> {
+    let hour = match text.split_once(':') {
+        Some((hours, minutes)) => hours
+            .parse()
+            .ok()
+            .zip(
+                minutes
+                    .parse()
+                    .ok()
+                    .filter(|m: &f64| (0.0..60.0).contains(m)),
+            )
+            .map(|(hours, minutes): (f64, f64)| hours + minutes / 60.0),
+        None => text.parse().ok(),
+    };
+    let hour = hour.filter(|h| (0.0..=24.0).contains(h));
+    hour.ok_or("expected an hour of the day, as in 9 or 16:30")
 }
 
 /// Parses an angle of view.

@@ -1,6 +1,6 @@
 //! The model of a run: its scene, its images, and the shapes that back ends leave out.
 
-use super::{Options, arrange, documents, house, spare_expressions, timed, variants};
+use super::{Options, arrange, beside, documents, house, spare_expressions, timed, variants};
 use crate::backend::images::{Library, PictureError};
 use crate::backend::{gltf, sound};
 use crate::building::{Building, Built};
@@ -116,7 +116,11 @@ pub fn compile(
     let mut times = vec![];
     let mut read = timed(&mut times, "parse", || match options.variants {
         Some(count) => variants::documents(sources, world, options, count, out),
-        None => documents(sources, world, options, out),
+        None => {
+            let mut read = documents(sources, world, options, out);
+            beside::put(&mut read, sources, world, options, out);
+            read
+        }
     });
     let mut found = Diagnostics::new();
     let mut building = timed(&mut times, "houses", || {

@@ -4,7 +4,7 @@
 use super::house::{BATCH, Batch, Expansion};
 use super::models::{not_shown, use_by};
 use super::overlaps::{Ground, Grounds};
-use super::{Options, documents, spare_expressions, timed};
+use super::{Options, beside, documents, spare_expressions, timed};
 use crate::backend::images::Library;
 use crate::backend::sound;
 use crate::building::Built;
@@ -62,7 +62,9 @@ pub fn stream(
 ) -> io::Result<Streamed> {
     let mut times = vec![];
     let read = timed(&mut times, "parse", || {
-        documents(sources, world, options, out)
+        let mut read = documents(sources, world, options, out);
+        beside::put(&mut read, sources, world, options, out);
+        read
     });
     let catalog = &*read.catalog;
     let tessellator = Tessellator::new(catalog, options.shapes());

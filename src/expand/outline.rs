@@ -35,7 +35,7 @@ const NUMBERS: u32 = 4;
 
 /// The outline of a house, ready to be walked.
 pub(super) struct Surveyed {
-    /// The outline, then its courts.
+    /// The outline, then its courtyards.
     rings: Vec<SurveyedRing>,
     /// How the house stands.
     stand: Stand,
@@ -47,7 +47,7 @@ pub(super) struct Surveyed {
     has_door: bool,
 }
 
-/// A walk round a house or a court.
+/// A walk round a house or a courtyard.
 struct SurveyedRing {
     span: Span,
     hole: bool,

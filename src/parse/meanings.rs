@@ -146,11 +146,11 @@ const COMPASS: [Meaning; 8] = [
     means("315", "north-west", "北西", &["northwest", "north-west", "nw", "hokusei", "西北"]),
 ];
 
-/// Modules of the tatami: half of a ken, shaku.
+/// Modules of plans: one U in shaku.
 #[rustfmt::skip]
 const MODULES: [Meaning; 3] = [
     means("3", "Edo-ma", "江戸間", &["edoma", "edo", "edo-ma", "関東間", "kantoma", "田舎間", "inakama"]),
-    means("3.15", "Chukyo-ma", "中京間", &["chukyoma", "chukyo", "chukyo-ma", "間の間", "ainoma"]),
+    means("3.15", "the Kyo-ma mat", "京間の畳", &["京畳", "畳割", "kyoma mat", "kyo-ma mat", "tatamiwari"]),
     means("3.25", "Kyo-ma", "京間", &["kyoma", "kyo", "kyo-ma", "kyōma", "本間", "honma", "関西間", "kansaima"]),
 ];
 

@@ -213,7 +213,7 @@ pub static ELEMENTS: &[Schema] = &[
     element(Tag::Outline, "Outline", bear::OUTLINE, Only(&OUTLINE), "`House`",
         ["the outline of the house in metres: the walls of every storey without rows of its own", "メートルで測った建物の輪郭。行の無い階の壁になる"]),
     element(Tag::Hole, "Hole", bear::HOLE, Only(&NOTHING), "`Outline`",
-        ["a court in the outline", "輪郭の中の中庭"]),
+        ["a courtyard in the outline", "輪郭の中の中庭"]),
     element(Tag::Storey, "Storey", bear::STOREY, Only(&STOREY), "`House`",
         ["a storey; the rows right in it are one closed walk", "階。直下の行がひと回りの壁になる"]),
     element(Tag::Walls, "Walls", bear::WALLS, Only(&WALLS), "`Storey`",

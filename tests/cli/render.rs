@@ -43,6 +43,55 @@ fn pictures_have_their_size_and_show_something() {
     );
 }
 
+/// The columns of a picture, from the first that differs from its upper left corner to the last.
+fn columns(path: &Path) -> (u32, u32) {
+    let picture = image::open(path).unwrap().into_rgb8();
+    let (sky, middle) = (*picture.get_pixel(0, 0), picture.height() / 2);
+    let far = |p: &image::Rgb<u8>| p.0.iter().zip(sky.0).any(|(a, b)| a.abs_diff(b) > 24);
+    let differ = (0..picture.width()).filter(|x| far(picture.get_pixel(*x, middle)));
+    let columns: Vec<u32> = differ.collect();
+    (columns[0], columns[columns.len() - 1])
+}
+
+#[test]
+#[ignore = "needs the built page and a browser"]
+fn elevations_are_parallel_and_houses_have_names() {
+    let folder = folder();
+    let two = "<Houses><Place type='kura' name='one'/><Place type='kura' name='two' x='40' y='30'/></Houses>";
+    fs::write(folder.path().join("two.hsd"), two).unwrap();
+    let small = [
+        "--size",
+        "320x200",
+        "--samples",
+        "1",
+        "--view",
+        "elevation-front",
+    ];
+    let draw = |more: &[&str]| {
+        let output = hsd(
+            folder.path(),
+            &[&["render", "two.hsd"], more, &small].concat(),
+        );
+        (code(&output), stderr(&output))
+    };
+    for house in ["one", "two"] {
+        let out = format!("{house}.png");
+        let (code, said) = draw(&["-o", &out, "--house", house]);
+        assert_eq!(code, 0, "{said}");
+    }
+    // Alike, however far away: a parallel projection of each alone, in the middle of its image.
+    let [one, two] = ["one.png", "two.png"].map(|name| columns(&folder.path().join(name)));
+    assert_eq!(one, two);
+    assert!(one.0.abs_diff(319 - one.1) <= 2, "{one:?}");
+    let (code, said) = draw(&["-o", "no.png", "--house", "three"]);
+    assert_ne!(code, 0);
+    assert!(said.contains("there are one, two"), "{said}");
+    let night = ["-o", "no.png", "--date", "2026-12-21", "--hour", "22:30"];
+    let (code, said) = draw(&night);
+    assert_ne!(code, 0);
+    assert!(said.contains("below the horizon"), "{said}");
+}
+
 #[test]
 #[ignore = "needs the built page and a browser"]
 fn what_is_less_fine_has_fewer_colours() {

@@ -99,7 +99,7 @@ pub fn cleaned(points: Span, doubled: usize, spikes: usize) -> Diagnostic {
     ))
 }
 
-/// An outline or a court without an area. Degrees of longitude and latitude are the usual reason.
+/// An outline or a courtyard without an area. Degrees of longitude and latitude are the usual reason.
 #[cold]
 pub fn no_area(points: Span, degrees: bool) -> Diagnostic {
     let message = text!(

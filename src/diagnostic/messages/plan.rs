@@ -317,6 +317,19 @@ pub(crate) fn ring_open(span: Span, last: Span, percent: f64, gap: f64) -> Diagn
         ))
 }
 
+/// Files whose houses stand at the same place, and are put side by side.
+#[cold]
+pub fn side_by_side(second: Span, files: usize) -> Diagnostic {
+    let message = text!([files]
+        "{files} files do not say where their houses stand, so these are put side by side",
+        "{files}個のファイルに建物の位置が書かれていないため、並べて置きました"
+    );
+    Diagnostic::note(431, second, message).help(text!(
+        "give each house its place: `x` and `y` in metres, or the first two numbers of the legacy form",
+        "建物ごとに位置を書いてください。`x` と `y`(メートル)、旧形式では最初の二つの数値です"
+    ))
+}
+
 /// Facades whose angles are those between the walls; `turn` is one of them.
 #[cold]
 pub(crate) fn interior_angles(span: Span, turn: f64) -> Diagnostic {

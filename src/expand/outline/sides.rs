@@ -32,7 +32,7 @@ pub(super) struct SurveyedSide {
     length: f64,
     /// The turn at its end, degrees.
     turn: f64,
-    /// The numbers as written of all sides that it unites; a court has none.
+    /// The numbers as written of all sides that it unites; a courtyard has none.
     numbers: Vec<u32>,
     is_front: bool,
     is_back: bool,

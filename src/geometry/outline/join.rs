@@ -33,7 +33,7 @@ impl Line {
     }
 }
 
-/// Joins the lines of squared rings, the outer ring first: walls move by `most` metres at most. Courts that vanish are
+/// Joins the lines of squared rings, the outer ring first: walls move by `most` metres at most. Courtyards that vanish are
 /// empty rings afterwards. Returns the farthest move. Lines stay apart if walls would cross or touch otherwise.
 pub fn join(rings: &mut Vec<Ring>, most: f64) -> f64 {
     let mut farthest = 0.0_f64;

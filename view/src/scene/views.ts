@@ -20,6 +20,39 @@ const DIRECTIONS: Record<View, { way: [number, number, number]; level?: number |
   top: { way: [0, 1, 0.0001] },
 };
 
+/** Parallel projections: elevations of the four sides, and the roofs from straight above. */
+export const ELEVATIONS = ['elevation-front', 'elevation-back', 'elevation-left', 'elevation-right', 'plan'] as const;
+export type Elevation = (typeof ELEVATIONS)[number];
+
+const SIDES: Record<Elevation, [number, number, number]> = {
+  'elevation-front': [0, 0, 1],
+  'elevation-back': [0, 0, -1],
+  'elevation-left': [-1, 0, 0],
+  'elevation-right': [1, 0, 0],
+  plan: [0, 1, 0],
+};
+
+/** A parallel camera at right angles to a side, as wide as some points need it in an image of this aspect. */
+export function elevationCamera(view: Elevation, azimuth: number, points: THREE.Vector3[], aspect: number): THREE.OrthographicCamera {
+  const axis = new THREE.Vector3(0, 1, 0), way = new THREE.Vector3(...SIDES[view]).applyAxisAngle(axis, turnOf(azimuth));
+  const camera = new THREE.OrthographicCamera();
+  // The front is at the bottom of a plan.
+  if (view === 'plan') camera.up.set(0, 0, -1).applyAxisAngle(axis, turnOf(azimuth));
+  const box = new THREE.Box3().setFromPoints(points), reach = box.getSize(new THREE.Vector3()).length();
+  camera.position.copy(box.getCenter(new THREE.Vector3()));
+  camera.lookAt(camera.position.clone().sub(way));
+  camera.updateMatrixWorld();
+  const seen = new THREE.Box3().setFromPoints(points.map(point => point.clone().applyMatrix4(camera.matrixWorldInverse)));
+  const size = seen.getSize(new THREE.Vector3()), centre = seen.getCenter(new THREE.Vector3());
+  const height = Math.max(size.y / 0.8, size.x / 0.9 / aspect), width = height * aspect;
+  Object.assign(camera, {
+    left: centre.x - width / 2, right: centre.x + width / 2, top: centre.y + height / 2, bottom: centre.y - height / 2,
+    near: -2 * reach, far: 100 * reach,
+  });
+  camera.updateProjectionMatrix();
+  return camera;
+}
+
 /** Rotation about y of a front's azimuth from the south, radians. */
 const turnOf = (azimuth: number) => (180 - azimuth) * Math.PI / 180;
 

@@ -3,10 +3,11 @@
 import * as THREE from 'three';
 import { Mirrors } from '../mirror/mirrors.ts';
 import type { Model } from '../model/model.ts';
-import { projectedBounds, cornersOf, type View, directionOf } from '../scene/views.ts';
+import { type Elevation, elevationCamera, ELEVATIONS, projectedBounds, cornersOf, type View, directionOf } from '../scene/views.ts';
 
 const EYE_HEIGHT = 1.5; // metres
-const SUN = new THREE.Vector3(-0.55, 0.72, 0.62).normalize(); // from the south-west, a little behind the camera of the front view
+/** Direction to the usual sun: from the south-west, a little behind the camera of the front view. */
+const AFTERNOON = new THREE.Vector3(-0.55, 0.72, 0.62).normalize();
 const SUN_COLOUR = new THREE.Color(1.0, 0.93, 0.82), SKY_COLOUR = new THREE.Color(0.72, 0.84, 1.0);
 const SUN_STRENGTH = 3.8, SKY_STRENGTH = 2.1, SUN_SHARE = 0.4; // fraction of the lights that represent the sun
 const HAZE = new THREE.Color(0.66, 0.77, 0.88), ZENITH = new THREE.Color(0.13, 0.32, 0.70);
@@ -19,10 +20,10 @@ export function vanDerCorput(index: number, base: number): number {
 }
 
 /** A dome coloured from the haze at the horizon to the zenith. */
-function skyDome(radius: number): THREE.Mesh {
+function skyDome(radius: number, sun: THREE.Vector3): THREE.Mesh {
   const material = new THREE.ShaderMaterial({
     side: THREE.BackSide, depthWrite: false,
-    uniforms: { haze: { value: HAZE }, zenith: { value: ZENITH }, sun: { value: SUN } },
+    uniforms: { haze: { value: HAZE }, zenith: { value: ZENITH }, sun: { value: sun } },
     vertexShader: 'varying vec3 way; void main() { way = position; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }',
     fragmentShader: `varying vec3 way; uniform vec3 haze, zenith, sun; void main() {
       vec3 d = normalize(way); float up = pow(clamp(d.y, 0.0, 1.0), 0.55);
@@ -36,9 +37,9 @@ function skyDome(radius: number): THREE.Mesh {
 const GROUND = new THREE.Color(0x8c8474);
 
 /** Environment map for glazed tiles: sky above, ground below. */
-function skyReflections(renderer: THREE.WebGLRenderer): THREE.Texture {
+function skyReflections(renderer: THREE.WebGLRenderer, sun: THREE.Vector3): THREE.Texture {
   const scene = new THREE.Scene();
-  scene.add(skyDome(50));
+  scene.add(skyDome(50, sun));
   const ground = new THREE.Mesh(new THREE.CircleGeometry(60, 48), new THREE.MeshBasicMaterial({ color: GROUND }));
   ground.rotation.x = -Math.PI / 2;
   ground.position.y = -2;
@@ -100,8 +101,15 @@ export type Place = [number, number, number];
 /** A camera at a place of its own; `fov` is the vertical angle of view, degrees. */
 export interface StandPoint { from: Place; to: Place; fov: number }
 
-/** A preset view, or a camera at a place of its own. */
-export type Viewpoint = View | StandPoint;
+/** A preset view, an elevation, or a camera at a place of its own. */
+export type Viewpoint = View | Elevation | StandPoint;
+
+type Camera = THREE.PerspectiveCamera | THREE.OrthographicCamera;
+
+/** What the views show: all houses of the model, or the one with this number; and the direction to the sun. */
+export interface Shown { azimuth: number; house: number | null; sun: THREE.Vector3 | null }
+
+const isElevation = (view: string): view is Elevation => (ELEVATIONS as readonly string[]).includes(view);
 
 export class ScreenshotRenderer {
   readonly renderer = new THREE.WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });
@@ -109,12 +117,17 @@ export class ScreenshotRenderer {
   readonly #mirrors: Mirrors;
   #light = new THREE.DirectionalLight(0xffffff, 1);
   #ball: THREE.Sphere;
+  #sun: THREE.Vector3;
+  #azimuth: number;
   #corners: THREE.Vector3[];
+  #box: THREE.Box3;
   #quad = new THREE.Mesh(new THREE.PlaneGeometry(2, 2));
   #screen = new THREE.Scene();
 
-  constructor(readonly model: Model, readonly width: number, readonly height: number, readonly azimuth: number) {
+  constructor(readonly model: Model, readonly width: number, readonly height: number, shown: Shown) {
     const { renderer, scene } = this;
+    const sun = this.#sun = shown.sun ?? AFTERNOON;
+    this.#azimuth = shown.azimuth;
     renderer.setSize(width, height);
     renderer.shadowMap.enabled = true;
     renderer.shadowMap.type = THREE.BasicShadowMap; // The sum over many lights softens the shadows.
@@ -129,10 +142,12 @@ export class ScreenshotRenderer {
     }
     const ball = this.#ball = model.box.getBoundingSphere(new THREE.Sphere());
     const level = Math.min(0, model.box.min.y) - 0.002;
-    this.#corners = cornersOf(model.parts.map(part => part.box));
-    scene.add(ground(ball, level), skyDome(ball.radius * 60));
+    const parts = model.parts.filter(part => shown.house === null || part.house === shown.house);
+    this.#corners = cornersOf(parts.map(part => part.box));
+    this.#box = new THREE.Box3().setFromPoints(this.#corners);
+    scene.add(ground(ball, level), skyDome(ball.radius * 60, sun));
     scene.fog = new THREE.Fog(HAZE, ball.radius * 8, ball.radius * 38);
-    scene.environment = skyReflections(renderer);
+    scene.environment = skyReflections(renderer, sun);
     const bounce = new THREE.HemisphereLight(0xffffff, 0xd8c4a0, 0.35); // Light reflected by the ground and the neighbours.
     const light = this.#light, reach = ball.radius * 1.1;
     light.castShadow = true;
@@ -151,7 +166,7 @@ export class ScreenshotRenderer {
   /** Renders the views with `of` lights each. */
   async render(views: Viewpoint[], of: number, then: (view: Viewpoint, png: Blob) => Promise<void>) {
     const { renderer, width, height } = this;
-    const cameras = views.map(view => typeof view === 'string' ? this.camera(view) : this.standing(view));
+    const cameras = views.map(view => this.#cameraOf(view));
     const shot = new THREE.WebGLRenderTarget(width, height, { type: THREE.HalfFloatType });
     const sums = cameras.map(() => new THREE.WebGLRenderTarget(width, height, { type: THREE.FloatType, depthBuffer: false }));
     for (const sum of sums) {
@@ -185,12 +200,19 @@ export class ScreenshotRenderer {
     for (const target of [shot, ...sums]) target.dispose();
   }
 
+  #cameraOf(view: Viewpoint): { camera: Camera; shift: THREE.Vector2 } {
+    if (typeof view !== 'string') return this.standing(view);
+    if (!isElevation(view)) return this.camera(view);
+    const camera = elevationCamera(view, this.#azimuth, this.#corners, this.width / this.height);
+    return { camera, shift: new THREE.Vector2() };
+  }
+
   /**
    * A camera in a view's direction, as close as the model's size allows. With an eye height it is level, so that posts stay
    * vertical, and the lens is shifted (pixels) to centre the model.
    */
   camera(view: View): { camera: THREE.PerspectiveCamera; shift: THREE.Vector2 } {
-    const { box } = this.model, { way, level } = directionOf(view, this.azimuth);
+    const box = this.#box, { way, level } = directionOf(view, this.#azimuth);
     const camera = new THREE.PerspectiveCamera(26, this.width / this.height, 0.1, 100000);
     const middle = box.getCenter(new THREE.Vector3()), size = box.getSize(new THREE.Vector3()).length();
     const low = Math.min(0, box.min.y);
@@ -208,7 +230,7 @@ export class ScreenshotRenderer {
     }
     const centre = boundsFrom(far)?.getCenter(new THREE.Vector2()) ?? new THREE.Vector2();
     camera.near = size / 200;
-    camera.far = size * 80;
+    camera.far = this.#ball.radius * 160;
     return { camera, shift: new THREE.Vector2(centre.x * this.width / 2, -centre.y * this.height / 2) };
   }
 
@@ -229,7 +251,7 @@ export class ScreenshotRenderer {
     const suns = Math.max(1, Math.round(of * SUN_SHARE)), skies = of - suns;
     const u = vanDerCorput(i + 1, 2), v = vanDerCorput(i + 1, 3), way = new THREE.Vector3();
     if (i < suns) {
-      way.set(u - 0.5, v - 0.5, vanDerCorput(i + 1, 5) - 0.5).multiplyScalar(0.035).add(SUN);
+      way.set(u - 0.5, v - 0.5, vanDerCorput(i + 1, 5) - 0.5).multiplyScalar(0.035).add(this.#sun);
       light.color.copy(SUN_COLOUR);
       light.intensity = SUN_STRENGTH * of / suns;
     } else {

@@ -5,8 +5,10 @@
 
 import { Loader } from '../model/loader.ts';
 import { fetchState } from '../server/api.ts';
-import { type Place, ScreenshotRenderer, type StandPoint } from './renderer.ts';
-import { type View, VIEWS } from '../scene/views.ts';
+import * as THREE from 'three';
+import { type Place, ScreenshotRenderer, type StandPoint, type Viewpoint } from './renderer.ts';
+import { KYOTO, parseDate, sunDirection, sunPosition } from '../scene/sun.ts';
+import { ELEVATIONS, VIEWS } from '../scene/views.ts';
 import { strings } from '../ui/strings.ts';
 
 /** Renders the requested views and posts each to the server, then the list of errors. */
@@ -19,15 +21,20 @@ export async function renderScreenshots(asked: URLSearchParams) {
     const [width = 960, height = 640] = (asked.get('size') ?? '').split('x').map(Number).filter(n => n > 0);
     const samples = Math.max(1, Number(asked.get('samples') ?? 16));
     const views = asked.has('from') ? [] : (asked.get('render') ?? 'front').split(',');
-    const wrong = views.filter(view => !(VIEWS as readonly string[]).includes(view));
-    if (wrong.length) throw new Error(`unknown view ${wrong.join(', ')}; available: ${VIEWS.join(', ')}`);
+    const known: readonly string[] = [...VIEWS, ...ELEVATIONS];
+    const wrong = views.filter(view => !known.includes(view));
+    if (wrong.length) throw new Error(`unknown view ${wrong.join(', ')}; available: ${known.join(', ')}`);
+    const sun = sunAsked(asked);
     const now = await fetchState(file);
     const loader = new Loader(), fetched = await loader.fetch(file, now.revision);
     const model = fetched && await loader.load(fetched, file, now);
     if (!model || model.chunks.length === 0) throw new Error('no house can be built from the file');
     await loader.texturesLoaded();
-    const renderer = new ScreenshotRenderer(model, width, height, now.plan.houses[0]?.azimuth ?? 180);
-    const shots = asked.has('from') ? [standPoint(asked)] : views as View[];
+    const name = asked.get('house'), { houses } = now.plan;
+    const house = name === null ? null : houses.findIndex(h => h.name === name);
+    if (house === -1) throw new Error(`no house is called ${name}; there are ${houses.map(h => h.name || '(without a name)').join(', ')}`);
+    const renderer = new ScreenshotRenderer(model, width, height, { azimuth: houses[house ?? 0]?.azimuth ?? 180, house, sun });
+    const shots: Viewpoint[] = asked.has('from') ? [standPoint(asked)] : views as Viewpoint[];
     await renderer.render(shots, samples, async (shot, blob) => {
       const view = typeof shot === 'string' ? shot : 'camera';
       const answer = await fetch(`/api/picture?view=${view}`, { method: 'POST', headers: { 'content-type': 'image/png' }, body: blob });
@@ -40,6 +47,15 @@ export async function renderScreenshots(asked: URLSearchParams) {
     method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify({ errors }),
   });
   document.documentElement.dataset.rendered = `${errors.length}`;
+}
+
+/** Direction to the sun over Kyoto at the `date` and `hour` that the page was asked for; null without. */
+function sunAsked(asked: URLSearchParams): THREE.Vector3 | null {
+  const date = parseDate(asked.get('date') ?? '');
+  if (!date) return null;
+  const hour = Number(asked.get('hour') ?? 12), sun = sunPosition(date, hour, KYOTO);
+  if (sun.altitude < 0) throw new Error(`the sun is ${Math.ceil(-sun.altitude)} degrees below the horizon then`);
+  return new THREE.Vector3(...sunDirection(sun));
 }
 
 /** The camera that the page was asked for: `from` and `to` in metres east, north, up, and `fov` in degrees. */

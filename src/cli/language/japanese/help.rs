@@ -378,7 +378,10 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
 例:
   hsd render shop.hsd -o shop.png                              通りからの画像を作る
   hsd render street/*.hsd -o pictures/ --view front,above      家ごとに 2 枚の画像を作る
-  hsd render street.hsd -o eye.png --from 2,0,1.6 --to 60,0,3  通りに立って東を見る",
+  hsd render street.hsd -o eye.png --from 2,0,1.6 --to 60,0,3  通りに立って東を見る
+  hsd render shop.hsd -o front.png --view elevation-front      正面の立面を平行投影で描く
+  hsd render plot.hsd -o kura.png --house kura --date 2026-12-21 --hour 9
+                                                               冬の朝の土蔵を描く",
         arguments: &[
             ("inputs", "テキスト、またはモデル (.glb)", ""),
             (
@@ -388,6 +391,9 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
             ),
             ("views", "視点をコンマで区切って選ぶ", ""),
             ("size", "幅と高さを画素数で指定する", ""),
+            ("house", "ファイルの中のこの名前の家を写す", ""),
+            ("date", "午後の光の代わりに、この日の京都の太陽で照らす", ""),
+            ("hour", "その日の時刻を指定する [既定値: 12]", ""),
             ("from", "視点の代わりに、カメラの位置を指定する(東, 北, 上。m)", ""),
             ("to", "カメラの見る点を指定する(東, 北, 上。m)", ""),
             ("fov", "そのカメラの縦の画角を度で指定する", ""),
@@ -403,6 +409,11 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
             ("left", "左側面"),
             ("right", "右側面"),
             ("top", "真上から"),
+            ("elevation-front", "正面の立面。平行投影"),
+            ("elevation-back", "背面の立面。平行投影"),
+            ("elevation-left", "左側面の立面。平行投影"),
+            ("elevation-right", "右側面の立面。平行投影"),
+            ("plan", "屋根伏せ。平行投影で、正面が下"),
             ("png", "可逆圧縮"),
             ("jpg", "非可逆圧縮、大きさは数分の一"),
         ],
