@@ -19,8 +19,10 @@ pub enum RoofMethod {
     /// The partition that cuts the least roof.
     #[default]
     LeastCut,
-    /// The published method (001-15 to 001-19).
+    /// The published method to the letter: every region has a gable, its long side is the eaves side (001-15 to 001-20).
     Kd,
+    /// The published division, with branches and lean-tos as in the others (001-15 to 001-19).
+    KdBranches,
     /// Branches are cut off one after the other (002-22, 002-23).
     BranchCut,
     /// No division: one hipped roof over the whole outline, by its straight skeleton.
@@ -29,9 +31,10 @@ pub enum RoofMethod {
 
 impl RoofMethod {
     /// Every method with its name.
-    pub const ALL: [(&'static str, RoofMethod); 4] = [
+    pub const ALL: [(&'static str, RoofMethod); 5] = [
         ("least-cut", RoofMethod::LeastCut),
         ("kd", RoofMethod::Kd),
+        ("kd-branches", RoofMethod::KdBranches),
         ("branch-cut", RoofMethod::BranchCut),
         ("skeleton", RoofMethod::Skeleton),
     ];

@@ -137,6 +137,13 @@ const METHODS: &Table = &[
         noun("the published method of kD-roofing", "kD-roofing の方法"),
     ),
     (
+        "kd-branches",
+        noun(
+            "the division of kD-roofing, with branches and lean-tos",
+            "kD-roofing の分け方に、枝と下屋の規則を加える",
+        ),
+    ),
+    (
         "branch-cut",
         noun("branches cut off one after the other", "枝を順に切り離す"),
     ),

@@ -351,7 +351,11 @@ impl Storey<'_, '_> {
 
     fn regions(&self, context: &Context<'_>, open: &Plan, trunks: &[Written]) -> Vec<Region> {
         let method = match self.house.roofs.method {
-            RoofMethod::Kd => Method::Kd,
+            RoofMethod::Kd => {
+                let cells = partition_within(open, Method::Kd, self.budget);
+                return cells.into_iter().map(Region::main).collect();
+            }
+            RoofMethod::KdBranches => Method::Kd,
             RoofMethod::BranchCut => Method::BranchCut,
             RoofMethod::LeastCut | RoofMethod::Skeleton => Method::LeastCut,
         };
