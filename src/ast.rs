@@ -11,6 +11,7 @@ mod monuments;
 mod outline;
 mod parts;
 mod pieces;
+mod purpose;
 mod rare;
 mod roofs;
 mod value;
@@ -24,6 +25,7 @@ pub use monuments::{Gate, Given, Hall, Measures, Monument, Pagoda, Pair};
 pub use outline::{Hole, On, Outline, Points, SidePart, SideWall, Stand, Walls};
 pub use parts::{WrittenAttribute, WrittenBody, WrittenPart, attribute_value};
 pub use pieces::{CodeText, Half, Part, Piece, Split};
+pub use purpose::Purpose;
 pub use rare::{Rare, Usual};
 pub use roofs::{
     RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
@@ -113,6 +115,9 @@ pub struct Settings {
     pub seed: Option<Spanned<u64>>,
     /// True if the first line faces a street.
     pub street: Option<Spanned<bool>>,
+    /// What the house is for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub purpose: Option<Spanned<Purpose>>,
     /// Years since it was built; without it nothing weathers.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub age: Option<Spanned<f64>>,

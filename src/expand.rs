@@ -226,6 +226,7 @@ impl<'a, 'c> Pass<'a, 'c> {
             azimuth: number(&settings.azimuth, 180.0),
             unit_shaku: unit,
             street: settings.street.as_ref().is_some_and(|s| s.value),
+            purpose: settings.purpose,
             storeys,
             platform: house.fittings.platform.clone(),
             finials: house.fittings.finials.clone(),

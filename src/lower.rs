@@ -5,11 +5,13 @@
 //! - [`walk`]: one loop to walls, one after another;
 //! - [`close`]: closed walks, and the line that would close an open one;
 //! - [`square`]: rings that are nearly at right angles;
+//! - [`purpose`]: roofs by what a house is for;
 //! - [`text`]: edits that make a line of the legacy form longer, shorter, or turn the other way;
 //! - [`crossing`]: walls that cross or touch, within a ring and between rings.
 
 mod close;
 mod crossing;
+mod purpose;
 mod square;
 mod text;
 mod walk;
@@ -55,6 +57,8 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
             z = top;
         }
     }
+    let mut roofs = house.roofs;
+    purpose::fill(&mut roofs, house.purpose, &storeys);
     let [x, y, ground] = house.origin;
     let unit = house.unit_shaku * SHAKU;
     let off = match house.anchor {
@@ -77,7 +81,7 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
         raised,
         platform: house.platform,
         finials: house.finials,
-        roofs: house.roofs,
+        roofs,
     }
 }
 

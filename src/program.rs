@@ -2,11 +2,11 @@
 //! every unit knows its part and width. `expand` makes it, `lower` follows it.
 
 use crate::ast::{
-    Anchor, Era, Finial, Order, PlacedBy, Platform, Rare, RoofLine, RoofMethod, RoofMode,
+    Anchor, Era, Finial, Order, PlacedBy, Platform, Purpose, Rare, RoofLine, RoofMethod, RoofMode,
     RoofStyle, StoreyKind, Usual, Variant,
 };
 use crate::catalog::PartId;
-use crate::source::Span;
+use crate::source::{Span, Spanned};
 use serde::Serialize;
 use std::sync::LazyLock;
 
@@ -58,6 +58,9 @@ pub struct House {
     pub unit_shaku: f64,
     /// True if the first line faces a street.
     pub street: bool,
+    /// What the house is for; it fills in what its roofs do not say.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub purpose: Option<Spanned<Purpose>>,
     /// From the ground up.
     pub storeys: Vec<Storey>,
     /// The platform under it.

@@ -96,6 +96,7 @@ fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
         azimuth: 180.0,
         unit_shaku: 3.0,
         street: false,
+        purpose: None,
         age: None,
         storeys: storeys.collect(),
         platform: None,

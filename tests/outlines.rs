@@ -403,3 +403,32 @@ fn any_points_make_a_house_or_a_message() {
         );
     }
 }
+
+#[test]
+fn roofs_follow_the_purpose_of_a_house() {
+    let shape = |purpose: &str, points: &str, roofs: &str| {
+        let run = run(&format!(
+            "<House use='{purpose}'><Outline points='{points}'/>{roofs}</House>"
+        ));
+        assert!(!run.has_errors(), "{}", run.short());
+        let roof = &run.building.houses[0].roofs.roofs[0];
+        (roof.shape, roof.kind)
+    };
+    use hsd::ast::RoofKind::{Bark, CoverTiles, Tiles};
+    use hsd::ast::RoofShape::{Gable, Hip, HipAndGable, Pyramid};
+    let (square, long) = ("0 0, 9 0, 9 8.2, 0 8.2", "0 0, 12 0, 12 8, 0 8");
+    let slanting = "0 0, 9 0, 12 4, 12 8, 0 8";
+    assert_eq!(shape("hall", square, ""), (Pyramid, CoverTiles));
+    assert_eq!(shape("hall", long, ""), (Gable, CoverTiles));
+    assert_eq!(shape("temple", square, ""), (HipAndGable, CoverTiles));
+    assert_eq!(shape("temple", slanting, ""), (Hip, Tiles));
+    assert_eq!(shape("shrine", long, ""), (Gable, Bark));
+    for purpose in ["dwelling", "store", "gate"] {
+        assert_eq!(shape(purpose, square, ""), (Gable, Tiles), "{purpose}");
+    }
+    let own = "<Roofs shape='YOS' kind='Y'/>";
+    assert_eq!(shape("hall", square, own).0, Hip);
+    // An L of a hall is no square, though its bounds are.
+    let corner = "0 0, 9 0, 9 4, 4 4, 4 9, 0 9";
+    assert_eq!(shape("hall", corner, "").0, Gable);
+}

@@ -51,6 +51,13 @@ pub fn to_legacy(
             writer.refuse(structure.span, say::facades(structure.span));
             continue;
         }
+        if let Some(purpose) = house.purpose {
+            writer.refuse(purpose.span, say::roof_style(purpose.span));
+        }
+        if let Some(outline) = written.and_then(|house| house.outline.as_ref()) {
+            writer.refuse(outline.span, say::outline(outline.span));
+            continue;
+        }
         let textures = written.into_iter().flat_map(|house| &house.textures);
         textures.for_each(|t| writer.refuse(t.span, say::gloss(t.span)));
         let parts = written.into_iter().flat_map(|house| &house.parts);

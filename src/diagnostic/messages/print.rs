@@ -102,6 +102,19 @@ pub fn facades(span: Span) -> Diagnostic {
     ))
 }
 
+/// An outline in metres.
+#[cold]
+pub fn outline(span: Span) -> Diagnostic {
+    let message = text!(
+        "the legacy form has no outlines in metres",
+        "旧形式ではメートルの輪郭を書けません"
+    );
+    Diagnostic::error(818, span, message).help(text!(
+        "write the walls as `Row`s in U, or keep the file in XML",
+        "壁を U 単位の `Row` で書くか、XML のままにしてください"
+    ))
+}
+
 /// A part with a custom width.
 #[cold]
 pub fn own_width(span: Span, code: &str, width: f64, usual: f64) -> Diagnostic {

@@ -1,6 +1,6 @@
 //! The attributes of every element: values, default and description of each.
 
-use crate::ast::{Era, FinialKind, Paint, RoofMethod, RoofShape};
+use crate::ast::{Era, FinialKind, Paint, Purpose, RoofMethod, RoofShape};
 use crate::parse::schema::kinds::Kind::{
     Choice, Choices, Either, Number, Numbers, Pair, Point, Points, Positions, Text, Whole,
     WholePair, YesNo,
@@ -52,7 +52,7 @@ const SHAPE: Kind = Choice(&words(&RoofShape::ALL));
 const ANCHOR: Kind = Choice(&words(&vocabulary::ANCHORS));
 
 #[rustfmt::skip]
-const HOUSE_OWN: [AttributeSchema; 8] = [
+const HOUSE_OWN: [AttributeSchema; 9] = [
     may("name", Text, "", "its name, which also keys its draws", "建物の名。抽選の鍵にもなる"),
     may("unit", Number(0.1, 100.0), "3", "one unit in shaku: 3 (Edo-ma), 3.15, 3.25 (Kyo-ma)", "1ユニットの長さ(尺)。3(江戸間)、3.15、3.25(京間)").shaku(),
     may("seed", Whole(0, u64::MAX), "0", "key of the draws: another seed, another house of the same kind", "抽選の種。変えると同じ型の別の建物になる"),
@@ -61,6 +61,7 @@ const HOUSE_OWN: [AttributeSchema; 8] = [
     may("y", ANYWHERE, "0", "place of the house's origin, metres north", "原点の位置。北へ(m)").metres(),
     may("z", ANYWHERE, "0", "height of the ground, metres", "地盤の高さ(m)").metres(),
     may("street", YesNo, "no", "the first line stands on the street: its roof's ridge runs along it", "最初の行が通りに面する(平入りになる)"),
+    may("use", Choice(&words(&Purpose::ALL)), "", "what it is for, where `Roofs` says nothing: nearly square halls have pyramids, temples hip-and-gable roofs, others gables", "用途。`Roofs` に書かないとき、正方形に近い堂は宝形、寺は入母屋、ほかは切妻になる"),
 ];
 /// The age of a house.
 #[rustfmt::skip]
@@ -88,7 +89,7 @@ pub(super) const PLACEMENT: &[AttributeSchema] = &join::<8, 2, 10>([
     may("at", ANCHOR, "corner", "what stands there: the right end of the front, or the centre of the ground storey", "その位置に来る点。正面の右端 `corner` か、一階の中心 `centre`"),
     may("seed", Whole(0, u64::MAX), "", "key of the draws, parameters that are not set among them", "抽選の種。指定しない変数も抽選する"),
 ], AGED);
-pub(super) const HOUSE: &[AttributeSchema] = &join::<8, 2, 10>(HOUSE_OWN, AGED);
+pub(super) const HOUSE: &[AttributeSchema] = &join::<9, 2, 11>(HOUSE_OWN, AGED);
 #[rustfmt::skip]
 pub(super) const STOREY: &[AttributeSchema] = &[
     may("height", SIZE, "9", "from its floor to the next, shaku", "階高(尺)").shaku(),

@@ -1,6 +1,6 @@
 //! Houses: settings, storeys, loops and rows.
 
-use crate::ast::{Edit, Era, House, Loop, Row, Settings, Storey, StoreyKind};
+use crate::ast::{Edit, Era, House, Loop, Purpose, Row, Settings, Storey, StoreyKind};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::schema;
 use crate::parse::schema::vocabulary::{STOREY_KINDS, TURNS};
@@ -84,6 +84,7 @@ impl<'t> Reader<'t, '_> {
             unit: self.number(of, "unit"),
             seed: self.whole_number(of, "seed"),
             street: self.yes_no(of, "street"),
+            purpose: self.choice(of, "use", &Purpose::ALL),
             age: self.age(of),
             era: self.era(of),
         }
