@@ -198,7 +198,10 @@ impl<'a, 'c> Pass<'a, 'c> {
         let unit = unit.and_then(positive).unwrap_or(UNIT);
         self.given_pictures(house);
         let mut draft = self.monument(house, unit);
-        let mut surveyed = self.survey(house, unit);
+        let mut surveyed = match draft {
+            Some(_) => None,
+            None => self.survey(house, unit),
+        };
         let mut storeys = match &mut draft {
             Some(draft) => self.own_parts(std::mem::take(&mut draft.storeys)),
             None => self.all_storeys(house, place, unit, surveyed.as_mut()),

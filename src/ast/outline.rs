@@ -8,7 +8,7 @@ use serde::Serialize;
 /// The outline of a house in metres: the walk of every storey without rows of its own.
 #[derive(Clone, Debug, Serialize)]
 pub struct Outline {
-    /// The start tag.
+    /// The element.
     pub span: Span,
     /// Its corners: metres east and north of the house's place, in either direction.
     pub points: Points,

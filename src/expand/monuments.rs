@@ -26,15 +26,13 @@ impl<'c> Pass<'_, 'c> {
     pub(super) fn monument(&mut self, house: &ast::House, unit: f64) -> Option<Draft<'c>> {
         let monument = house.monument.as_ref()?;
         let span = monument.span();
-        let first = match (house.storeys.first(), house.structures.first()) {
-            (Some(item), _) => Some(place_of(item)),
-            (None, structure) => structure.map(|s| s.span),
-        };
-        if let Some(first) = first {
-            let first = self.head(first);
-            let storeys = house.storeys.iter().map(place_of);
-            let all = storeys.chain(house.structures.iter().map(|s| s.span));
-            let told = say::storeys_beside(span, name(monument), first, all.collect());
+        let storeys = house.storeys.iter().map(place_of);
+        let outline = house.outline.iter().map(|outline| outline.span);
+        let walls = storeys.chain(house.structures.iter().map(|s| s.span));
+        let all: Vec<Span> = walls.chain(outline).collect();
+        if let Some(first) = all.first() {
+            let first = self.head(*first);
+            let told = say::storeys_beside(span, name(monument), first, all);
             self.out.push(told);
         }
         let mut draft = Draft::new(span, unit, self.codes.catalog);

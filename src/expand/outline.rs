@@ -25,8 +25,8 @@ const EXACT: f64 = 0.001;
 const SHORT_FRONT: f64 = 0.9;
 /// Lengths of squared outlines count in steps of U: walls are on one line or a millimetre apart.
 const STEP: f64 = 1e-3;
-/// Outlines smaller than that in both directions are probably in degrees.
-const DEGREES: f64 = 0.1;
+/// Outlines smaller than that in both directions are no houses, but probably in degrees.
+const DEGREES: f64 = 0.5;
 
 /// The marks of sides: on a street, of a neighbour; from the rest on, numbers that walls are written for.
 const ON_STREET: u32 = 1;
@@ -113,7 +113,7 @@ impl Written<'_> {
 }
 
 impl Pass<'_, '_> {
-    /// Prepares the outline of a house; one U is `unit` shaku. Nothing if the house has none, or none with an area.
+    /// Prepares the outline of a house, if it has one; one U is `unit` shaku. An outline that is no area has no rings.
     pub(super) fn survey(&mut self, house: &ast::House, unit: f64) -> Option<Surveyed> {
         let outline = house.outline.as_deref()?;
         let courts = outline.holes.iter().map(|hole| &hole.points);
@@ -129,7 +129,7 @@ impl Pass<'_, '_> {
                     written.push((points.span, ring));
                     cleaned.push(sides);
                 }
-                None if number == 0 => return None,
+                None if number == 0 => return Some(Surveyed::empty()),
                 None => {}
             }
         }
@@ -146,6 +146,9 @@ impl Pass<'_, '_> {
         hole: bool,
         mark: impl Fn(usize) -> u32,
     ) -> Option<(Written<'d>, Ring)> {
+        if points.value.is_empty() {
+            return None; // they could not be read, which was reported
+        }
         let corners: Vec<DVec2> = points.value.iter().map(|p| p.value).collect();
         let first = corners.first().copied().unwrap_or_default();
         let about: Vec<DVec2> = corners.iter().map(|p| *p - first).collect();
@@ -155,7 +158,7 @@ impl Pass<'_, '_> {
             // The interior lies to the right of a walk; seen from above an outline is walked clockwise.
             reversed: (area > 0.0) != hole,
         };
-        let (mut ring, removed) = match points.value.len() {
+        let (ring, removed) = match points.value.len() {
             0..3 => Default::default(),
             _ => {
                 let walk = written.walk();
@@ -165,11 +168,8 @@ impl Pass<'_, '_> {
         };
         let far = about.iter().map(|p| p.abs().max_element());
         let extent = far.fold(0.0, f64::max);
-        if area2(&outline::corners(&ring)).abs() < clean::NEAR * clean::NEAR {
-            ring.clear();
-        }
-        if ring.is_empty() {
-            let degrees = corners.len() > 2 && extent < DEGREES;
+        let degrees = corners.len() > 2 && extent < DEGREES;
+        if ring.is_empty() || degrees {
             self.out.push(say::no_area(points.span, degrees));
             return None;
         }
@@ -281,6 +281,17 @@ impl Pass<'_, '_> {
 }
 
 impl Surveyed {
+    /// Returns an outline without walls, for one that is none.
+    fn empty() -> Surveyed {
+        Surveyed {
+            rings: vec![],
+            stand: Stand::Facing,
+            corner: DVec2::ZERO,
+            azimuth: 180.0,
+            has_door: false,
+        }
+    }
+
     /// Puts a house where its outline was surveyed.
     pub(super) fn stand(&self, house: &mut House) {
         let Stand::Surveyed(turn) = self.stand else {

@@ -133,6 +133,17 @@ pub(crate) const ERAS: [Meaning; 4] = [
     means("all", "any time", "いつでも", &["any"]),
 ];
 
+/// What houses are for.
+#[rustfmt::skip]
+const PURPOSES: [Meaning; 6] = [
+    means("dwelling", "", "住まい", &["住宅", "家", "民家", "house", "home", "residence"]),
+    means("store", "", "蔵", &["倉", "倉庫", "土蔵", "店", "kura", "shop", "storehouse", "warehouse"]),
+    means("hall", "", "堂", &["仏堂", "お堂", "do", "dō"]),
+    means("temple", "", "寺", &["寺院", "本堂", "tera"]),
+    means("shrine", "", "社殿", &["神社", "社", "本殿", "jinja"]),
+    means("gate", "", "門", &["mon"]),
+];
+
 /// Compass directions that a front can look to, degrees.
 #[rustfmt::skip]
 const COMPASS: [Meaning; 8] = [
@@ -192,6 +203,7 @@ const TABLES: &[&[Meaning]] = &[
     &PAINTS,
     &FINIALS,
     &ERAS,
+    &PURPOSES,
     &COMPASS,
     &MODULES,
     &TRUTHS,

@@ -99,13 +99,19 @@ pub fn cleaned(points: Span, doubled: usize, spikes: usize) -> Diagnostic {
     ))
 }
 
-/// An outline or a courtyard without an area. Degrees of longitude and latitude are the usual reason.
+/// An outline or a courtyard without an area, or hardly any. Degrees of longitude and latitude are the usual reason.
 #[cold]
 pub fn no_area(points: Span, degrees: bool) -> Diagnostic {
-    let message = text!(
-        "these corners enclose no area",
-        "これらの隅は面を囲んでいません"
-    );
+    let message = match degrees {
+        true => text!(
+            "this outline is less than half a metre wide",
+            "この輪郭の幅は 50 cm もありません"
+        ),
+        false => text!(
+            "these corners enclose no area",
+            "これらの隅は面を囲んでいません"
+        ),
+    };
     Diagnostic::error(424, points, message).help(match degrees {
         true => text!(
             "they look like degrees of longitude and latitude; give metres east and north",

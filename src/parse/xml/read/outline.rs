@@ -28,7 +28,7 @@ impl<'t> Reader<'t, '_> {
         let read = self.outline(schema, element, settings);
         match house.outline.as_ref().map(|first| first.span) {
             Some(first) => self.second(schema.name, "House", first, element),
-            None => house.outline = read.map(Box::new),
+            None => house.outline = Some(Box::new(read)),
         }
     }
 
@@ -63,7 +63,7 @@ impl<'t> Reader<'t, '_> {
         schema: &'static Schema,
         element: &'t Element<'t>,
         settings: &Attributes<'t>,
-    ) -> Option<Outline> {
+    ) -> Outline {
         let of = self.attributes(schema, element);
         let points = self.points(&of, "points");
         let is_no = |square: &str| square.trim_matches(is_blank) == "no";
@@ -92,9 +92,10 @@ impl<'t> Reader<'t, '_> {
                 }));
             }
         }
-        Some(Outline {
-            span: self.start(element),
-            points: points?,
+        Outline {
+            span: self.whole(element),
+            // Points that cannot be read were reported; nothing else is, then.
+            points: points.unwrap_or_else(|| Spanned::new(vec![], self.start(element))),
             square,
             join,
             front,
@@ -105,7 +106,7 @@ impl<'t> Reader<'t, '_> {
                 None => Stand::Surveyed(0.0),
             },
             holes,
-        })
+        }
     }
 
     /// Reads corners: pairs of numbers, divided by blanks or commas.
