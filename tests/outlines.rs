@@ -143,6 +143,16 @@ fn what_slants_keeps_its_corners_and_says_why() {
     let run = house(&format!("points='{rough}'>"), "");
     assert_eq!(codes(&run), [422, 520], "{}", run.short());
     assert!(run.short().contains("would move by"), "{}", run.short());
+    // The corner that is named is the one that is marked, whichever way round they are written.
+    for rough in [rough, "0 8, 9 8, 9 0.9, 0 0"] {
+        let said = house(&format!("points='{rough}'>"), "").short();
+        let named = (1..=4).find(|n| said.contains(&format!("corner {n} would move")));
+        let corner = rough.split(", ").nth(named.expect("a corner is named") - 1);
+        assert!(
+            said.contains(&format!("marked: \"{}\"", corner.unwrap())),
+            "{said}"
+        );
+    }
     let run = house(&format!("points='{rough}' square='0.6'>"), "");
     assert_eq!(codes(&run), [421], "{}", run.short());
     let run = house(&format!("points='{rough}' square='no'>"), "");

@@ -93,6 +93,15 @@ impl Written<'_> {
         }
     }
 
+    /// Returns the place of a corner in the text and its number from 1, from its index in the walk.
+    fn corner(&self, corner: usize) -> (Span, usize) {
+        let written = match self.reversed {
+            true => self.sides() - 1 - corner,
+            false => corner,
+        };
+        (self.points[written].span, written + 1)
+    }
+
     /// Returns the corners in the direction of the walk.
     fn walk(&self) -> Vec<DVec2> {
         let points = self.points[..self.sides()].iter().map(|p| p.value);
@@ -233,8 +242,8 @@ impl Pass<'_, '_> {
                     let (span, number) = place(ring, side);
                     say::slants(span, number, angle, square::MOST_OFF)
                 }
-                Crooked::Moves(ring, side, moved) => {
-                    let (span, number) = place(ring, side);
+                Crooked::Moves(ring, corner, moved) => {
+                    let (span, number) = written[ring].1.corner(corner);
                     say::moves(span, number, moved, most)
                 }
                 Crooked::Crosses => say::would_cross(span),

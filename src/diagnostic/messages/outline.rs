@@ -49,13 +49,13 @@ pub fn slants(side: Span, number: usize, angle: f64, most: f64) -> Diagnostic {
 
 /// A corner that would move too far for the outline to be squared.
 #[cold]
-pub fn moves(side: Span, number: usize, moved: f64, most: f64) -> Diagnostic {
+pub fn moves(corner: Span, number: usize, moved: f64, most: f64) -> Diagnostic {
     let (moved, most) = (millimetres(moved), millimetres(most));
     let message = text!([number, moved, most]
         "the outline is not squared: corner {number} would move by {moved} mm, more than {most} mm",
         "隅 {number} が {moved} mm 動くことになり、{most} mm を超えるため、輪郭を直角に直していません"
     );
-    Diagnostic::note(422, side, message).help(text!([moved]
+    Diagnostic::note(422, corner, message).help(text!([moved]
         "allow it with `square` if the survey is that rough: {moved} mm or more",
         "測量がそれほど粗いなら、`square` に {moved} mm 以上を書いてください"
     ))

@@ -59,12 +59,12 @@ pub struct Squared {
     pub moved: f64,
 }
 
-/// Why rings could not be squared: the ring and the number of a side as surveyed.
+/// Why rings could not be squared: the ring, and the number of a side or corner as surveyed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Crooked {
     /// A side at more than [`MOST_OFF`] degrees from its axis; its angle.
     Slants(usize, usize, f64),
-    /// A side at whose start a corner would move too far, and how far, metres.
+    /// A corner that would move too far, and how far, metres.
     Moves(usize, usize, f64),
     /// The walls would cross.
     Crosses,
@@ -153,13 +153,13 @@ fn slants(ring: &[Side], number: usize, most: f64) -> Result<(), Crooked> {
 /// the farthest move too.
 fn settle(ring: &Ring, number: usize, most: f64) -> Result<(Ring, f64), Crooked> {
     let mean = settled(ring, Line::Mean);
-    let (made, (side, moved)) = match mean {
+    let (made, (corner, moved)) = match mean {
         Some((made, far)) if far.1 <= most => (made, far),
         _ => settled(ring, Line::Middle).ok_or(Crooked::Crosses)?,
     };
     match moved <= most {
         true => Ok((made, moved)),
-        false => Err(Crooked::Moves(number, ring[side].number, moved)),
+        false => Err(Crooked::Moves(number, ring[corner].corner, moved)),
     }
 }
 
