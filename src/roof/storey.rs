@@ -2,6 +2,7 @@
 
 pub(in crate::roof) mod abutment;
 pub(in crate::roof) mod automatic;
+pub(in crate::roof) mod corridor;
 pub(in crate::roof) mod explicit;
 pub(in crate::roof) mod forms;
 pub(in crate::roof) mod headroom;

@@ -45,7 +45,7 @@ pub(in crate::roof) struct Automatic<'c, 'h> {
     /// The lowest outer wall that a lean-to would have left, if some became gables for that, metres.
     too_low: Option<f64>,
     /// Neighbours along whole sides.
-    sides: Option<Sides>,
+    pub(in crate::roof) sides: Option<Sides>,
     /// Spatial index of the regions, made on first use.
     nearby: OnceCell<Nearby>,
 }
@@ -161,7 +161,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
                     }
                 }
                 (None, Some(trunk)) if joined => self.abut(n, trunk, side, plain),
-                _ => self.other_end(n, side, plain),
+                _ => self.mitred(n, side, self.other_end(n, side, plain)),
             }
         });
         self.context

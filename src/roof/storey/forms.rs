@@ -161,8 +161,11 @@ impl Context<'_> {
             .enumerate()
             .filter(|(i, _)| free[*i])
         {
-            ends[i].cap = cap;
-            if look.sori > 0.0 && cap.has_corners() {
+            // A corridor that turns a corner has its hip already.
+            if ends[i].cap == Cap::Gable {
+                ends[i].cap = cap;
+            }
+            if look.sori > 0.0 && ends[i].cap.has_corners() {
                 ends[i].rises =
                     [near, near.opposite()].map(|eaves| self.is_corner(&cell, side, eaves));
             }
