@@ -81,6 +81,10 @@ export class App {
     this.mirrors = createMirrors(this.viewport);
     this.pointed = new Highlight(this.viewport, 'cursor', 0x2f6f9f);
     this.selected = new Highlight(this.viewport, 'selection', 0xc8431f);
+    this.viewport.controls.addEventListener('change', () => { if (!this.movingToView) this.#framed = null; });
+    // A preset view still shows all of it when the panel opens or the window turns.
+    this.viewport.onResized.push(() => { if (this.#framed) this.look(this.#framed.view, this.#framed.part); });
+    this.section.overlays.push(...this.pointed.materials, ...this.selected.materials);
     this.viewport.isVisible = chunk => !this.hidden.has(this.layerOf(chunk));
   }
 
@@ -101,7 +105,7 @@ export class App {
   async openFile(file: string) {
     this.#unsubscribe();
     this.file = file;
-    this.state = this.model = null;
+    this.state = this.model = this.#framed = null;
     this.hidden.clear();
     this.viewport.show(buildModel(new THREE.Group())); // The previous file's model must not stay under the new file's name.
     this.measure.clear();
@@ -287,7 +291,11 @@ export class App {
     this.movingToView = true;
     this.viewport.lookAt(frameBox(this.viewport.camera, box.clone(), view, this.azimuth()));
     this.movingToView = false;
+    this.#framed = { view, part };
   }
+
+  /** The preset view that is shown, until the camera is moved. */
+  #framed: { view: View; part: number | null } | null = null;
 
   /** Restores the settings that the page opened with. */
   reset() {

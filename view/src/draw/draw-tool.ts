@@ -15,6 +15,9 @@ import { WallTool } from './wall-tool.ts';
 const TOOLS = ['part', 'wall', 'break', 'outline'] as const;
 type Tool = (typeof TOOLS)[number];
 
+/** How far the sheet moves at once while a drag points out of it, CSS pixels. */
+const FOLLOWED = 10;
+
 export class DrawTool {
   on = false;
   tool: Tool = 'part';
@@ -75,6 +78,7 @@ export class DrawTool {
       this.#switch.disabled = !app.serverInfo.writes;
       this.#switch.title = app.serverInfo.writes ? '' : strings.drawOffWhy;
       if (!app.serverInfo.writes) this.set(false);
+      if (app.file !== this.#file) this.#forget();
       if (this.on) void this.#palette.fill();
     });
     this.#attend();
@@ -104,6 +108,31 @@ export class DrawTool {
     this.#enable();
   }
 
+  /** The open file. */
+  #file: string | null = null;
+
+  /** Another file is open: what was said and begun belongs to the one before. */
+  #forget() {
+    this.#file = this.#app.file;
+    this.#cancelDrag();
+  }
+
+  /** Moves the sheet along while a drag points out of it. */
+  #follow(event: PointerEvent) {
+    clearTimeout(this.#following);
+    const { sheet } = this.#plan, [x, y] = sheet.outOf(event);
+    if (!x && !y || this.#pointerId !== event.pointerId) return;
+    sheet.pan(x * sheet.pixel * FOLLOWED, y * sheet.pixel * FOLLOWED);
+    this.#activeTool()?.move(event);
+    this.#following = window.setTimeout(() => this.#follow(event), 40);
+  }
+
+  #following = 0;
+
+  #activeTool() {
+    return this.tool === 'outline' ? this.#outline : this.tool === 'part' ? null : this.#walls;
+  }
+
   /** Cancels a drag. */
   #cancelDrag() {
     this.#pointerId = null;
@@ -120,13 +149,12 @@ export class DrawTool {
 
   #attend() {
     const plan = this.#plan, { svg } = plan.sheet;
-    const activeTool = () => this.tool === 'outline' ? this.#outline : this.tool === 'part' ? null : this.#walls;
     svg.addEventListener('pointerdown', event => {
       this.#dragged = false;
       if (!this.on || event.button !== 0) return;
       // A second finger pinches to zoom.
       if (this.#pointerId !== null) { this.#cancelDrag(); return; }
-      if (!activeTool()?.down(event)) return;
+      if (!this.#activeTool()?.down(event)) return;
       this.#pointerId = event.pointerId;
       event.preventDefault();
     });
@@ -134,12 +162,13 @@ export class DrawTool {
     window.addEventListener('pointermove', event => {
       if (!isActive(event)) return;
       this.#dragged = true;
-      activeTool()?.move(event);
+      this.#activeTool()?.move(event);
+      this.#follow(event);
     });
     window.addEventListener('pointerup', event => {
       if (!isActive(event)) return;
       this.#pointerId = null;
-      void activeTool()?.up();
+      void this.#activeTool()?.up();
       plan.update();
     });
     window.addEventListener('pointercancel', event => { if (isActive(event)) this.#cancelDrag(); });
@@ -152,7 +181,7 @@ export class DrawTool {
     // Captured before the sheet uses the same keys for panning.
     svg.addEventListener('keydown', event => {
       if (!this.on || event.ctrlKey || event.metaKey) return;
-      if ((activeTool() ?? this.#parts).key(event)) event.preventDefault();
+      if ((this.#activeTool() ?? this.#parts).key(event)) event.preventDefault();
     }, { capture: true });
     window.addEventListener('keydown', event => {
       const { key, ctrlKey, metaKey, shiftKey } = event;

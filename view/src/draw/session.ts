@@ -2,7 +2,7 @@
 
 import type { App } from '../app.ts';
 import { h, s } from '../ui/dom.ts';
-import { path, toPlan } from '../plan/coordinates.ts';
+import { bounds, path, toPlan } from '../plan/coordinates.ts';
 import type { PlanView } from '../plan/plan-view.ts';
 import { type EditResult, type House, type Point, applyEdit, redo, undo } from '../server/api.ts';
 import { strings } from '../ui/strings.ts';
@@ -93,6 +93,7 @@ export class EditSession {
     const size = this.#plan.sheet.pixel * 15;
     this.#plan.marks.replaceChildren(s('path', { class: `ghost${closed ? ' closed' : ''}`, d: path(at, closed) }),
       s('text', { class: 'ghost-label', x, y, 'font-size': size }, label));
+    if (!this.#plan.isDragging()) this.#plan.sheet.reveal(bounds(at)!);
     this.report(label);
   }
 

@@ -44,12 +44,12 @@ export function ordinalOf(model: Model, part: number): number {
   let ordinal = 0;
   for (let i = 0; i < part; i++) {
     const other = model.parts[i]!;
-    if (other.file === file && same(other.span, span) && other.kind === model.parts[part]!.kind) ordinal++;
+    if (other.file === file && sameSpan(other.span, span) && other.kind === model.parts[part]!.kind) ordinal++;
   }
   return ordinal;
 }
 
-const same = (a: ByteRange | null, b: ByteRange | null) => a === b || a !== null && b !== null && a[0] === b[0] && a[1] === b[1];
+const sameSpan = (a: ByteRange | null, b: ByteRange | null) => a === b || a !== null && b !== null && a[0] === b[0] && a[1] === b[1];
 
 /** Identifies a selected part across revisions. */
 export interface Trace {
@@ -60,14 +60,22 @@ export interface Trace {
   file: number;
   span: ByteRange | null;
   ordinal: number;
+  /** The centre of its box in the frame of the file, metres; null if it has no triangles. */
+  centre: THREE.Vector3 | null;
   /** Its path in the tree: sibling indices from the part upwards. */
   path: number[];
 }
 
 export function traceOf(model: Model, part: number): Trace {
   const { kind, code, house, storey, file, span } = model.parts[part]!;
-  return { kind, code, house, storey, file, span, ordinal: ordinalOf(model, part), path: pathOf(model, part) };
+  return { kind, code, house, storey, file, span, ordinal: ordinalOf(model, part), centre: centreOf(model, part), path: pathOf(model, part) };
 }
+
+/** The centre of a part's box in the frame of the file; null if it has no triangles. */
+const centreOf = ({ parts, origin }: Model, part: number) => parts[part]!.box.isEmpty() ? null : parts[part]!.box.getCenter(new THREE.Vector3()).add(origin);
+
+/** Parts of two revisions whose centres are nearer stand at the same place, metres. */
+const SAME_PLACE = 0.01;
 
 function pathOf(model: Model, part: number): number[] {
   const path: number[] = [];
@@ -80,14 +88,23 @@ function pathOf(model: Model, part: number): number[] {
   return path;
 }
 
-/** Finds the same part in a new model: by its span, moved through the edit, else by its path. */
+/**
+ * Finds the same part in a new model: what looks the same at the same place, else by its span, moved through the edit, else by
+ * its path. Texts of equal codes in a row do not tell which of them is new, so the place comes first.
+ */
 export function findAgain(trace: Trace, model: Model, old: OffsetMap | undefined, now: OffsetMap | undefined): number | null {
+  const { centre } = trace;
+  const same = (part: Part) => part.kind === trace.kind && part.code === trace.code && part.storey === trace.storey;
+  if (centre) {
+    const at = model.parts.findIndex((part, i) => same(part) && (centreOf(model, i)?.distanceTo(centre) ?? Infinity) < SAME_PLACE);
+    if (at >= 0) return at;
+  }
   if (trace.span && old && now) {
     const moved = movedSpan(old.range(trace.span), old.text, now.text);
     if (moved) {
       const span: ByteRange = [now.byte(moved[0]), now.byte(moved[1])];
       const here = model.parts.flatMap((part, i) =>
-        part.kind === trace.kind && part.file === trace.file && same(part.span, span) ? [i] : []);
+        part.kind === trace.kind && part.file === trace.file && sameSpan(part.span, span) ? [i] : []);
       if (here.length) return here[Math.min(trace.ordinal, here.length - 1)]!;
     }
   }
@@ -97,7 +114,7 @@ export function findAgain(trace: Trace, model: Model, old: OffsetMap | undefined
     if (below[step] === undefined) return null;
     at = below[step];
   }
-  return at !== null && model.parts[at]!.kind === trace.kind ? at : null;
+  return at !== null && same(model.parts[at]!) ? at : null; // Better none than another one.
 }
 
 export interface Hit {

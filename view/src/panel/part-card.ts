@@ -14,16 +14,16 @@ export function partCard(app: App): HTMLElement {
     if (!part) return;
     const location = app.locationOf(app.selection!), line = location && app.lineAt(location);
     const size = part.box.isEmpty() ? null : part.box.getSize(new THREE.Vector3());
-    const names = app.names.get(part.code?.trim() ?? '');
+    const code = part.code?.trim(), names = code && app.names.get(code); // Posts, tiles and roofs have no code, and a void's is empty.
     const rows: [string, string | null | undefined][] = [
-      [strings.code, part.code?.trim()], [strings.name, names ?? part.name],
+      [strings.code, code], [strings.name, names || part.name],
       [strings.place, [part.storey > 0 ? strings.storey(part.storey) : '', part.facade !== null && part.kind !== 'facade'
         ? `${strings.kind.facade} ${app.model!.parts[part.facade]!.name.replace(/^facade /, '')}` : ''].filter(Boolean).join(strings.comma)],
       [strings.shape, part.shape],
       [strings.size, size && [size.x, size.y, size.z].map(n => n.toFixed(2)).join(' × ') + ` m · ${formatLength(size.y).shaku} ↕`],
       [strings.line, line && `${line.line}`],
     ];
-    const title = part.code?.trim() || `${strings.kind[part.kind] ?? part.kind} ${part.name}`;
+    const title = code || `${strings.kind[part.kind] ?? part.kind} ${part.name}`;
     element.replaceChildren(
       h('h2', {}, title), button('×', () => app.select(null), { class: 'close', 'aria-label': strings.close }),
       h('dl', {}, ...rows.filter(([, value]) => value).flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value!)])),

@@ -2,10 +2,10 @@
 // units.
 
 import { s } from '../ui/dom.ts';
-import { SHAKU } from '../ui/lengths.ts';
 import type { House, Point, Ring, State, Storey, Unit, Wall } from '../server/api.ts';
 import { strings } from '../ui/strings.ts';
 import { bounds, path, toPlan, type XY } from './coordinates.ts';
+import { type WallLength, wallLength } from './lengths.ts';
 import { fallArrow, type Line, ridgeLines } from './ridges.ts';
 
 /** Indices from 0, as in edits. */
@@ -23,6 +23,7 @@ export interface PlanDrawing {
   layers: SVGGElement[];
   units: Map<SVGGElement, { at: UnitIndex; unit: Unit }>;
   walls: Map<SVGGElement, { at: WallIndex; wall: Wall; house: House }>;
+  lengths: WallLength[];
 }
 
 const REGIONS = 8; // Number of region colours.
@@ -33,13 +34,16 @@ const MEASURED = 1.5;
 export const storeysOf = ({ plan }: State) =>
   [...new Set(plan.houses.flatMap(house => house.storeys.map(storey => storey.storey)))].sort((a, b) => a - b);
 
-/** The bounding rectangle of all walls. */
-export const extent = ({ plan }: State) => bounds(plan.houses.flatMap(house =>
-  house.storeys.flatMap(storey => storey.rings.flatMap(ring => ring.walls.flatMap(wall =>
-    [toPlan(house, wall.from), toPlan(house, wall.to)])))));
+/** The bounding rectangle of all walls and eaves. */
+export const extent = ({ plan }: State) => bounds(plan.houses.flatMap(house => [
+  ...house.storeys.flatMap(storey => storey.rings.flatMap(ring => ring.walls.flatMap(wall => [wall.from, wall.to]))),
+  ...house.roofs.flatMap(({ rect }) => cornersOf(rect)),
+].map(point => toPlan(house, point))));
+
+const cornersOf = ([a0, b0, a1, b1]: [number, number, number, number]): Point[] => [[a0, b0], [a1, b0], [a1, b1], [a0, b1]];
 
 export function drawStorey(state: State, number: number): PlanDrawing {
-  const drawn: PlanDrawing = { layers: [], units: new Map(), walls: new Map() };
+  const drawn: PlanDrawing = { layers: [], units: new Map(), walls: new Map(), lengths: [] };
   const layer = (name: string) => {
     const group = s('g', { class: name });
     drawn.layers.push(group);
@@ -62,9 +66,7 @@ export function drawStorey(state: State, number: number): PlanDrawing {
     }
     for (const roof of house.roofs) {
       if (roof.storey !== number) continue;
-      const [a0, b0, a1, b1] = roof.rect;
-      const corners: Point[] = [[a0, b0], [a1, b0], [a1, b1], [a0, b1]];
-      roofs.append(s('path', { class: 'eaves', d: path(corners.map(p => toPlan(house, p))) }));
+      roofs.append(s('path', { class: 'eaves', d: path(cornersOf(roof.rect).map(p => toPlan(house, p))) }));
     }
   }
   return drawn;
@@ -94,7 +96,7 @@ function regionShapes(house: House, storey: Storey, into: SVGGElement, over: SVG
   };
   for (const [i, region] of storey.regions.entries()) {
     const { a0, b0, a1, b1 } = region;
-    const corners: Point[] = region.polygon ?? [[a0, b0], [a1, b0], [a1, b1], [a0, b1]];
+    const corners = region.polygon ?? cornersOf([a0, b0, a1, b1]);
     into.append(s('path', { class: `region r${i % REGIONS}`, d: path(corners.map(p => toPlan(house, p))) },
       s('title', {}, `${strings.legendRegion} ${i + 1}: ${strings.role[region.role] ?? region.role}, ${region.shape}`)));
     draw(ridgeLines(region, storey.regions), 'ridge');
@@ -119,15 +121,11 @@ function wallShape(house: House, wall: Wall, at: WallIndex, drawn: PlanDrawing):
   }
   group.append(tick(ends, ends[1]));
   const long = Math.hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]);
+  if (long <= MEASURED * house.unit_m) return group;
+  const length = wallLength(ends);
+  drawn.lengths.push(length);
   // A sibling of the wall's element, so that the length is not part of its accessible name.
-  return s('g', {}, group, ...long > MEASURED * house.unit_m ? [measure(ends, long)] : []);
-}
-
-/** The length of a wall in shaku, outside of it: the interior lies to the right of its direction. */
-function measure([[x1, y1], [x2, y2]]: readonly [XY, XY], long: number): SVGTextElement {
-  const [nx, ny] = [(y2 - y1) / long * 0.42, -(x2 - x1) / long * 0.42];
-  return s('text', { class: 'length', x: (x1 + x2) / 2 + nx, y: (y1 + y2) / 2 + ny, 'font-size': 0.34 },
-    `${Number((long / SHAKU).toFixed(2))}`);
+  return s('g', {}, group, length.element);
 }
 
 /** A short line across a wall between two units. */

@@ -6,8 +6,9 @@ import type { Model } from '../model/model.ts';
 import type { State, Unit } from '../server/api.ts';
 import { strings } from '../ui/strings.ts';
 import { toPlan } from './coordinates.ts';
+import { placeLengths } from './lengths.ts';
 import { type PlanDrawing, extent, drawStorey, storeysOf } from './drawing.ts';
-import { Sheet } from './sheet.ts';
+import { contains, Sheet } from './sheet.ts';
 
 export class PlanView {
   readonly element: HTMLElement;
@@ -15,7 +16,7 @@ export class PlanView {
   /** Overlay for the drawing tools. */
   readonly marks = s('g', { class: 'marks' });
   readonly tools = h('div', { class: 'plan-tools' });
-  drawn: PlanDrawing = { layers: [], units: new Map(), walls: new Map() };
+  drawn: PlanDrawing = { layers: [], units: new Map(), walls: new Map(), lengths: [] };
   storey = 1;
   /** Called when a unit is clicked; returns true if a tool has handled it. */
   onUnitClick: (shape: SVGGElement) => boolean = () => false;
@@ -99,6 +100,7 @@ export class PlanView {
     const { state } = this.#app;
     if (this.element.hidden || !this.#stale || !state || this.isDragging()) return;
     this.#stale = false;
+    const before = this.state && extent(this.state), whole = before && contains(this.sheet.frame, before);
     this.state = state;
     this.#matched = null;
     const storeys = storeysOf(state);
@@ -108,10 +110,12 @@ export class PlanView {
     this.#empty.hidden = storeys.length > 0;
     this.drawn = drawStorey(state, this.storey);
     this.sheet.svg.replaceChildren(this.#street(), ...this.drawn.layers, this.marks);
-    if (this.#file !== state.file) {
+    const now = extent(state);
+    // What an edit moves out of the sheet is brought back, where all of it was in view.
+    if (this.#file !== state.file || whole && now && !contains(this.sheet.frame, now)) {
       this.#file = state.file;
       this.fit();
-    }
+    } else this.#measure();
     this.#light();
     this.onRedraw();
   }
@@ -142,9 +146,11 @@ export class PlanView {
     }
   }
 
-  /** Updates the scale bar to a round length. */
+  /** Updates the scale bar to a round length, and the lengths of the walls. */
   #measure() {
-    const pixel = this.sheet.pixel, target = pixel * 120;
+    const pixel = this.sheet.pixel;
+    placeLengths(this.drawn.lengths, pixel);
+    const target = pixel * 120;
     const step = 10 ** Math.floor(Math.log10(target)), length = [5, 2, 1].map(n => n * step).find(n => n <= target) ?? step;
     this.#scale.style.width = `${length / pixel}px`;
     this.#scale.textContent = `${Number(length.toPrecision(2))} m`;
@@ -181,6 +187,6 @@ function legend(): HTMLElement {
     row('roofs', strings.legendRidge, s('line', { class: 'ridge', x1: 2, y1: 6, x2: 22, y2: 6 })),
     row('roofs', strings.legendFall, s('path', { class: 'fall', d: 'M2 6H21M17 2L21 6L17 10' })),
     row('floors', strings.legendCourt, s('rect', { class: 'court', x: 2, y: 1, width: 20, height: 10 })),
-    row('walls', strings.legendLength, s('text', { class: 'length', x: 12, y: 7, 'font-size': 11 }, '18')),
+    row('walls', strings.legendLength, s('text', { class: 'length', x: 12, y: 7, 'font-size': 10 }, strings.length('9'))),
     row('streets', strings.legendStreet, s('line', { x1: 2, y1: 6, x2: 22, y2: 6 }))));
 }

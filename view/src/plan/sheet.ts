@@ -5,6 +5,13 @@ import type { XY } from './coordinates.ts';
 
 export interface Frame { x: number; y: number; width: number; height: number }
 
+/** True if a frame contains a rectangle. */
+export const contains = (frame: Frame, { x, y, width, height }: Frame) =>
+  x >= frame.x && y >= frame.y && x + width <= frame.x + frame.width && y + height <= frame.y + frame.height;
+
+/** CSS pixels: width of the edge; room for the lengths beside and above a fitted rectangle, or a share where there is little. */
+const EDGE = 6, BESIDE = 70, ABOVE = 38, SHARE = 0.2;
+
 export class Sheet {
   readonly svg = s('svg', { class: 'sheet', tabindex: 0, role: 'group' });
   frame: Frame = { x: -5, y: -5, width: 10, height: 10 };
@@ -13,6 +20,8 @@ export class Sheet {
   /** Called after a pan or zoom. */
   moved: () => void = () => {};
   #pointers = new Map<number, [x: number, y: number]>();
+  /** The fitted rectangle, until the sheet is moved. */
+  #fitted: Frame | null = null;
 
   constructor() {
     const { svg } = this;
@@ -30,19 +39,33 @@ export class Sheet {
       if (event.defaultPrevented || isField(event.target) || !this.key(event)) return;
       event.preventDefault();
     });
-    new ResizeObserver(() => this.apply()).observe(svg);
+    new ResizeObserver(() => this.#fitted ? this.fit(this.#fitted) : this.apply()).observe(svg);
   }
 
   /** Fits a rectangle into view. */
   fit(all: Frame | null) {
-    const { x, y, width, height } = all ?? { x: -5, y: -5, width: 10, height: 10 };
-    const edge = Math.max(width, height, 2) * 0.14;
-    this.frame = { x: x - edge, y: y - edge, width: width + 2 * edge, height: height + 2 * edge };
+    const { x, y, width, height } = this.#fitted = all ?? { x: -5, y: -5, width: 10, height: 10 };
+    const box = this.svg.getBoundingClientRect(), [wide, high] = [box.width || 400, box.height || 400];
+    const [beside, above] = [Math.min(BESIDE, wide * SHARE), Math.min(ABOVE, high * SHARE)];
+    const pixel = Math.max(width / (wide - 2 * beside), height / (high - 2 * above), 0.002);
+    this.frame = { x: x + (width - wide * pixel) / 2, y: y + (height - high * pixel) / 2, width: wide * pixel, height: high * pixel };
+    this.apply();
+  }
+
+  /** Widens the view so that a rectangle is in it. */
+  reveal(rectangle: Frame) {
+    if (contains(this.frame, rectangle)) return;
+    const edge = this.pixel * ABOVE, { x, y, width, height } = this.frame;
+    const [x0, y0] = [Math.min(x, rectangle.x - edge), Math.min(y, rectangle.y - edge)];
+    const x1 = Math.max(x + width, rectangle.x + rectangle.width + edge), y1 = Math.max(y + height, rectangle.y + rectangle.height + edge);
+    this.#fitted = null;
+    this.frame = { x: x0, y: y0, width: x1 - x0, height: y1 - y0 };
     this.apply();
   }
 
   /** Zooms by a factor; below 1 moves closer. */
   zoom(by: number, [x, y]: XY = this.#middle()) {
+    this.#fitted = null;
     const { frame } = this, factor = Math.min(Math.max(by * frame.width, 0.5), 1e5) / frame.width;
     this.frame = {
       x: x + (frame.x - x) * factor, y: y + (frame.y - y) * factor, width: frame.width * factor, height: frame.height * factor,
@@ -51,6 +74,7 @@ export class Sheet {
   }
 
   pan(x: number, y: number) {
+    this.#fitted = null;
     this.frame = { ...this.frame, x: this.frame.x + x, y: this.frame.y + y };
     this.apply();
   }
@@ -61,6 +85,13 @@ export class Sheet {
     if (!matrix) return [0, 0];
     const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse());
     return [x, y];
+  }
+
+  /** The way in which a pointer at an edge of the sheet, or beyond it, points out of it: -1, 0 or 1 on each axis. */
+  outOf({ clientX, clientY }: { clientX: number; clientY: number }): XY {
+    const { left, top, right, bottom } = this.svg.getBoundingClientRect();
+    const way = (at: number, low: number, high: number) => at < low + EDGE ? -1 : at > high - EDGE ? 1 : 0;
+    return [way(clientX, left, right), way(clientY, top, bottom)];
   }
 
   /** Metres per pixel. */

@@ -22,8 +22,6 @@ export class Environment {
   #reach = 10;
   #dome: THREE.Mesh<THREE.SphereGeometry, THREE.ShaderMaterial>;
   #ground: THREE.Mesh<THREE.CircleGeometry, THREE.ShaderMaterial>;
-  /** Receives the shadows on the ground. */
-  #shade = new THREE.Mesh(new THREE.CircleGeometry(1, 48), new THREE.ShadowMaterial({ color: 0x2a2418, opacity: 0.42 }));
   #colours = colours(DAY);
 
   constructor() {
@@ -45,12 +43,10 @@ export class Environment {
     this.#ground = new THREE.Mesh(new THREE.CircleGeometry(1, 64), groundMaterial(ground, horizon));
     this.#ground.rotation.x = -Math.PI / 2;
     this.#ground.name = 'ground';
-    this.#shade.rotation.x = -Math.PI / 2;
-    this.#shade.receiveShadow = true;
-    this.#shade.name = 'shade';
+    this.#ground.receiveShadow = true;
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.setScalar(2048);
-    this.group.add(this.#dome, this.#ground, this.#shade, this.sky, this.sun, this.sun.target);
+    this.group.add(this.#dome, this.#ground, this.sky, this.sun, this.sun.target);
     this.fit(new THREE.Box3(new THREE.Vector3(-5, 0, -5), new THREE.Vector3(5, 5, 5)));
   }
 
@@ -67,9 +63,6 @@ export class Environment {
     const level = Math.min(0, box.min.y) - 0.003;
     this.#ground.position.set(ball.center.x, level, ball.center.z);
     this.#ground.scale.setScalar(Math.max(60, reach * 14));
-    this.#shade.position.copy(this.#ground.position);
-    this.#shade.position.y += 0.002;
-    this.#shade.scale.setScalar(reach * 6);
     this.#place();
   }
 
@@ -103,14 +96,38 @@ export class Environment {
   }
 }
 
-/** Plain ground that fades into the horizon. */
+/**
+ * Plain ground that fades into the horizon and receives the sun's shadows. It is one surface: two discs close above each other
+ * could not be told apart in the depth buffer from afar.
+ */
 function groundMaterial(ground: THREE.Color, horizon: THREE.Color): THREE.ShaderMaterial {
-  return new THREE.ShaderMaterial({
-    uniforms: { ground: { value: ground }, horizon: { value: horizon } },
-    vertexShader: 'varying vec2 at; void main() { at = position.xy; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }',
-    fragmentShader: `varying vec2 at; uniform vec3 ground, horizon; void main() {
-      gl_FragColor = vec4(mix(ground, horizon, smoothstep(0.06, 0.95, length(at))), 1.0);
-      #include <colorspace_fragment>
-    }`,
+  const material = new THREE.ShaderMaterial({
+    lights: true,
+    uniforms: THREE.UniformsUtils.merge([THREE.UniformsLib.lights, { shade: { value: new THREE.Color(0x2a2418) }, depth: { value: 0.6 } }]),
+    vertexShader: `varying vec2 at;
+      #include <common>
+      #include <shadowmap_pars_vertex>
+      void main() {
+        at = position.xy;
+        #include <beginnormal_vertex>
+        #include <defaultnormal_vertex>
+        #include <begin_vertex>
+        #include <project_vertex>
+        #include <worldpos_vertex>
+        #include <shadowmap_vertex>
+      }`,
+    fragmentShader: `varying vec2 at; uniform vec3 ground, horizon, shade; uniform float depth;
+      #include <common>
+      #include <bsdfs>
+      #include <lights_pars_begin>
+      #include <shadowmap_pars_fragment>
+      #include <shadowmask_pars_fragment>
+      void main() {
+        vec3 lit = mix(ground, horizon, smoothstep(0.06, 0.95, length(at)));
+        gl_FragColor = vec4(mix(lit, shade, depth * (1.0 - getShadowMask())), 1.0);
+        #include <colorspace_fragment>
+      }`,
   });
+  Object.assign(material.uniforms, { ground: { value: ground }, horizon: { value: horizon } }); // Shared, not copied.
+  return material;
 }

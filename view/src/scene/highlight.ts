@@ -40,6 +40,9 @@ export class Highlight {
     this.#viewport.draw();
   }
 
+  /** The materials of its marks. */
+  get materials(): THREE.Material[] { return [this.#tint, this.#through]; }
+
   /** Number of drawn marks. */
   get drawn(): number { return this.#group.children.length; }
 }

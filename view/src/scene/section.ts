@@ -19,6 +19,8 @@ export interface Cut {
 export class Section {
   readonly cut: Cut = { on: false, axis: 'z', at: 0.5, flip: false };
   readonly plane = new THREE.Plane();
+  /** Materials of overlays that are cut with the model. */
+  readonly overlays: THREE.Material[] = [];
   #viewport: Viewport;
   #caps: THREE.Mesh[] = [];
   #cap = new THREE.MeshBasicMaterial({
@@ -53,6 +55,7 @@ export class Section {
     this.plane.normal.set(0, 0, 0)[axis] = flip ? 1 : -1;
     this.plane.constant = this.position() * (flip ? -1 : 1);
     const planes = on ? [this.plane] : null;
+    for (const material of this.overlays) material.clippingPlanes = planes;
     for (const { mesh } of model?.chunks ?? []) {
       const { material } = mesh;
       if ((material.clippingPlanes !== null) !== on) material.needsUpdate = true;

@@ -22,6 +22,9 @@ const FOV = 36;
 /** Minimum height of the camera above the ground, metres. */
 const MIN_EYE_HEIGHT = 0.3;
 
+/** Least distance of the near plane, metres. */
+const MIN_NEAR = 0.05;
+
 /** With only the sun to reflect, metal would be black: this fraction of its metalness is kept. */
 const METALNESS_SCALE = 0.3;
 
@@ -45,6 +48,8 @@ export class Viewport {
   readonly onModel: ((model: Model) => void)[] = [];
   /** Called when the graphics context has been restored. */
   readonly onRestored: (() => void)[] = [];
+  /** Called when the canvas has another size, before it is drawn. */
+  readonly onResized: (() => void)[] = [];
   /** Called after each frame. */
   readonly onFrame: (() => void)[] = [];
   /** Draws the scene; replaced by extensions such as reflections. */
@@ -107,12 +112,20 @@ export class Viewport {
     this.model = model;
     for (const mesh of now) if (!before.has(mesh)) this.scene.add(mesh);
     this.environment.fit(model.box);
-    const size = this.size();
-    this.camera.near = Math.max(0.02, size / 2000);
-    this.camera.far = Math.max(400, size * 40);
-    this.camera.updateProjectionMatrix();
+    this.camera.far = Math.max(400, this.size() * 40);
     for (const then of this.onModel) then(model);
     this.refresh();
+  }
+
+  /** Moves the near plane as far out as the nearest surface allows: the depth of distant surfaces is the finer for it. */
+  #fitNear() {
+    const { camera, model } = this, ground = Math.min(0, model?.box.min.y ?? 0);
+    let least = Math.max(0, camera.position.y - ground);
+    for (const { box, mesh } of model?.chunks ?? []) if (mesh.visible) least = Math.min(least, box.distanceToPoint(camera.position));
+    const near = Math.max(MIN_NEAR, least / 2);
+    if (near === camera.near) return;
+    camera.near = near;
+    camera.updateProjectionMatrix();
   }
 
   /** Keeps the camera above the ground and limits its downward angle. */
@@ -173,6 +186,7 @@ export class Viewport {
     const begun = performance.now(), { info } = this.renderer, { stats } = this;
     this.#waited = false;
     info.reset();
+    this.#fitNear();
     if (coarse) this.#lowResolution.begin(SLOW_FRAME_MS / this.frameTime);
     try {
       this.paint();
@@ -207,6 +221,7 @@ export class Viewport {
     const half = Math.tan(FOV / 2 * Math.PI / 180) * Math.max(1, 4 / 3 / this.camera.aspect);
     this.camera.fov = Math.min(80, Math.atan(half) * 360 / Math.PI);
     this.camera.updateProjectionMatrix();
+    for (const then of this.onResized) then();
     this.frame(); // Immediately, since resizing clears the canvas.
   }
 }

@@ -138,7 +138,7 @@ test('the plan: units, regions, ridges, courts; storeys; zoom and pan; a click s
   const units = await page.evaluate(() => hsd.app.state!.plan.houses[0]!.storeys.map(s => s.rings.flatMap(r => r.walls.flatMap(w => w.units)).length));
   assert.equal(await count('.unit'), units[0]);
   assert.equal(await count('.unit.wall[data-code=APW]'), 16, 'party walls are walls');
-  assert.deepEqual(await sheet.locator('.length').allTextContents(), ['18', '24', '18', '24'], 'lengths in shaku');
+  assert.deepEqual(await sheet.locator('.length').allTextContents(), ['18 shaku', '24 shaku', '18 shaku', '24 shaku'], 'lengths with their unit');
   await plan.getByLabel('Storey').selectOption('2');
   assert.equal(await count('.unit'), units[1]);
   assert.equal(await count('.unit[data-code="MMU 2"]'), 4);
