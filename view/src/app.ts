@@ -6,6 +6,7 @@ import { OffsetMap } from './server/offsets.ts';
 import { Highlight } from './scene/highlight.ts';
 import { Loader, InvalidModelError } from './model/loader.ts';
 import { Measure } from './scene/measure.ts';
+import { alongStreet } from './scene/opening.ts';
 import { Mirrors } from './mirror/mirrors.ts';
 import { type Chunk, type Model, buildModel } from './model/model.ts';
 import { Turntable } from './scene/orbit.ts';
@@ -14,7 +15,7 @@ import { Section } from './scene/section.ts';
 import type { ByteRange, Cursor, Diagnostic, ServerInfo, State } from './server/api.ts';
 import { fetchPalette, fetchServerInfo, fetchState, listen, openInEditor, sourceOf } from './server/api.ts';
 import { Viewport } from './scene/viewport.ts';
-import { frameBox, type View } from './scene/views.ts';
+import { EYE_HEIGHT, frameBox, type View } from './scene/views.ts';
 import { translations, strings } from './ui/strings.ts';
 
 /**
@@ -172,7 +173,7 @@ export class App {
       this.selected.set(model, again === null ? [] : [again]);
       this.pointed.set(model, this.cursor ? partsAt(model, this.cursor.id, this.cursor.span) : []);
       this.viewport.show(model);
-      if (first) this.look('front');
+      if (first) this.#lookFirst();
     }
     this.viewport.frame(!first);
     this.viewport.settle();
@@ -307,7 +308,18 @@ export class App {
     this.emit('shown');
     this.resetting = false;
     this.viewport.refresh();
-    this.look('front');
+    this.#lookFirst();
+  }
+
+  /** The view that the file opens with: along a street of facing houses, else the front. */
+  #lookFirst() {
+    const street = this.model && alongStreet(this.state?.plan.houses ?? []);
+    if (!street) return this.look('front');
+    const { origin, box } = this.model!, ground = Math.min(0, box.min.y);
+    const place = ([east, north]: [number, number]) => new THREE.Vector3(east - origin.x, ground + EYE_HEIGHT, -north - origin.z);
+    this.#framed = null;
+    this.viewport.camera.position.copy(place(street.from));
+    this.viewport.lookAt(place(street.to));
   }
 
   #connection(lost: boolean) {
