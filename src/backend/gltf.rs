@@ -12,6 +12,7 @@
 //! in metres, since a primitive has one material.
 
 mod arrays;
+mod bare;
 mod buffer;
 #[cfg(feature = "compress")]
 mod compress;

@@ -136,7 +136,7 @@ fn short(vertices: usize) -> bool {
 }
 
 /// Converts from z up to y up; adding 0 turns -0 into 0.
-fn turned([x, y, z]: [f32; 3]) -> [f32; 3] {
+pub(super) fn turned([x, y, z]: [f32; 3]) -> [f32; 3] {
     [x + 0.0, z + 0.0, 0.0 - y]
 }
 
@@ -157,7 +157,7 @@ pub(super) fn bounds<'p>(arrays: impl IntoIterator<Item = &'p [[f32; 3]]>) -> ([
     )
 }
 
-fn write_floats<const N: usize>(
+pub(super) fn write_floats<const N: usize>(
     out: &mut Vec<u8>,
     list: &[[f32; N]],
     map: impl Fn([f32; N]) -> [f32; N],

@@ -1,7 +1,10 @@
 //! Meshes: their accessors and arrays are appended as they come. Each kind of array has a view of its own, so
 //! accessors differ by offset only.
 
-use super::arrays::{Array, MaterialRef, bounds, index_type, write_indices};
+use super::arrays::{
+    Array, MaterialRef, bounds, index_type, turned, write_floats, write_indices,
+};
+use super::bare::Bare;
 use super::buffer::view;
 use super::materials::MaterialRefs;
 use super::spool::{List, NewSpool, Section};
@@ -85,14 +88,18 @@ impl Shapes {
             })
             .collect();
         let mirrors = || list.iter().any(|p| p.material.mirrors);
-        let primitives = match part.detail <= Detail::Flat && !mirrors() {
-            true => self.joined(&list, new)?,
-            false => self.separate(&list, new)?,
+        let bare = part.detail == Detail::Body;
+        let primitives = match part.detail {
+            _ if mirrors() => self.separate(&list, new)?,
+            Detail::Body => self.bare(&list, new)?,
+            Detail::Flat => self.joined(&list, new)?,
+            Detail::Openings | Detail::Everything => self.separate(&list, new)?,
         };
         let number = match primitives.is_empty() {
             true => None,
             false => Some(self.meshes.push(&Mesh {
-                name: (!mesh.name.is_empty()).then(|| mesh.name.clone()),
+                // At detail 0 its node has a name of its own.
+                name: (!bare && !mesh.name.is_empty()).then(|| mesh.name.clone()),
                 primitives,
                 weights: None,
                 extensions: None,
@@ -178,6 +185,51 @@ impl Shapes {
                 attributes: attributes.clone(),
                 indices: Some(indices),
                 ..triangles(*material)
+            });
+        }
+        Ok(primitives)
+    }
+
+    /// Writes primitives on common vertices without normals.
+    fn bare(&mut self, list: &[Piece<'_>], new: NewSpool<'_>) -> io::Result<Vec<Primitive>> {
+        let all: Vec<_> = list.iter().map(|p| (p.source, p.material)).collect();
+        let Bare {
+            positions,
+            uvs,
+            indices,
+        } = Bare::of(&all);
+        let count = positions.len();
+        let mut attributes = BTreeMap::new();
+        let mut attribute = |shapes: &mut Shapes, array: Array| {
+            let number = Index::new(shapes.accessors.count());
+            attributes.extend(array.semantic().map(|s| (Valid(s), number)));
+        };
+        attribute(self, Array::Positions);
+        let points = accessor(
+            Array::Positions,
+            ComponentType::F32,
+            count,
+            Some(bounds([&*positions])),
+        );
+        self.append(Array::Positions, points, new, |out| {
+            write_floats(out, &positions, turned);
+        })?;
+        if list.iter().any(|p| p.material.metres.is_some()) {
+            attribute(self, Array::Uvs);
+            let kind = accessor(Array::Uvs, ComponentType::F32, count, None);
+            self.append(Array::Uvs, kind, new, |out| write_floats(out, &uvs, |uv| uv))?;
+        }
+        let mut primitives = Vec::with_capacity(list.len());
+        for (piece, own) in list.iter().zip(&indices) {
+            let kind = accessor(Array::Indices, index_type(count), own.len(), None);
+            let number = Index::new(self.accessors.count());
+            self.append(Array::Indices, kind, new, |out| {
+                write_indices(out, own, (0, count));
+            })?;
+            primitives.push(Primitive {
+                attributes: attributes.clone(),
+                indices: Some(number),
+                ..triangles(piece.material)
             });
         }
         Ok(primitives)

@@ -216,7 +216,9 @@ function buildChunk(contents: ChunkContents, parts: Part[], origin: THREE.Vector
   const of = (name: string) => pieces.every(p => p.geometry.hasAttribute(name));
   const vertices = pieces.reduce((sum, p) => sum + usedVertices(p.geometry).count, 0);
   const indices = pieces.reduce((sum, p) => sum + indexCount(p.geometry), 0);
-  const position = new Float32Array(vertices * 3), normal = new Float32Array(vertices * 3);
+  const position = new Float32Array(vertices * 3);
+  // Without normals the loader's material shades flat.
+  const normal = of('normal') ? new Float32Array(vertices * 3) : null;
   const tangent = of('tangent') ? new Float32Array(vertices * 4) : null;
   const uv = of('uv') ? new Float32Array(vertices * 2) : null;
   // Texture coordinates of the baked reflections.
@@ -230,7 +232,7 @@ function buildChunk(contents: ChunkContents, parts: Part[], origin: THREE.Vector
     const { first, count } = usedVertices(from), own = parts[part]!.box, mirrored = place.determinant() < 0;
     const values = (name: string) => attributeValues(from, name, first, count);
     transformPoints(values('position'), place, origin, position.subarray(vertex * 3), own);
-    if (from.hasAttribute('normal')) transformDirections(values('normal'), turn.getNormalMatrix(place), 3, normal.subarray(vertex * 3));
+    if (normal) transformDirections(values('normal'), turn.getNormalMatrix(place), 3, normal.subarray(vertex * 3));
     if (tangent) {
       const to = tangent.subarray(vertex * 4), given = values('tangent');
       transformDirections(given, turn.setFromMatrix4(place), 4, to);
@@ -261,7 +263,7 @@ function buildChunk(contents: ChunkContents, parts: Part[], origin: THREE.Vector
   const geometry = new THREE.BufferGeometry();
   geometry.setIndex(new THREE.BufferAttribute(index, 1));
   geometry.setAttribute('position', new THREE.BufferAttribute(position, 3));
-  geometry.setAttribute('normal', new THREE.BufferAttribute(normal, 3));
+  if (normal) geometry.setAttribute('normal', new THREE.BufferAttribute(normal, 3));
   if (tangent) geometry.setAttribute('tangent', new THREE.BufferAttribute(tangent, 4));
   if (uv) geometry.setAttribute('uv', new THREE.BufferAttribute(uv, 2));
   if (uv1) geometry.setAttribute('uv1', new THREE.BufferAttribute(uv1, 2));
