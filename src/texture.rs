@@ -102,6 +102,12 @@ impl Surface {
     }
 }
 
+/// Converts a colour from a hexadecimal sRGB number to linear RGB.
+pub fn linear(number: u32) -> [f32; 3] {
+    let [_, red, green, blue] = number.to_be_bytes();
+    [red, green, blue].map(samples::linear)
+}
+
 /// Returns the surface that has a look of that name, and the look.
 pub fn look(name: &str) -> Option<(&'static Surface, &'static Look)> {
     let of = |surface: &'static Surface| {

@@ -69,15 +69,26 @@ fn surface(finish: Finish) -> SurfaceId {
     }]
 }
 
-/// Returns the faces of all solids, one soup per surface in the order of first use.
-pub(super) fn soups(solids: &[Solid], given: Given<'_>) -> Vec<(SurfaceId, Soup)> {
-    let shows = |n: usize, face: &Face| given(n, face).unwrap_or_else(|| surface(face.finish));
+/// Returns true if a finish is seen little from afar: edges of coverings, and what looks down.
+pub(super) fn is_minor(finish: Finish) -> bool {
+    matches!(finish, Finish::Edge(_) | Finish::Soffit)
+}
+
+/// Returns the faces of all solids with some finishes, one soup per surface in the order of first use.
+pub(super) fn soups(
+    solids: &[Solid],
+    given: Given<'_>,
+    with: impl Fn(Finish) -> bool,
+) -> Vec<(SurfaceId, Soup)> {
+    let shows = |n: usize, face: &Face| {
+        with(face.finish).then(|| given(n, face).unwrap_or_else(|| surface(face.finish)))
+    };
     let mut soups = rooms(solids, shows);
     let mut corners: Vec<DVec3> = Vec::with_capacity(8);
     for (n, solid) in solids.iter().enumerate() {
         for face in &solid.faces {
+            let Some(id) = shows(n, face) else { continue };
             gather(solid, face, &mut corners);
-            let id = shows(n, face);
             if let Some((_, soup)) = soups.iter_mut().find(|(s, _)| *s == id) {
                 soup.face(&corners, has_grain(face.finish));
             }
@@ -87,12 +98,17 @@ pub(super) fn soups(solids: &[Solid], given: Given<'_>) -> Vec<(SurfaceId, Soup)
 }
 
 /// Allocates soups with capacity for all faces of each surface: roofs are never shared, so they dominate the cost.
-fn rooms(solids: &[Solid], shows: impl Fn(usize, &Face) -> SurfaceId) -> Vec<(SurfaceId, Soup)> {
+fn rooms(
+    solids: &[Solid],
+    shows: impl Fn(usize, &Face) -> Option<SurfaceId>,
+) -> Vec<(SurfaceId, Soup)> {
     let mut rooms: Vec<(SurfaceId, usize, usize)> = Vec::with_capacity(6);
     let faces = solids.iter().enumerate();
     let faces = faces.flat_map(|(solid, s)| s.faces.iter().map(move |f| (solid, f)));
     for (solid, face) in faces {
-        let id = shows(solid, face);
+        let Some(id) = shows(solid, face) else {
+            continue;
+        };
         let n = face.corners.len();
         match rooms.iter_mut().find(|(s, ..)| *s == id) {
             Some((_, corners, triangles)) => {

@@ -13,7 +13,7 @@ use crate::building::Solid;
 use crate::catalog::{PartDef, PartId};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, MeshId};
-use crate::tessellate::roof::Given;
+use crate::tessellate::roof::{self, Given, is_minor};
 use crate::tessellate::trim;
 use crate::tessellate::trim::{Body, Row};
 use bank::Bank;
@@ -241,13 +241,18 @@ impl<'b> Store<'b> {
         given: Given<'_>,
         worn: &[Body],
     ) -> Option<MeshId> {
-        let mut soups = crate::tessellate::roof::soups(solids, given);
+        let flat = self.detail == Detail::Body;
+        let mut soups = roof::soups(solids, given, |finish| !(flat && is_minor(finish)));
         trim::pour(worn, &mut soups);
-        soups = self.weather.wear(soups);
-        if soups.is_empty() {
+        let mut looks = looks(self.weather.wear(soups));
+        if flat {
+            let minor = self.weather.wear(roof::soups(solids, given, is_minor));
+            looks.extend(minor.into_iter().map(|(id, soup)| (Look::plain(id), soup)));
+        }
+        if looks.is_empty() {
             return None;
         }
-        Some(self.push(plain(name, soups)))
+        Some(self.push(MeshDraft::new(name.to_owned(), looks, vec![])))
     }
 
     /// Returns the mesh of a row of bodies in this direction.
@@ -257,7 +262,8 @@ impl<'b> Store<'b> {
         let mesh = self.mesh(Key::Row(row.clone()), |store| {
             let (mut soups, bodies) = (vec![], row.bodies().collect::<Vec<_>>());
             trim::pour(&bodies, &mut soups);
-            plain(row.name, store.weather.wear(soups))
+            let looks = looks(store.weather.wear(soups));
+            MeshDraft::new(row.name.to_owned(), looks, vec![])
         });
         self.weather = own;
         mesh
@@ -279,12 +285,8 @@ impl<'b> Store<'b> {
     }
 }
 
-/// Returns a mesh of surfaces without reflection.
-fn plain(name: &str, soups: Vec<(SurfaceId, Soup)>) -> MeshDraft {
+/// Returns the looks of surfaces without reflection.
+fn looks(soups: Vec<(SurfaceId, Soup)>) -> Vec<(Look, Soup)> {
     let look = |(id, soup)| (Look::surface(id, Share::default()), soup);
-    MeshDraft::new(
-        name.to_owned(),
-        soups.into_iter().map(look).collect(),
-        vec![],
-    )
+    soups.into_iter().map(look).collect()
 }

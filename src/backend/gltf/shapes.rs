@@ -1,9 +1,7 @@
 //! Meshes: their accessors and arrays are appended as they come. Each kind of array has a view of its own, so
 //! accessors differ by offset only.
 
-use super::arrays::{
-    Array, MaterialRef, bounds, index_type, turned, write_floats, write_indices,
-};
+use super::arrays::{Array, MaterialRef, bounds, index_type, turned, write_floats, write_indices};
 use super::bare::Bare;
 use super::buffer::view;
 use super::materials::MaterialRefs;
@@ -217,7 +215,9 @@ impl Shapes {
         if list.iter().any(|p| p.material.metres.is_some()) {
             attribute(self, Array::Uvs);
             let kind = accessor(Array::Uvs, ComponentType::F32, count, None);
-            self.append(Array::Uvs, kind, new, |out| write_floats(out, &uvs, |uv| uv))?;
+            self.append(Array::Uvs, kind, new, |out| {
+                write_floats(out, &uvs, |uv| uv)
+            })?;
         }
         let mut primitives = Vec::with_capacity(list.len());
         for (piece, own) in list.iter().zip(&indices) {

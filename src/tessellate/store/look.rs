@@ -2,6 +2,7 @@
 
 use crate::material::{SurfaceId, dimmed};
 use crate::scene::{Detail, Image, Material};
+use crate::texture;
 
 /// Share of reflected light in thousandths; zero for surfaces that do not reflect.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -25,6 +26,8 @@ pub(in crate::tessellate) enum Look {
     Surface(SurfaceId, Share),
     /// A part texture by its number in the run, and the light that it reflects.
     Picture(u32, Share),
+    /// The mean colour of a surface.
+    Plain(SurfaceId),
 }
 
 impl Look {
@@ -36,11 +39,20 @@ impl Look {
         }
     }
 
+    /// Returns the look of a surface without its texture; if the mean colour of that is not known, with it.
+    pub(in crate::tessellate) fn plain(id: SurfaceId) -> Look {
+        match id.surface().picture.map(mean) {
+            Some(None) => Look::surface(id, Share::default()),
+            _ => Look::Plain(id),
+        }
+    }
+
     /// Returns three numbers that no other look has.
     pub(super) fn numbers(self) -> [u32; 3] {
         match self {
             Look::Surface(id, share) => [0, id.index() as u32, share.0.into()],
             Look::Picture(number, share) => [1, number, share.0.into()],
+            Look::Plain(id) => [2, id.index() as u32, 0],
         }
     }
 
@@ -49,7 +61,26 @@ impl Look {
         match self {
             Look::Surface(id, share) => of_surface(id, share, detail),
             Look::Picture(number, share) => of_picture(number, share),
+            Look::Plain(id) => of_plain(id, detail),
         }
+    }
+}
+
+/// Returns the mean colour of a look of the texture library, linear RGB, if it is known.
+fn mean(look: &str) -> Option<[f32; 3]> {
+    let (_, look) = texture::look(look)?;
+    look.mean.map(texture::linear)
+}
+
+fn of_plain(id: SurfaceId, detail: Detail) -> Material {
+    let textured = of_surface(id, Share::default(), detail);
+    let [r, g, b] = id.surface().picture.and_then(mean).unwrap_or([1.0; 3]);
+    let [red, green, blue, opacity] = textured.tint;
+    Material {
+        name: format!("{}, plain", textured.name),
+        image: Image::None,
+        tint: [red * r, green * g, blue * b, opacity],
+        ..textured
     }
 }
 

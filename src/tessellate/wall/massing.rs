@@ -60,10 +60,14 @@ impl Walker<'_> {
 
     fn walls(&mut self, level: Level<'_>, ring: &Ring, soups: &mut Vec<(Look, Soup)>) {
         let lines = self.lines(level, ring);
+        // Textures go on round corners, so that the walls have their vertices there in common.
+        let mut along = 0.0;
         for (i, line) in lines.iter().enumerate() {
             let (before, after) = Line::beside(&lines, i);
             let first = before.map_or(0.0, |b| corner(b, line));
             let last = after.map_or(0.0, |a| corner(line, a));
+            let from = along - first;
+            along = from - line.length - last;
             self.air = self.air_before(level, line.wall);
             let mut stretches = self.stretches(level, line);
             self.air = None;
@@ -80,7 +84,7 @@ impl Walker<'_> {
                 at + flat.extend(z)
             };
             for stretch in stretches {
-                draw(&stretch, place, soups);
+                draw(&stretch, from, place, soups);
             }
         }
     }
@@ -209,8 +213,13 @@ fn corner(before: &Line<'_>, line: &Line<'_>) -> f64 {
     (face * (1.0 - cos) / sin).clamp(-LONGEST * face, LONGEST * face)
 }
 
-/// Adds the quads of a section.
-fn draw(stretch: &Stretch, place: impl Fn(f64, f64, f64) -> DVec3, soups: &mut Vec<(Look, Soup)>) {
+/// Adds the quads of a section. `along` is the texture's place at the wall's right end, metres.
+fn draw(
+    stretch: &Stretch,
+    along: f64,
+    place: impl Fn(f64, f64, f64) -> DVec3,
+    soups: &mut Vec<(Look, Soup)>,
+) {
     let (left, right) = (-stretch.to, -stretch.from);
     let top = stretch.tops.0.min(stretch.tops.1);
     for band in &stretch.bands {
@@ -238,7 +247,10 @@ fn draw(stretch: &Stretch, place: impl Fn(f64, f64, f64) -> DVec3, soups: &mut V
         // Pictures of walls go on along the wall; those of parts fill the band.
         for (uv, (x, z)) in soup.uvs[first..].iter_mut().zip(corners) {
             let whole = dvec2((x - left) / (right - left), (z - z0) / (z1 - z0));
-            let uv_of = if band.picture { whole } else { dvec2(x, z) };
+            let uv_of = match band.picture {
+                true => whole,
+                false => dvec2(x + along, z),
+            };
             *uv = uv_of.as_vec2().to_array();
         }
     }
