@@ -15,6 +15,7 @@ mod purpose;
 mod rare;
 mod roofs;
 mod value;
+mod view;
 
 pub use era::Era;
 pub use fittings::{
@@ -31,6 +32,7 @@ pub use roofs::{
     RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
 };
 pub use value::{Parameter, Value};
+pub use view::{NamedView, ViewTime};
 
 use crate::source::{Span, Spanned};
 use serde::Serialize;
@@ -46,6 +48,9 @@ pub struct Document {
     /// Custom parts that every house of the file may use.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<WrittenPart>,
+    /// Named views, each name once.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub views: Vec<NamedView>,
     /// The variant that this document belongs to, if several are made.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub variant: Option<Variant>,

@@ -21,10 +21,11 @@ use crate::ast::{
     Finial, Order, PlacedBy, Platform, Rare, RoofKind, RoofShape, StoreyKind, Variant,
 };
 use crate::building::fittings::Fitting;
+use crate::geometry::Heading;
 use crate::geometry::plan::Cell;
 use crate::program::{Age, Picture, Roofs, Unit};
 use crate::source::Span;
-use glam::{DVec2, DVec3, dvec3};
+use glam::{DVec2, DVec3, dvec2, dvec3};
 use serde::{Serialize, Serializer};
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -104,6 +105,13 @@ impl House {
     /// Returns a plan point at a height, in the house frame.
     pub fn place(&self, p: DVec2, z: f64) -> DVec3 {
         dvec3(-p.x * self.unit, p.y * self.unit, z)
+    }
+
+    /// Returns a plan point in the world, metres east and north.
+    pub fn world(&self, p: DVec2) -> DVec2 {
+        let [east, north, _] = self.origin;
+        let turn = Heading::new(180.0 - self.azimuth).vector();
+        turn.rotate(dvec2(-p.x, p.y) * self.unit) + dvec2(east, north)
     }
 }
 

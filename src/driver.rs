@@ -29,7 +29,7 @@ pub use parts::catalog;
 #[cfg(feature = "models")]
 pub use stream::{Sink, Streamed, stream};
 
-use crate::ast::{Document, Parameter};
+use crate::ast::{Document, NamedView, Parameter};
 use crate::building::Building;
 use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
@@ -86,6 +86,8 @@ impl Options {
 pub struct Checked {
     /// The parameters of the source files.
     pub parameters: Vec<Parameter>,
+    /// The named views of the source files.
+    pub views: Vec<NamedView>,
     /// Files that the sources include, for reports.
     pub included: Vec<Source>,
     /// The catalogue with the custom parts of the sources.
@@ -108,6 +110,8 @@ pub fn check(
     let mut read = documents_noted(sources, world, options, noted, out);
     let parameters = |d: &mut Document| std::mem::take(&mut d.parameters);
     let parameters = read.documents.iter_mut().flat_map(parameters).collect();
+    let views = read.documents.iter_mut();
+    let views = views.flat_map(|d| std::mem::take(&mut d.views)).collect();
     let building = house::houses(&mut read, (sources, false), world, options, out);
     let (included, catalog) = (read.included, read.catalog);
     #[cfg(feature = "models")]
@@ -115,6 +119,7 @@ pub fn check(
     spare_expressions(sources, &included, out);
     Checked {
         parameters,
+        views,
         included,
         catalog,
         building,

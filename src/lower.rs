@@ -58,9 +58,9 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
         }
     }
     let mut roofs = house.roofs;
-    purpose::fill(&mut roofs, house.purpose, &storeys);
-    let [x, y, ground] = house.origin;
     let unit = house.unit_shaku * SHAKU;
+    purpose::fill(&mut roofs, house.purpose, &storeys, unit, out);
+    let [x, y, ground] = house.origin;
     let off = match house.anchor {
         Anchor::Corner => DVec2::ZERO,
         Anchor::Centre => Heading::new(180.0 - house.azimuth)

@@ -100,6 +100,8 @@ pub struct Roofs {
     pub wished: Option<Span>,
     /// The style of automatic roofs.
     pub style: RoofStyle,
+    /// The word that leaves their shape to what the house is for.
+    pub by_use: Option<Span>,
     /// Written roofs.
     pub lines: Vec<RoofLine>,
 }

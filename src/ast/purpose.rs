@@ -17,16 +17,22 @@ pub enum Purpose {
     Shrine,
     /// A gate.
     Gate,
+    /// A shed under one slope.
+    Shed,
+    /// A block of flats or offices.
+    Block,
 }
 
 impl Purpose {
     /// Every purpose with its word.
-    pub const ALL: [(&'static str, Purpose); 6] = [
+    pub const ALL: [(&'static str, Purpose); 8] = [
         ("dwelling", Purpose::Dwelling),
         ("store", Purpose::Store),
         ("hall", Purpose::Hall),
         ("temple", Purpose::Temple),
         ("shrine", Purpose::Shrine),
         ("gate", Purpose::Gate),
+        ("shed", Purpose::Shed),
+        ("block", Purpose::Block),
     ];
 }

@@ -51,6 +51,8 @@ pub struct Roofs {
     pub method: Option<Spanned<RoofMethod>>,
     /// The style of automatic roofs.
     pub style: RoofStyle,
+    /// The word that leaves their shape to what the house is for.
+    pub by_use: Option<Span>,
     /// Written roofs.
     pub lines: Vec<RoofLine>,
 }
@@ -99,11 +101,15 @@ pub enum RoofShape {
     Karahafu,
     /// RIK, rikuyane: flat, with a parapet.
     Flat,
+    /// KOS, koshiore: gambrel, a gable roof whose two slopes are steep below and gentle above.
+    Gambrel,
+    /// MAN, mansard: such slopes on all four sides.
+    Mansard,
 }
 
 impl RoofShape {
     /// Every shape with its letters.
-    pub const ALL: [(&'static str, RoofShape); 11] = [
+    pub const ALL: [(&'static str, RoofShape); 13] = [
         ("KIR", RoofShape::Gable),
         ("YOS", RoofShape::Hip),
         ("YOK", RoofShape::BroadGable),
@@ -115,6 +121,22 @@ impl RoofShape {
         ("TER", RoofShape::Temple),
         ("KAR", RoofShape::Karahafu),
         ("RIK", RoofShape::Flat),
+        ("KOS", RoofShape::Gambrel),
+        ("MAN", RoofShape::Mansard),
+    ];
+
+    /// The names of shapes in OpenStreetMap (`roof:shape`), which XML reads as well.
+    pub const MAPPED: [(&'static str, RoofShape); 10] = [
+        ("gabled", RoofShape::Gable),
+        ("hipped", RoofShape::Hip),
+        ("half-hipped", RoofShape::HalfHip),
+        ("hipped-and-gabled", RoofShape::HipAndGable),
+        ("pyramidal", RoofShape::Pyramid),
+        ("skillion", RoofShape::LeanTo),
+        ("lean_to", RoofShape::LeanTo),
+        ("flat", RoofShape::Flat),
+        ("gambrel", RoofShape::Gambrel),
+        ("mansard", RoofShape::Mansard),
     ];
 
     /// Returns the shape of three letters.
@@ -127,7 +149,11 @@ impl RoofShape {
 
     /// Returns true for a hip whose four slopes have the same pitch; `ratio` = the length of its ridge is given.
     pub fn has_equal_slopes(self, ratio: bool) -> bool {
-        matches!(self, RoofShape::Hip | RoofShape::Pyramid) && !ratio
+        match self {
+            RoofShape::Hip | RoofShape::Pyramid => !ratio,
+            RoofShape::Mansard => true,
+            _ => false,
+        }
     }
 
     /// Returns its three letters.

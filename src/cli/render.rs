@@ -1,14 +1,18 @@
 //! `hsd render`: renders images for documents with the page of the preview in a headless browser.
 
 mod browser;
+mod shots;
+mod standing;
 
 use super::options::{DetailArgs, ReadArgs, exit, report};
 use super::view::{FileHost, check_page};
 use super::{Failure, Outcome};
+use crate::ast::{NamedView, ViewTime};
+use crate::building::Built;
 use crate::cli::files::input::Inputs;
 use crate::cli::files::output;
 use crate::cli::files::output::Files;
-use crate::diagnostic::{Diagnostic, Diagnostics, Language};
+use crate::diagnostic::{Diagnostic, Diagnostics, Language, Text};
 use crate::driver;
 use crate::report::{Format, Report};
 use crate::source::Source;
@@ -18,6 +22,8 @@ use crate::view::{self, Preview, PreviewOptions, Screenshot};
 use browser::Browser;
 use clap::{Args, ValueEnum};
 use percent_encoding::{NON_ALPHANUMERIC, utf8_percent_encode};
+use shots::{Scenery, Shot, ViewParser};
+use standing::Camera;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
@@ -44,6 +50,7 @@ Examples:
   hsd render street/*.hsd -o pictures/ --view front,above      render two views of each house
   hsd render street.hsd -o eye.png --from 2,0,1.6 --to 60,0,3  stand in the street and look east
   hsd render shop.hsd -o front.png --view elevation-front      draw the front in parallel projection
+  hsd render plot.hsd -o pictures/ --view garden,court         take the view named garden in the file, and a courtyard
   hsd render plot.hsd -o kura.png --house kura --date 2026-12-21 --hour 9
                                                                show the storehouse on a winter morning")]
 pub(super) struct Render {
@@ -61,15 +68,15 @@ pub(super) struct Render {
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
 
-    /// Select the views, separated by commas.
+    /// Select the views, separated by commas: those below, or the names of `View` elements in the file.
     #[arg(
         long = "view",
-        value_enum,
+        value_parser = ViewParser,
         value_delimiter = ',',
         default_value = "front",
         value_name = "VIEW"
     )]
-    views: Vec<Viewpoint>,
+    views: Vec<String>,
 
     /// Show this house of the file: its name.
     #[arg(long, value_name = "NAME", conflicts_with = "from")]
@@ -115,59 +122,6 @@ pub(super) struct Render {
 /// Metres east, north and up.
 type Place = [f64; 3];
 
-/// Views of a house.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Viewpoint {
-    /// From the left of the street.
-    Front,
-    /// Like front, from the height of the eaves.
-    Eaves,
-    /// From above, front right.
-    Above,
-    /// From above, behind the house.
-    Back,
-    /// The left side.
-    Left,
-    /// The right side.
-    Right,
-    /// From straight above.
-    Top,
-    /// The front in parallel projection.
-    ElevationFront,
-    /// The back in parallel projection.
-    ElevationBack,
-    /// The left side in parallel projection.
-    ElevationLeft,
-    /// The right side in parallel projection.
-    ElevationRight,
-    /// The roofs in parallel projection, the front at the bottom.
-    Plan,
-    /// From a place of its own.
-    #[value(skip)]
-    Camera,
-}
-
-impl Viewpoint {
-    /// The name of the view in the page's URL.
-    fn word(self) -> &'static str {
-        match self {
-            Viewpoint::Front => "front",
-            Viewpoint::Eaves => "eaves",
-            Viewpoint::Above => "above",
-            Viewpoint::Back => "back",
-            Viewpoint::Left => "left",
-            Viewpoint::Right => "right",
-            Viewpoint::Top => "top",
-            Viewpoint::ElevationFront => "elevation-front",
-            Viewpoint::ElevationBack => "elevation-back",
-            Viewpoint::ElevationLeft => "elevation-left",
-            Viewpoint::ElevationRight => "elevation-right",
-            Viewpoint::Plan => "plan",
-            Viewpoint::Camera => "camera",
-        }
-    }
-}
-
 /// Image formats.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum ImageFormat {
@@ -195,6 +149,60 @@ impl ImageFormat {
     }
 }
 
+/// What a checked file has for cameras.
+#[derive(Default)]
+struct Seen {
+    houses: Vec<Built>,
+    views: Vec<NamedView>,
+    model: bool,
+}
+
+/// Pictures that one browser takes of a file.
+struct Run<'a> {
+    input: &'a Path,
+    shots: &'a [Shot],
+    screenshots: &'a Receiver<Screenshot>,
+    running: browser::Running,
+}
+
+/// How far a run has come.
+struct Progress {
+    begun: Instant,
+    done: usize,
+    total: usize,
+}
+
+impl Progress {
+    fn new(total: usize) -> Progress {
+        Progress {
+            begun: Instant::now(),
+            done: 0,
+            total,
+        }
+    }
+
+    /// Tells that a picture is written; of many also how many there are, and how long the others will take.
+    fn message(&self, path: &Path) -> Text {
+        let (path, elapsed) = (path.display(), self.begun.elapsed());
+        let (done, total, ms) = (self.done, self.total, elapsed.as_millis());
+        if total == 1 {
+            return text!([path, ms] "wrote {path} in {ms} ms", "{path} を書きました ({ms} ms)");
+        }
+        let left = (total - done.min(total)) as f64 * elapsed.as_secs_f64() / done.max(1) as f64;
+        let left = left.ceil();
+        match done < total {
+            true => text!([path, done, total, left]
+                "wrote {path} ({done} of {total}, about {left} s left)",
+                "{path} を書きました ({done}/{total}、残り約 {left} 秒)"
+            ),
+            false => text!([path, total, ms]
+                "wrote {path} ({total} of {total}, {ms} ms in all)",
+                "{path} を書きました ({total}/{total}、合計 {ms} ms)"
+            ),
+        }
+    }
+}
+
 /// The output of a run.
 enum Target<'a> {
     File(&'a Path, ImageFormat),
@@ -211,21 +219,48 @@ impl Render {
             std::fs::create_dir_all(folder).map_err(|e| Failure::at(folder.display(), e))?;
         }
         let mut spoiled = false;
+        let mut progress = Progress::new(self.inputs.len() * self.count());
         for input in &self.inputs {
-            match self.report_diagnostics(input, language)? {
-                true => spoiled = true,
-                false => self.one(input, &target, &browser, language)?,
+            match self.seen(input, language)? {
+                None => {
+                    progress.total -= self.count();
+                    spoiled = true;
+                }
+                Some(seen) => {
+                    let shots = self.shots(input, &seen)?;
+                    self.one(
+                        (input, &shots),
+                        &target,
+                        &browser,
+                        (language, &mut progress),
+                    )?;
+                }
             }
         }
         Ok(exit(spoiled))
     }
 
-    /// Returns the views of each input.
-    fn views(&self) -> &[Viewpoint] {
+    /// Returns the number of pictures of each input.
+    fn count(&self) -> usize {
         match self.from {
-            Some(_) => &[Viewpoint::Camera],
-            None => &self.views,
+            Some(_) => 1,
+            None => self.views.len(),
         }
+    }
+
+    /// Returns the pictures of an input. Fails for a view that it does not have.
+    fn shots(&self, input: &Path, seen: &Seen) -> Result<Vec<Shot>, Failure> {
+        if let (Some(from), Some(to)) = (self.from, self.to) {
+            let fov = self.fov;
+            return Ok(vec![Shot::free(Camera { from, to, fov })]);
+        }
+        let scenery = Scenery {
+            houses: &seen.houses,
+            views: &seen.views,
+            house: self.house.as_deref(),
+            model: seen.model,
+        };
+        scenery.shots(&self.views, &input.display().to_string())
     }
 
     /// Returns the output. Fails for several images in one file, or two with the same name.
@@ -233,7 +268,7 @@ impl Render {
         let output = &self.output;
         let named = output.to_string_lossy();
         let folder = output.is_dir() || named.ends_with(['/', std::path::MAIN_SEPARATOR]);
-        let several = self.inputs.len() * self.views().len() > 1;
+        let several = self.inputs.len() * self.count() > 1;
         let shown = output.display();
         if !folder && !several {
             return match ImageFormat::of(output) {
@@ -267,56 +302,61 @@ impl Render {
         Ok(Target::Folder(output, self.format))
     }
 
-    /// Prints the diagnostics of a source file or a model; returns whether they make it fail.
-    fn report_diagnostics(&self, input: &PathBuf, language: Language) -> Result<bool, Failure> {
+    /// Prints the diagnostics of a source file or a model; returns nothing if they make it fail.
+    fn seen(&self, input: &PathBuf, language: Language) -> Result<Option<Seen>, Failure> {
         let model = input
             .extension()
             .is_some_and(|e| e.eq_ignore_ascii_case("glb"));
+        let mut seen = Seen {
+            model,
+            ..Seen::default()
+        };
         let (sources, list) = if model {
             let message = view::check_model(input);
             let (source, list) = message.map_err(|e| Failure::at(input.display(), e))?;
             (vec![source], list)
         } else {
-            self.checked(input)?
+            self.checked(input, &mut seen)?
         };
         if !list.is_empty() {
             let written = Report::new(&sources, &list).in_language(language);
             report(&written, Format::Human, &mut io::stderr())?;
         }
-        Ok(list.iter().any(|d| self.read_args.spoils(d.severity)))
+        let spoiled = list.iter().any(|d| self.read_args.spoils(d.severity));
+        Ok((!spoiled).then_some(seen))
     }
 
     /// Checks a source file; returns the sources and their diagnostics.
-    fn checked(&self, input: &PathBuf) -> Result<(Vec<Source>, Vec<Diagnostic>), Failure> {
+    fn checked(
+        &self,
+        input: &PathBuf,
+        seen: &mut Seen,
+    ) -> Result<(Vec<Source>, Vec<Diagnostic>), Failure> {
         let mut out = Diagnostics::new();
         let own = std::slice::from_ref(input);
         let inputs = Inputs::read(own, self.read_args.limits().bytes, &mut out)?;
         let options = self.read_args.options(&inputs, &mut out)?;
         let world = self.read_args.world(own);
         let checked = driver::check(&inputs.accepted(), &world, &options, &mut out);
+        (seen.houses, seen.views) = (checked.building.houses, checked.views);
         Ok((inputs.and(checked.included), out.into_sorted()))
     }
 
-    /// Renders the images of one file.
+    /// Renders the images of one file: those under one sun in one run of the browser.
     fn one(
         &self,
-        input: &Path,
+        (input, shots): (&Path, &[Shot]),
         target: &Target<'_>,
         browser: &Browser,
-        language: Language,
+        (language, progress): (Language, &mut Progress),
     ) -> Result<(), Failure> {
-        let begun = Instant::now();
         let failed = |e| Failure::at(input.display(), e);
         let real = input.canonicalize().map_err(failed)?;
-        let name = real
-            .file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned();
+        let name = real.file_name().unwrap_or_default().to_string_lossy();
         let (sink, screenshots) = mpsc::channel();
         let options = PreviewOptions {
             root: real.parent().unwrap_or(Path::new("/")).to_owned(),
-            only: Some(name.clone()),
+            only: Some(name.clone().into_owned()),
             language,
             host: Box::new(FileHost {
                 read_args: self.read_args.clone(),
@@ -328,56 +368,66 @@ impl Render {
             watched: vec![],
         };
         let preview = Preview::with_screenshots(options, sink).map_err(failed)?;
-        let views: Vec<&str> = self.views().iter().map(|v| v.word()).collect();
-        let (views, (width, height)) = (views.join(","), self.size);
-        let camera = match (self.from, self.to) {
-            (Some(from), Some(to)) => format!(
-                "&from={}&to={}&fov={}",
-                from.map(|n| n.to_string()).join(","),
-                to.map(|n| n.to_string()).join(","),
-                self.fov
-            ),
-            _ => String::new(),
-        };
-        let encoded = |name| utf8_percent_encode(name, NON_ALPHANUMERIC);
+        for under in shots.chunk_by(|p, q| p.time == q.time) {
+            let url = format!("{}{}", preview.page(&name), self.query(under));
+            let running = browser.open(&url)?;
+            let run = Run {
+                input,
+                shots: under,
+                screenshots: &screenshots,
+                running,
+            };
+            self.take(run, target, language, progress)?;
+        }
+        Ok(())
+    }
+
+    /// Returns what the page is asked for: pictures under one sun.
+    fn query(&self, shots: &[Shot]) -> String {
+        let encoded = |text: &str| utf8_percent_encode(text, NON_ALPHANUMERIC).to_string();
+        let ids: Vec<&str> = shots.iter().map(|s| &*s.id).collect();
+        let cameras = encoded(&shots::cameras(shots));
         let house = self.house.as_deref().map(encoded);
         let house = house.map_or(String::new(), |house| format!("&house={house}"));
-        let sun = self.date.as_ref().map_or(String::new(), |date| {
-            format!("&date={date}&hour={}", self.hour.unwrap_or(12.0))
+        let given = self.date.as_ref().map(|date| ViewTime {
+            date: date.clone(),
+            hour: self.hour.unwrap_or(ViewTime::USUAL_HOUR),
         });
-        let url = format!(
-            "{}&render={views}{camera}{house}{sun}&size={width}x{height}&samples={}",
-            preview.page(&name),
+        // What the command line says of the sun holds for every view.
+        let own = shots.first().and_then(|s| s.time.clone());
+        let sun = given.or(own).map_or(String::new(), |time| {
+            format!("&date={}&hour={}", time.date, time.hour)
+        });
+        let (width, height) = self.size;
+        format!(
+            "&render={}&cameras={cameras}{house}{sun}&size={width}x{height}&samples={}",
+            ids.join(","),
             self.samples
-        );
-        let running = browser.open(&url)?;
-        self.take(input, target, &screenshots, running, language, begun)
+        )
     }
 
     /// Writes the images received from the page until it reports completion.
     fn take(
         &self,
-        input: &Path,
+        mut run: Run<'_>,
         target: &Target<'_>,
-        screenshots: &Receiver<Screenshot>,
-        mut running: browser::Running,
         language: Language,
-        begun: Instant,
+        progress: &mut Progress,
     ) -> Result<(), Failure> {
-        let shown = input.display();
+        let shown = run.input.display();
         let mut last_response = Instant::now();
         loop {
-            match screenshots.recv_timeout(POLL_INTERVAL) {
+            match run.screenshots.recv_timeout(POLL_INTERVAL) {
                 Ok(Screenshot::Picture { view, png }) => {
                     last_response = Instant::now();
                     // The page names the view; only requested views become file names.
-                    let Some(view) = self.views().iter().find(|v| v.word() == view) else {
+                    let Some(shot) = run.shots.iter().find(|s| s.id == view) else {
                         continue;
                     };
-                    let path = write(input, target, *view, png)?;
+                    let path = write(run.input, target, &shot.name, png)?;
+                    progress.done += 1;
                     if !self.quiet {
-                        let (path, ms) = (path.display(), begun.elapsed().as_millis());
-                        let message = text!([path, ms] "wrote {path} in {ms} ms", "{path} を書きました ({ms} ms)");
+                        let message = progress.message(&path);
                         writeln!(io::stderr(), "{}", message.in_language(language))?;
                     }
                 }
@@ -388,7 +438,7 @@ impl Render {
                         text!([shown, why] "{shown}: {why}", "{shown}: {why}"),
                     ));
                 }
-                Err(RecvTimeoutError::Timeout) if running.ended() => {
+                Err(RecvTimeoutError::Timeout) if run.running.ended() => {
                     return Err(Failure::Io(text!([shown]
                         "{shown}: the browser exited before the image was complete",
                         "{shown}: 画像ができる前にブラウザーが終了しました"
@@ -407,17 +457,12 @@ impl Render {
 }
 
 /// Writes an image and returns its path.
-fn write(
-    input: &Path,
-    target: &Target<'_>,
-    view: Viewpoint,
-    png: Vec<u8>,
-) -> Result<PathBuf, Failure> {
+fn write(input: &Path, target: &Target<'_>, view: &str, png: Vec<u8>) -> Result<PathBuf, Failure> {
     let (path, kind) = match target {
         Target::File(path, kind) => (path.to_path_buf(), *kind),
         Target::Folder(folder, kind) => {
             let stem = input.file_stem().unwrap_or_default().to_string_lossy();
-            let name = format!("{stem}-{}.{}", view.word(), kind.extension());
+            let name = format!("{stem}-{view}.{}", kind.extension());
             (folder.join(name), *kind)
         }
     };
@@ -450,31 +495,12 @@ fn place(text: &str) -> Result<Place, &'static str> {
 
 /// Parses a date such as `2026-12-21`.
 fn date(text: &str) -> Result<String, &'static str> {
-    const EXPECTED: &str = "expected a date, as in 2026-12-21";
-    let parts: Option<Vec<u32>> = text.split('-').map(|t| t.parse().ok()).collect();
-    match parts.as_deref() {
-        Some([1..=9999, 1..=12, 1..=31]) => Ok(text.to_owned()),
-        _ => Err(EXPECTED),
-    }
+    ViewTime::date(text).ok_or("expected a date, as in 2026-12-21")
 }
 
 /// Parses an hour such as `9`, `9.5` or `9:30`.
 fn hour(text: &str) -> Result<f64, &'static str> {
-    let hour = match text.split_once(':') {
-        Some((hours, minutes)) => hours
-            .parse()
-            .ok()
-            .zip(
-                minutes
-                    .parse()
-                    .ok()
-                    .filter(|m: &f64| (0.0..60.0).contains(m)),
-            )
-            .map(|(hours, minutes): (f64, f64)| hours + minutes / 60.0),
-        None => text.parse().ok(),
-    };
-    let hour = hour.filter(|h| (0.0..=24.0).contains(h));
-    hour.ok_or("expected an hour of the day, as in 9 or 16:30")
+    ViewTime::hour(text).ok_or("expected an hour of the day, as in 9 or 16:30")
 }
 
 /// Parses an angle of view.

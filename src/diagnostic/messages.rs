@@ -11,6 +11,8 @@ pub mod parts;
 pub mod pictures;
 pub mod plan;
 pub mod print;
+pub mod purpose;
 pub mod roofs;
+pub mod views;
 mod words;
 pub mod xml;

@@ -3,10 +3,9 @@
 use crate::building::House;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::plan::in_each_other;
-use crate::geometry::Heading;
 use crate::geometry::overlap::Area;
 use crate::source::{Source, Span};
-use glam::{DVec2, dvec2};
+use glam::DVec2;
 use std::collections::HashMap;
 
 /// The area that neighbours may share, square metres.
@@ -53,12 +52,15 @@ impl Ground {
     /// Returns the ground storey of a house; `None` if its walls enclose nothing.
     pub(super) fn of(house: &House) -> Option<Ground> {
         let storey = house.storeys.first()?;
-        let turn = Heading::new(180.0 - house.azimuth).vector();
-        let [x, y, z] = house.origin;
-        let world = |p: DVec2| turn.rotate(dvec2(-p.x, p.y) * house.unit) + dvec2(x, y);
+        let z = house.origin[2];
         let closed = storey.rings.iter().filter(|r| r.closed && !r.inner);
         let rings: Box<[(Box<[DVec2]>, bool)]> = closed
-            .map(|r| (r.walls.iter().map(|w| world(w.from)).collect(), r.hole))
+            .map(|r| {
+                (
+                    r.walls.iter().map(|w| house.world(w.from)).collect(),
+                    r.hole,
+                )
+            })
             .collect();
         let corners = || rings.iter().flat_map(|(ring, _)| ring.iter().copied());
         let low = corners().reduce(DVec2::min)?;

@@ -17,6 +17,7 @@ pub(super) fn roofs(roofs: &ast::Roofs) -> Roofs {
             .map_or_else(Default::default, |m| m.value),
         wished: wished(roofs),
         style: roofs.style.clone(),
+        by_use: roofs.by_use,
         lines: roofs.lines.clone(),
     }
 }
@@ -35,6 +36,7 @@ fn wished(roofs: &ast::Roofs) -> Option<Span> {
                 roofs.method.as_ref().map(|s| s.span),
                 style.kind.as_ref().map(|s| s.span),
                 style.shape.as_ref().map(|s| s.span),
+                roofs.by_use,
                 style.pitch.as_ref().map(|s| s.span),
                 style.eaves.as_ref().map(|s| s.span),
                 style.verge.as_ref().map(|s| s.span),

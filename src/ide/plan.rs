@@ -14,7 +14,8 @@
 //!      {"code":"GSI","part":"lattice","from":[0,0],"to":[1,0],"file":0,"span":[300,305],"fixed":null}]}]}],
 //!    "regions":[]}],
 //!   "roofs":[{"shape":"KIR","kind":"K","storey":2,"file":0,"span":[700,740],"rect":[0,0,6,8],"z":4.24,
-//!     "ridge":[[6,4],[0,4]]}]}]}
+//!     "ridge":[[6,4],[0,4]]}]}],
+//!  "views":[{"name":"garden","from":[2,-5,1.6],"to":[-2,0,2],"fov":45,"date":null,"hour":null,"file":0,"span":[12,60]}]}
 //! ```
 //!
 //! `fixed` is null, or the key of the reason why no stroke can change an item (for a wall: move it); `reasons` has its
@@ -25,7 +26,7 @@
 
 use super::Analysis;
 use super::stroke::{house_fixed, storey_fixed};
-use crate::ast::StoreyKind;
+use crate::ast::{NamedView, StoreyKind};
 use crate::backend::dump::{Region, region};
 use crate::backend::number::Number;
 use crate::building::{self, EdgeKind, HouseRoofs};
@@ -46,6 +47,28 @@ pub struct Plan {
     pub reasons: BTreeMap<&'static str, String>,
     /// In the order of the file.
     pub houses: Vec<House>,
+    /// The named views, in the order of the file.
+    pub views: Vec<View>,
+}
+
+/// A named view; places are metres east, north and up.
+#[derive(Debug, Serialize)]
+pub struct View {
+    /// Its name.
+    pub name: String,
+    /// The place of the camera.
+    pub from: [Number; 3],
+    /// The middle of the picture.
+    pub to: [Number; 3],
+    /// Vertical angle of view, degrees.
+    pub fov: Number,
+    /// Year-month-day of the sun, or the usual afternoon.
+    pub date: Option<String>,
+    /// The hour of that day.
+    pub hour: Option<Number>,
+    /// Its place in the file.
+    #[serde(flatten)]
+    pub place: PlanPlace,
 }
 
 /// A house.
@@ -194,7 +217,21 @@ impl Plan {
         Plan {
             reasons: writer.used.iter().map(words).collect(),
             houses,
+            views: a.checked.views.iter().map(view).collect(),
         }
+    }
+}
+
+fn view(view: &NamedView) -> View {
+    let time = view.time.as_ref();
+    View {
+        name: view.name.value.clone(),
+        from: view.from.map(Number),
+        to: view.to.map(Number),
+        fov: Number(view.fov),
+        date: time.map(|t| t.date.clone()),
+        hour: time.map(|t| Number(t.hour)),
+        place: place(view.span),
     }
 }
 

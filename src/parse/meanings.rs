@@ -50,18 +50,20 @@ pub(crate) const COVERINGS: [Meaning; 7] = [
 
 /// The forms of roofs.
 #[rustfmt::skip]
-pub(crate) const SHAPES: [Meaning; 11] = [
-    means("KIR", "gable (kirizuma)", "切妻", &["切妻造", "切妻屋根", "kirizuma", "gable", "gabled", "gables"]),
-    means("KAT", "lean-to (katanagare)", "片流れ", &["片流", "片流れ屋根", "katanagare", "lean-to", "shed"]),
+pub(crate) const SHAPES: [Meaning; 13] = [
+    means("KIR", "gable (kirizuma)", "切妻", &["切妻造", "切妻屋根", "kirizuma", "gable", "gabled", "gables", "round", "barrel", "saltbox", "double_saltbox", "crosspitched"]),
+    means("KAT", "lean-to (katanagare)", "片流れ", &["片流", "片流れ屋根", "katanagare", "lean-to", "lean_to", "skillion", "shed", "sawtooth"]),
     means("HIS", "pent roof (hisashi)", "庇", &["廂", "ひさし", "hisashi", "pent", "pent roof"]),
-    means("YOS", "hip (yosemune)", "寄棟", &["寄棟造", "寄棟屋根", "yosemune", "hip", "hipped"]),
-    means("IRI", "hip and gable (irimoya)", "入母屋", &["入母屋造", "入母屋屋根", "irimoya", "hip and gable"]),
-    means("HOG", "pyramid (hogyo)", "宝形", &["宝形造", "方形", "方形造", "hogyo", "hōgyō", "pyramid", "pyramidal"]),
+    means("YOS", "hip (yosemune)", "寄棟", &["寄棟造", "寄棟屋根", "yosemune", "hip", "hipped", "side_hipped"]),
+    means("IRI", "hip and gable (irimoya)", "入母屋", &["入母屋造", "入母屋屋根", "irimoya", "hip and gable", "hipped-and-gabled"]),
+    means("HOG", "pyramid (hogyo)", "宝形", &["宝形造", "方形", "方形造", "hogyo", "hōgyō", "pyramid", "pyramidal", "dome", "cone", "onion"]),
     means("YOK", "gable along the short side (yokonaga)", "横長切妻", &["妻入", "yokonaga-kirizuma", "yokonaga"]),
-    means("HAK", "half-hip (hakama-goshi)", "袴腰", &["袴腰屋根", "半切妻", "hakama-goshi", "half-hip"]),
+    means("HAK", "half-hip (hakama-goshi)", "袴腰", &["袴腰屋根", "半切妻", "hakama-goshi", "half-hip", "half-hipped", "side_half-hipped"]),
     means("TER", "temple: irimoya with sori (tera)", "寺院", &["寺", "tera", "temple"]),
     means("KAR", "undulating gable (karahafu)", "唐破風", &["karahafu"]),
     means("RIK", "flat (rikuyane)", "陸屋根", &["陸", "平屋根", "rikuyane", "flat"]),
+    means("KOS", "gambrel (koshiore)", "腰折れ", &["腰折", "腰折屋根", "腰折れ屋根", "koshiore", "koshiore-yane", "gambrel", "barn"]),
+    means("MAN", "mansard", "マンサード", &["マンサード屋根", "mansard", "mansādo"]),
 ];
 
 /// Ridges and falls.
@@ -135,13 +137,15 @@ pub(crate) const ERAS: [Meaning; 4] = [
 
 /// What houses are for.
 #[rustfmt::skip]
-const PURPOSES: [Meaning; 6] = [
-    means("dwelling", "", "住まい", &["住宅", "家", "民家", "house", "home", "residence"]),
-    means("store", "", "蔵", &["倉", "倉庫", "土蔵", "店", "kura", "shop", "storehouse", "warehouse"]),
-    means("hall", "", "堂", &["仏堂", "お堂", "do", "dō"]),
+const PURPOSES: [Meaning; 8] = [
+    means("dwelling", "", "住まい", &["住宅", "家", "民家", "house", "home", "residence", "residential", "detached", "terrace"]),
+    means("store", "", "蔵", &["倉", "倉庫", "土蔵", "店", "kura", "shop", "retail", "storehouse", "warehouse"]),
+    means("hall", "", "堂", &["仏堂", "お堂", "do", "dō", "pagoda"]),
     means("temple", "", "寺", &["寺院", "本堂", "tera"]),
     means("shrine", "", "社殿", &["神社", "社", "本殿", "jinja"]),
-    means("gate", "", "門", &["mon"]),
+    means("gate", "", "門", &["mon", "gatehouse"]),
+    means("shed", "", "小屋", &["物置", "差掛け", "koya", "hut", "garage", "roof"]),
+    means("block", "", "ビル", &["マンション", "団地", "flats", "apartments", "office", "offices", "commercial", "hotel"]),
 ];
 
 /// Compass directions that a front can look to, degrees.
@@ -244,12 +248,11 @@ fn words(table: &[Meaning]) -> impl Iterator<Item = &'static str> {
     table.iter().map(|meaning| meaning.word)
 }
 
-/// Returns the one of some words with this name; the words must be those of a table.
+/// Returns the one of some words with this name; a table must have no word but these.
 pub(super) fn among(name: &str, words: &[&str]) -> Option<&'static Meaning> {
-    let of = |table: &&&[Meaning]| {
-        table.len() == words.len() && table.iter().all(|m| words.contains(&m.word))
-    };
-    called(name, TABLES.iter().find(of)?)
+    let of = |table: &&&[Meaning]| table.iter().all(|m| words.contains(&m.word));
+    let most = |table: &&&[Meaning]| table.len();
+    called(name, TABLES.iter().filter(of).max_by_key(most)?)
 }
 
 /// Returns the digits of a number written as a word: `none` is 0, `四` is 4.

@@ -81,15 +81,18 @@ pub(super) fn parse_from<'a>(
         tree: &made.tree,
         reporter: &mut reporter,
         suggest: suggest::Suggest::new(),
+        views: vec![],
     };
     let mut parts = vec![];
     let houses = match made.over {
         true => vec![],
         false => reader.houses(&mut parts),
     };
+    let views = reader.views;
     out.append(reporter.finish());
     Document {
         houses,
+        views,
         parameters: made.parameters,
         variant: None,
         parts,

@@ -7,7 +7,7 @@ use crate::ast::{
     StoreyKind,
 };
 use crate::catalog::Catalog;
-use crate::diagnostic::messages::print as say;
+use crate::diagnostic::messages::{print as say, views};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::program::{Content, House, Picture, Program, Roofs, Storey, Unit, WallLine};
 use crate::source::{Source, Span};
@@ -36,6 +36,9 @@ pub fn to_legacy(
     for (place, codes) in super::xml::elements(source.text(), "random") {
         let span = source.span(place);
         writer.refuse(span, say::draw(span, codes));
+    }
+    for view in &document.views {
+        writer.refuse(view.span, views::not_in_legacy(view.span));
     }
     for part in &document.parts {
         writer.refuse(part.span, say::own_part(part.span));

@@ -265,6 +265,7 @@ impl Key {
             method,
             wished,
             style,
+            by_use: _,
             lines,
         } = &**roofs;
         let mut words = Words(Vec::with_capacity(64));

@@ -4,6 +4,7 @@
 //! ([`profile`]), the treatment of its ends ([`end`]) and its dimensions ([`look`]).
 
 pub mod board;
+mod broken;
 pub(in crate::roof) mod corners;
 pub mod end;
 pub mod flat;

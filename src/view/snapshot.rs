@@ -153,6 +153,7 @@ impl Snapshot {
             plan: Plan {
                 reasons: BTreeMap::new(),
                 houses: vec![],
+                views: vec![],
             },
             times: vec![],
         };

@@ -142,10 +142,11 @@ pub fn kind_name(attribute: &AttributeSchema) -> String {
         Kind::Whole(least, u64::MAX) => format!("whole_{least}"),
         Kind::Whole(least, most) => format!("whole_{least}_{most}"),
         Kind::Numbers(..) => "numbers".into(),
-        Kind::Pair(..) => "pair".into(),
+        Kind::Pair(..) => format!("pair{}", of_lengths(attribute)),
         Kind::WholePair(..) => "whole_pair".into(),
-        Kind::Point(..) => "point".into(),
-        Kind::Points(..) => "points".into(),
+        Kind::Point(..) => format!("point{}", of_lengths(attribute)),
+        Kind::Spot(..) => format!("spot{}", of_lengths(attribute)),
+        Kind::Points(..) => format!("points{}", of_lengths(attribute)),
         Kind::YesNo => "yes_no".into(),
         Kind::Choice(words) => format!("one_of_{}", words.join("_")),
         Kind::Choices(words) => format!("some_of_{}", words.join("_")),
@@ -157,30 +158,44 @@ pub fn kind_name(attribute: &AttributeSchema) -> String {
     }
 }
 
+/// The end of the name of a list of lengths.
+fn of_lengths(attribute: &AttributeSchema) -> &'static str {
+    match attribute.measure {
+        Some(_) => "_of_lengths",
+        None => "",
+    }
+}
+
 /// What is between the items of a list.
 const BETWEEN: &str = "[ ,、\u{3000}]+";
 
 /// The pattern of a value that the types of XML Schema have no words for.
 pub fn pattern(attribute: &AttributeSchema) -> Option<String> {
     const NUMBER: &str = r"[+\-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+\-]?[0-9]+)?";
-    if attribute.measure.is_some() {
-        let units: Vec<&str> = lengths::units().collect();
-        let units = units.join("|");
+    let units: Vec<&str> = lengths::units().collect();
+    let units = units.join("|");
+    let single = matches!(attribute.kind, Kind::Number(..) | Kind::Either(..));
+    if single && attribute.measure.is_some() {
         return Some(format!(
             r"\s*[+\-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)\s*({units})\s*"
         ));
     }
+    let number = match attribute.measure {
+        Some(_) => format!(r"{NUMBER}(\s*({units}))?"),
+        None => NUMBER.into(),
+    };
     let padded = |inner: &str| format!(r"\s*({inner})\s*");
     let list = |item: &str| padded(&format!("{item}({BETWEEN}{item})*"));
     Some(match attribute.kind {
         Kind::Text => r".*\S.*|     ".into(),
         Kind::Numbers(..) => list(NUMBER),
-        Kind::Pair(..) => padded(&format!("{NUMBER}({BETWEEN}{NUMBER})?")),
+        Kind::Pair(..) => padded(&format!("{number}({BETWEEN}{number})?")),
         Kind::WholePair(..) => padded(&format!(r"\+?[0-9]+({BETWEEN}\+?[0-9]+)?")),
-        Kind::Point(..) => padded(&format!("{NUMBER}{BETWEEN}{NUMBER}")),
+        Kind::Point(..) => padded(&format!("{number}{BETWEEN}{number}")),
+        Kind::Spot(..) => padded(&format!("{number}({BETWEEN}{number}){{2}}")),
         Kind::Points(..) => {
             const BREAK: &str = "[ ,;、\\s]+";
-            let pair = format!("{NUMBER}{BREAK}{NUMBER}");
+            let pair = format!("{number}{BREAK}{number}");
             padded(&format!("{pair}({BREAK}{pair})*"))
         }
         Kind::Choices(words) => list(&format!("({})", words.join("|"))),
@@ -220,7 +235,11 @@ pub fn escape(text: &str) -> String {
 
 /// Asserts that a length has the unit that its explanation names.
 pub fn assert_measure(element: &str, attribute: &AttributeSchema, unit: &str) {
-    if !matches!(attribute.kind, Kind::Number(..) | Kind::Either(..)) {
+    use Kind::{Either, Number, Pair, Point, Points, Spot};
+    if !matches!(
+        attribute.kind,
+        Number(..) | Either(..) | Pair(..) | Point(..) | Points(..) | Spot(..)
+    ) {
         return;
     }
     let measure = match unit {

@@ -213,6 +213,7 @@ impl Page<'_> {
                 self.number("one or two whole numbers", "整数一つか二つ", least, most)
             }
             Kind::Point(..) => self.pick("two numbers", "数二つ").to_owned(),
+            Kind::Spot(..) => self.pick("three numbers", "数三つ").to_owned(),
             Kind::Points(..) => self
                 .pick("corners, two numbers each", "隅の列。数二つずつ")
                 .to_owned(),

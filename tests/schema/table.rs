@@ -55,6 +55,7 @@ fn attribute(attribute_schema: &AttributeSchema) -> Value {
         Kind::Pair(least, most) => ("pair", numbers(least, most), &[]),
         Kind::WholePair(least, most) => ("pair of whole numbers", numbers(least, most), &[]),
         Kind::Point(..) => ("place", Value::Null, &[]),
+        Kind::Spot(..) => ("spot", Value::Null, &[]),
         Kind::Points(..) => ("corners", Value::Null, &[]),
         Kind::YesNo => ("choice", Value::Null, &["yes", "no"]),
         Kind::Choice(words) => ("choice", Value::Null, words),

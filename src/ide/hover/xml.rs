@@ -223,6 +223,11 @@ fn form(kind: Kind) -> Option<Text> {
         )
         .into(),
         Kind::Point(..) => noun("two numbers: a and b", "ふたつの数値 a、b").into(),
+        Kind::Spot(..) => noun(
+            "three numbers: metres east, north and up",
+            "数値三つ。東へ、北へ、高さ(m)",
+        )
+        .into(),
         Kind::Points(..) => noun(
             "corners: two numbers each, divided by commas",
             "コンマで区切った隅。数値ふたつずつ",

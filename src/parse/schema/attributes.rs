@@ -1,8 +1,8 @@
 //! The attributes of every element: values, default and description of each.
 
-use crate::ast::{Era, FinialKind, Paint, Purpose, RoofMethod, RoofShape};
+use crate::ast::{Era, FinialKind, Paint, Purpose, RoofMethod};
 use crate::parse::schema::kinds::Kind::{
-    Choice, Choices, Either, Number, Numbers, Pair, Point, Points, Positions, Text, Whole,
+    Choice, Choices, Either, Number, Numbers, Pair, Point, Points, Positions, Spot, Text, Whole,
     WholePair, YesNo,
 };
 use crate::parse::schema::kinds::{AttributeSchema, Kind, join, may, must, words};
@@ -48,7 +48,8 @@ const STOREYS: Kind = Choice(&words(&vocabulary::STOREY_KINDS));
 const PAINT: Kind = Choice(&words(&Paint::ALL));
 const SIDES: Kind = Choices(&words(&vocabulary::SIDES));
 const COVERING: Kind = Choice(&words(&vocabulary::COVERINGS));
-const SHAPE: Kind = Choice(&words(&RoofShape::ALL));
+const SHAPE: Kind = Choice(&words(&vocabulary::ROOF_SHAPES));
+const SHAPE_OF_HOUSE: Kind = Choice(&words(&vocabulary::SHAPES_OF_HOUSES));
 const ANCHOR: Kind = Choice(&words(&vocabulary::ANCHORS));
 
 #[rustfmt::skip]
@@ -61,7 +62,7 @@ const HOUSE_OWN: [AttributeSchema; 9] = [
     may("y", ANYWHERE, "0", "place of the house's origin, metres north", "原点の位置。北へ(m)").metres(),
     may("z", ANYWHERE, "0", "height of the ground, metres", "地盤の高さ(m)").metres(),
     may("street", YesNo, "no", "the first line stands on the street: its roof's ridge runs along it", "最初の行が通りに面する(平入りになる)"),
-    may("use", Choice(&words(&Purpose::ALL)), "", "what it is for, where `Roofs` says nothing: nearly square halls have pyramids, temples hip-and-gable roofs, others gables", "用途。`Roofs` に書かないとき、正方形に近い堂は宝形、寺は入母屋、ほかは切妻になる"),
+    may("use", Choice(&words(&Purpose::ALL)), "", "what it is for, where `Roofs` says nothing: nearly square halls have pyramids, temples hip-and-gable roofs, sheds one slope, blocks flat roofs, others gables", "用途。`Roofs` に書かないとき、正方形に近い堂は宝形、寺は入母屋、小屋は片流れ、ビルは陸屋根、ほかは切妻になる"),
 ];
 /// The age of a house.
 #[rustfmt::skip]
@@ -89,16 +90,25 @@ pub(super) const PLACEMENT: &[AttributeSchema] = &join::<8, 2, 10>([
     may("at", ANCHOR, "corner", "what stands there: the right end of the front, or the centre of the ground storey", "その位置に来る点。正面の右端 `corner` か、一階の中心 `centre`"),
     may("seed", Whole(0, u64::MAX), "", "key of the draws, parameters that are not set among them", "抽選の種。指定しない変数も抽選する"),
 ], AGED);
+#[rustfmt::skip]
+pub(super) const VIEW: &[AttributeSchema] = &[
+    must("name", Text, "its name, for `hsd render --view`", "視点の名。`hsd render --view` で使う"),
+    must("from", Spot(-FAR, FAR), "where the camera stands: metres east, north and up", "カメラの位置。東へ、北へ、高さ(m)").metres(),
+    must("to", Spot(-FAR, FAR), "the middle of the picture: metres east, north and up", "写真の中心に来る場所。東へ、北へ、高さ(m)").metres(),
+    may("fov", Number(1.0, 150.0), "45", "vertical angle of view, degrees", "縦の画角(度)"),
+    may("date", Text, "", "day of the sun over Kyoto, such as `2026-12-21`; an afternoon without", "太陽の日付。`2026-12-21` のように書く。無ければ午後の日差し"),
+    may("hour", Text, "", "hour of that day, such as `9` or `16:30`; noon without", "その日の時刻。`9`、`16:30` のように書く。無ければ正午"),
+];
 pub(super) const HOUSE: &[AttributeSchema] = &join::<9, 2, 11>(HOUSE_OWN, AGED);
 #[rustfmt::skip]
 pub(super) const STOREY: &[AttributeSchema] = &[
     may("height", SIZE, "9", "from its floor to the next, shaku", "階高(尺)").shaku(),
-    may("start", PLACE, "0 0", "where its walk starts, units to the left and back from the house's origin", "歩き始めの位置。原点から左へ、奥へ(ユニット)"),
+    may("start", PLACE, "0 0", "where its walk starts, units to the left and back from the house's origin", "歩き始めの位置。原点から左へ、奥へ(ユニット)").units(),
     may("kind", STOREYS, "storey", "a `parapet` stands on the storey below and bears no roof of its own", "`parapet` は下の階に載る胸壁で、屋根を持たない"),
 ];
 #[rustfmt::skip]
 pub(super) const OUTLINE: &[AttributeSchema] = &[
-    must("points", CORNERS, "its corners `e n, e n, ...`: metres east and north of the house's place, in either direction", "隅の列 `e n, e n, ...`。建物の位置から東へ、北へ(m)。向きは問わない"),
+    must("points", CORNERS, "its corners `e n, e n, ...`: metres east and north of the house's place, in either direction", "隅の列 `e n, e n, ...`。建物の位置から東へ、北へ(m)。向きは問わない").metres(),
     may("square", Either(&["no"], 0.0, 100.0), "0.3", "how far corners may move to make the walls square, metres; `no` leaves them where they are", "壁を直角に直すために隅が動いてよい距離(m)。`no` なら動かさない").metres(),
     may("join", Number(0.0, 100.0), "0.3", "how far walls may move onto the line of another, so that no roof is a narrow strip, metres", "細長い屋根ができないよう、壁がほかの壁の線に寄ってよい距離(m)").metres(),
     may("front", Whole(1, CORNERS_MOST), "", "number of the side that is the first line: side 1 runs from the first corner to the second; without, the longest side on a street, or the southernmost", "正面になる辺の番号。辺 1 は最初の隅から次の隅まで。無ければ通りに面したいちばん長い辺か、いちばん南の辺"),
@@ -107,7 +117,7 @@ pub(super) const OUTLINE: &[AttributeSchema] = &[
 ];
 #[rustfmt::skip]
 pub(super) const HOLE: &[AttributeSchema] = &[
-    must("points", CORNERS, "its corners, as those of the outline", "隅の列。輪郭と同じ書き方"),
+    must("points", CORNERS, "its corners, as those of the outline", "隅の列。輪郭と同じ書き方").metres(),
 ];
 #[rustfmt::skip]
 pub(super) const WALLS: &[AttributeSchema] = &[
@@ -122,7 +132,7 @@ pub(super) const SIDE_WALL: &[AttributeSchema] = &[
 pub(super) const LOOP: &[AttributeSchema] = &[
     may("hole", YesNo, "no", "the walls of a courtyard, walked counter-clockwise round it", "中庭の壁。中庭の周りを反時計回りに歩く"),
     may("inner", YesNo, "no", "a wall inside a storey, which need not close and bears no roof", "階の内側の壁。閉じなくてもよく、屋根を受けない"),
-    may("start", PLACE, "", "where its walk starts, units to the left and back", "歩き始めの位置。左へ、奥へ(ユニット)"),
+    may("start", PLACE, "", "where its walk starts, units to the left and back", "歩き始めの位置。左へ、奥へ(ユニット)").units(),
 ];
 #[rustfmt::skip]
 pub(super) const ROW: &[AttributeSchema] = &[
@@ -187,11 +197,9 @@ pub(super) const TEXTURE: &[AttributeSchema] = &[
 
 /// The style of roofs.
 #[rustfmt::skip]
-const STYLE: [AttributeSchema; 11] = [
+const STYLE: [AttributeSchema; 10] = [
     may("kind", COVERING, "", "covering: K pantiles, G cover tiles, I boards, S shingles, H bark, Y thatch, T metal",
         "葺き材。K 桟瓦、G 本瓦、I 板、S 杮、H 檜皮、Y 茅、T 金属"),
-    may("shape", SHAPE, "", "KIR gable, YOS hip, YOK gable along the short side, IRI hip and gable, HAK half-hip, HOG pyramid, KAT lean-to, HIS pent roof, TER temple, KAR karahafu, RIK flat",
-        "KIR 切妻、YOS 寄棟、YOK 横長切妻、IRI 入母屋、HAK 袴腰、HOG 宝形、KAT 片流れ、HIS 庇、TER 寺院、KAR 唐破風、RIK 陸屋根"),
     may("pitch", Number(0.0, 100.0), "", "rise in 10, sun", "勾配(寸)"),
     may("eaves", LENGTH, "", "overhang at the eaves, shaku", "軒の出(尺)").shaku(),
     may("verge", LENGTH, "", "overhang at the gables, shaku", "けらばの出(尺)").shaku(),
@@ -202,7 +210,7 @@ const STYLE: [AttributeSchema; 11] = [
     may("ratio", Number(0.0, 1.0), "", "length of a hipped roof's ridge, share of the roof's length", "寄棟の棟の長さ。屋根の長さに対する割合"),
     may("plain_ridge", YesNo, "no", "no ridge-end tiles", "鬼瓦を置かない"),
 ];
-const ROOFS_OWN: [AttributeSchema; 2] = [
+const ROOFS_OWN: [AttributeSchema; 3] = [
     may(
         "mode",
         Choice(&words(&vocabulary::ROOF_MODES)),
@@ -217,9 +225,18 @@ const ROOFS_OWN: [AttributeSchema; 2] = [
         "how plans are divided into roofs",
         "平面を屋根に分ける方法",
     ),
+    may(
+        "shape",
+        SHAPE_OF_HOUSE,
+        "",
+        "form, by its letters or as maps call it; `use`: by what the house is for",
+        "形。記号または地図の語。`use` は建物の用途による",
+    ),
 ];
 #[rustfmt::skip]
-const ROOF_OWN: [AttributeSchema; 6] = [
+const ROOF_OWN: [AttributeSchema; 7] = [
+    may("shape", SHAPE, "", "KIR gable, YOS hip, YOK gable along the short side, IRI hip and gable, HAK half-hip, HOG pyramid, KAT lean-to, HIS pent roof, TER temple, KAR karahafu, RIK flat, KOS gambrel, MAN mansard; or as maps call it",
+        "KIR 切妻、YOS 寄棟、YOK 横長切妻、IRI 入母屋、HAK 袴腰、HOG 宝形、KAT 片流れ、HIS 庇、TER 寺院、KAR 唐破風、RIK 陸屋根、KOS 腰折れ、MAN マンサード。地図の語でもよい"),
     must("a0", ANYWHERE, "a corner of the walls below, units to the left", "下の壁の角。左へ(ユニット)").units(),
     must("b0", ANYWHERE, "the same, units back", "同じく奥へ(ユニット)").units(),
     must("a1", ANYWHERE, "the opposite corner, units to the left", "対角の角。左へ(ユニット)").units(),
@@ -228,13 +245,13 @@ const ROOF_OWN: [AttributeSchema; 6] = [
         "X は最初の行に平行、Y は直交。片流れは F 前、B 奥、L 左、R 右へ下る"),
     may("height", Either(&["*"], -FAR, FAR), "*", "of the eaves above the ground sill, shaku; `*` is the top of the walls there", "軒の高さ(尺)。`*` はそこの壁の上端").shaku(),
 ];
-pub(super) const ROOFS: &[AttributeSchema] = &join::<2, 11, 13>(ROOFS_OWN, STYLE);
-pub(super) const ROOF: &[AttributeSchema] = &join::<6, 11, 17>(ROOF_OWN, STYLE);
+pub(super) const ROOFS: &[AttributeSchema] = &join::<3, 10, 13>(ROOFS_OWN, STYLE);
+pub(super) const ROOF: &[AttributeSchema] = &join::<7, 10, 17>(ROOF_OWN, STYLE);
 
 #[rustfmt::skip]
 pub(super) const PLATFORM: &[AttributeSchema] = &[
     may("height", NEAR, "3", "shaku", "高さ(尺)").shaku(),
-    may("margin", Pair(0.0, 300.0), "6", "from the walls to its edge, shaku; two numbers: left and right, front and back", "壁から縁まで(尺)。ふたつ書けば左右と前後"),
+    may("margin", Pair(0.0, 300.0), "6", "from the walls to its edge, shaku; two numbers: left and right, front and back", "壁から縁まで(尺)。ふたつ書けば左右と前後").shaku(),
     may("stairs", SIDES, "", "sides with stairs: F, B, L, R", "階段のある側。F 前、B 奥、L 左、R 右"),
     may("width", SIZE, "", "of the stairs, shaku; the middle bay without", "階段の幅(尺)。無ければ中央間").shaku(),
 ];
@@ -265,7 +282,7 @@ pub(super) const FINIAL: &[AttributeSchema] = &[
     must("kind", Choice(&words(&FinialKind::ALL)), "sorin 相輪, hoju 宝珠, shibi 鴟尾, chigi 千木・鰹木", "sorin 相輪、hoju 宝珠、shibi 鴟尾、chigi 千木・鰹木"),
     may("height", SIZE, "", "shaku", "高さ(尺)").shaku(),
     may("count", Whole(0, 99), "", "of logs (katsuogi)", "鰹木の数"),
-    may("at", PLACE, "", "over which place, units; the highest roof without", "どこの上か(ユニット)。無ければいちばん高い屋根"),
+    may("at", PLACE, "", "over which place, units; the highest roof without", "どこの上か(ユニット)。無ければいちばん高い屋根").units(),
 ];
 
 /// Attributes of all monuments.
@@ -282,7 +299,7 @@ const MEASURES: [AttributeSchema; 12] = [
     may("kind", COVERING, "", "covering", "葺き材"),
     may("shape", SHAPE, "", "shape of the main roof", "主屋根の形"),
     may("platform", NEAR, "", "height of the platform, shaku; 0 = none", "基壇の高さ(尺)。0 なら無し").shaku(),
-    may("margin", Pair(0.0, 300.0), "", "from the walls to the platform's edge, shaku", "壁から基壇の縁まで(尺)"),
+    may("margin", Pair(0.0, 300.0), "", "from the walls to the platform's edge, shaku", "壁から基壇の縁まで(尺)").shaku(),
 ];
 #[rustfmt::skip]
 const PAGODA_OWN: [AttributeSchema; 6] = [
@@ -296,7 +313,7 @@ const PAGODA_OWN: [AttributeSchema; 6] = [
 #[rustfmt::skip]
 const GATE_OWN: [AttributeSchema; 6] = [
     may("bays", BAYS, "5 2", "along and across", "間口と奥行の間数"),
-    may("bay", Pair(0.1, 1000.0), "17", "width of a bay, shaku; two numbers: along, across", "柱間(尺)。ふたつ書けば間口と奥行"),
+    may("bay", Pair(0.1, 1000.0), "17", "width of a bay, shaku; two numbers: along, across", "柱間(尺)。ふたつ書けば間口と奥行").shaku(),
     may("storeys", Whole(1, 2), "2", "storeys", "重数"),
     may("doors", Whole(0, 60), "", "bays with doors", "扉のある間の数"),
     may("inset", NEAR, "", "how far the upper storey stands back, shaku", "上重の引っ込み(尺)").shaku(),
@@ -320,7 +337,7 @@ const HALL_OWN: [AttributeSchema; 6] = [
 const fn bays(number: &'static str, width: &'static str) -> [AttributeSchema; 2] {
     [
         may("bays", BAYS, number, "along and across", "間口と奥行の間数"),
-        may("bay", Pair(0.1, 1000.0), width, "width of a bay, shaku; two numbers: along, across", "柱間(尺)。ふたつ書けば間口と奥行"),
+        may("bay", Pair(0.1, 1000.0), width, "width of a bay, shaku; two numbers: along, across", "柱間(尺)。ふたつ書けば間口と奥行").shaku(),
     ]
 }
 const HALLS: [AttributeSchema; 18] = join::<6, 12, 18>(HALL_OWN, MEASURES);

@@ -61,6 +61,7 @@ pub(in crate::parse) static HOUSES: Content = content(
         Tag::House,
         Tag::Group,
         Tag::Place,
+        Tag::View,
         Tag::Repeat,
         Tag::Random,
         Tag::PartDef,
@@ -69,7 +70,7 @@ pub(in crate::parse) static HOUSES: Content = content(
 /// What a `Place` has become when the document is read.
 pub(in crate::parse) static PLACED: Content = content(
     "placed",
-    &[Tag::House, Tag::Group, Tag::Place, Tag::PartDef],
+    &[Tag::House, Tag::Group, Tag::Place, Tag::View, Tag::PartDef],
 );
 pub(in crate::parse) static HOUSE: Content = repeating(
     &STOREYS,

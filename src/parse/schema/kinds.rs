@@ -20,6 +20,8 @@ pub enum Kind {
     WholePair(f64, f64),
     /// Two coordinates.
     Point(f64, f64),
+    /// Three coordinates.
+    Spot(f64, f64),
     /// Corners of a ring: pairs of numbers.
     Points(f64, f64),
     /// `yes` or `no`; `true`, `false`, `1` and `0` are accepted for them.
@@ -45,7 +47,7 @@ pub struct AttributeSchema {
     pub required: bool,
     /// The default; empty if it follows from other values.
     pub default: &'static str,
-    /// The unit of a number without one, if it is a single length.
+    /// The unit of a number without one, if it is a length or a list of lengths.
     pub measure: Option<Measure>,
     /// The description in English.
     pub en: &'static str,

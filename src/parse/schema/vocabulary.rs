@@ -1,6 +1,8 @@
 //! Words that attributes may have as values, with their meanings in the tree.
 
-use crate::ast::{Anchor, On, Rail, RoofDirection, RoofKind, RoofMode, Side, StoreyKind};
+use crate::ast::{
+    Anchor, On, Rail, RoofDirection, RoofKind, RoofMode, RoofShape, Side, StoreyKind,
+};
 
 /// The kind of a storey or a floor.
 pub(in crate::parse) const STOREY_KINDS: [(&str, StoreyKind); 2] = [
@@ -61,6 +63,36 @@ pub(in crate::parse) const COVERINGS: [(&str, RoofKind); 7] = [
     ("Y", RoofKind::Thatch),
     ("T", RoofKind::Metal),
 ];
+
+/// The shapes of roofs: their letters, and the words of OpenStreetMap.
+pub(in crate::parse) const ROOF_SHAPES: [(&str, RoofShape); 23] =
+    joined(RoofShape::ALL, RoofShape::MAPPED);
+
+/// The shapes of the roofs of a house; `None` leaves it to what the house is for.
+pub(in crate::parse) const SHAPES_OF_HOUSES: [(&str, Option<RoofShape>); 24] = {
+    let mut all = [("use", None); 24];
+    let mut at = 0;
+    while at < ROOF_SHAPES.len() {
+        all[at] = (ROOF_SHAPES[at].0, Some(ROOF_SHAPES[at].1));
+        at += 1;
+    }
+    all
+};
+
+/// Joins two lists of words.
+const fn joined<T: Copy, const A: usize, const B: usize, const N: usize>(
+    first: [(&'static str, T); A],
+    then: [(&'static str, T); B],
+) -> [(&'static str, T); N] {
+    assert!(A + B == N);
+    let mut all = [first[0]; N];
+    let mut at = 0;
+    while at < N {
+        all[at] = if at < A { first[at] } else { then[at - A] };
+        at += 1;
+    }
+    all
+}
 
 pub(in crate::parse) const ROOF_MODES: [(&str, RoofMode); 2] =
     [("auto", RoofMode::Auto), ("explicit", RoofMode::Explicit)];

@@ -29,6 +29,7 @@ pub(in crate::parse) fn outline(source: &Source, at: usize, nesting: usize) -> O
     let mut writer = OutlineWriter {
         text: source.text(),
         reader: Reader {
+            views: vec![],
             turn: None,
             unit: super::UNIT,
             tree: &tree,

@@ -11,10 +11,12 @@ pub(in crate::parse::xml) mod outline;
 pub(in crate::parse::xml) mod houses;
 pub(in crate::parse::xml) mod codes;
 pub(in crate::parse::xml) mod monuments;
+pub(in crate::parse::xml) mod views;
 
 use super::edits;
 use super::suggest::Suggest;
 use super::tree::{Child, Element, Tree};
+use crate::ast::NamedView;
 use crate::diagnostic::messages::xml as say;
 use crate::diagnostic::{Noun, noun};
 use crate::parse::meanings;
@@ -37,6 +39,8 @@ pub(super) struct Reader<'t, 'a> {
     pub(super) turn: Option<usize>,
     /// One unit of the current house, shaku.
     pub(super) unit: f64,
+    /// The views read so far.
+    pub(super) views: Vec<NamedView>,
 }
 
 /// A child that is allowed at its place.
@@ -82,11 +86,11 @@ impl<'t> Attributes<'t> {
 
     /// Returns the bounds of an attribute's numbers.
     pub(super) fn bounds(&self, name: &str) -> RangeInclusive<f64> {
-        use Kind::{Either, Number, Numbers, Pair, Point, Points, WholePair};
+        use Kind::{Either, Number, Numbers, Pair, Point, Points, Spot, WholePair};
         match self.kind(name) {
             Number(least, most) | Numbers(least, most) | Pair(least, most) => least..=most,
             WholePair(least, most) | Point(least, most) | Points(least, most) => least..=most,
-            Either(_, least, most) => least..=most,
+            Either(_, least, most) | Spot(least, most) => least..=most,
             kind => {
                 debug_assert!(false, "{name} is no number but {kind:?}");
                 f64::MIN..=f64::MAX

@@ -62,6 +62,9 @@ impl Cap {
         let room = if both { length / 2.0 } else { length };
         let share = |usual: f64| look.gable.unwrap_or(usual) * 2.0 * half.min(length / 2.0);
         match look.shape {
+            RoofShape::Mansard => Cap::Hip {
+                run: half.min(room),
+            },
             RoofShape::Hip | RoofShape::Pyramid => {
                 let wish = look.ratio.map_or(half, |r| length * (1.0 - r) / 2.0);
                 let least = half * look.pitch / STEEPEST;

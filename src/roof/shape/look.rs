@@ -4,6 +4,7 @@ use crate::ast::{RoofKind, RoofShape, RoofStyle};
 use crate::building::{Finish, Trim};
 use crate::geometry::SHAKU;
 use crate::roof::shape::board::upright;
+use crate::roof::shape::broken;
 use crate::roof::solid::sheet::Coat;
 use crate::source::Spanned;
 
@@ -51,6 +52,8 @@ const TEMPLE_PITCH: f64 = 0.5;
 const TEMPLE_SORI: f64 = 4.0;
 const TEMPLE_EAVES: f64 = 0.3;
 const TEMPLE_BARGE: f64 = 0.5;
+/// Eaves of broken roofs, metres.
+const BROKEN_EAVES: f64 = 1.5 * SHAKU;
 /// Projection of the barge boards of other irimoya, metres.
 const BARGE: f64 = 0.4;
 
@@ -64,8 +67,10 @@ impl Look {
         let mut look = Look::plain(line, house);
         look.shape = shape(line, house);
         let temple = look.shape == RoofShape::Temple;
+        let breaks = matches!(look.shape, RoofShape::Gambrel | RoofShape::Mansard);
         let eaves = match temple {
             true => (TEMPLE_EAVES * span).clamp(2.5 * SHAKU, 12.0 * SHAKU),
+            false if breaks => BROKEN_EAVES,
             false => 2.5 * SHAKU,
         };
         look.eaves = wish(line, house, |s| s.eaves).map_or_else(
@@ -78,7 +83,10 @@ impl Look {
         }
         look.noshi =
             wish(line, house, |s| s.noshi).unwrap_or(if span > 8.0 * unit { 5 } else { 3 });
-        if own_pitch(line, house).is_none() && look.kind == RoofKind::Tiles {
+        let free = own_pitch(line, house).is_none();
+        if free && breaks {
+            look.pitch = broken::PITCH;
+        } else if free && look.kind == RoofKind::Tiles {
             let run = span / 2.0 + look.eaves;
             look.pitch = raised(run).max(if temple { TEMPLE_PITCH } else { 0.0 });
         }

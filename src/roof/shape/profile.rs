@@ -7,6 +7,7 @@
 
 use crate::ast::RoofShape;
 use crate::geometry::tolerance::JOINT;
+use crate::roof::shape::broken::Broken;
 use crate::roof::shape::look::Look;
 use smallvec::SmallVec;
 
@@ -34,6 +35,8 @@ enum Curve {
     Parabola(f64),
     /// One half of a karahafu: a cosine that is level at the eaves' edge and at the crown.
     Cosine,
+    /// Straight in pieces, steep below and gentle above.
+    Broken(Broken),
 }
 
 /// The rafter line of one slope.
@@ -71,6 +74,9 @@ impl Profile {
         let mut stops: SmallVec<[f64; 8]> = SmallVec::new();
         stops.extend([-self.eaves, self.run]);
         stops.extend((self.curve != Curve::Line).then_some(0.0));
+        if let Curve::Broken(line) = self.curve {
+            stops.push(line.at);
+        }
         stops.extend(
             at.iter()
                 .copied()
@@ -98,7 +104,7 @@ impl Profile {
     fn step(&self) -> f64 {
         // A chord over a width misses a curve by its second derivative times width squared over 8.
         let bend = match self.curve {
-            Curve::Line => return f64::INFINITY,
+            Curve::Line | Curve::Broken(_) => return f64::INFINITY,
             Curve::Parabola(sag) => 8.0 * sag.abs() / (self.run * self.run),
             Curve::Cosine => {
                 let turn = std::f64::consts::PI / (self.run + self.eaves);
@@ -125,6 +131,7 @@ impl Profile {
         let straight = self.pitch * d;
         let z = match self.curve {
             Curve::Line => straight,
+            Curve::Broken(line) => line.height(d),
             Curve::Parabola(sag) => {
                 straight - 4.0 * sag * d * (self.run - d) / (self.run * self.run)
             }
@@ -165,7 +172,13 @@ impl Curve {
         if look.shape == RoofShape::Karahafu {
             return Curve::Cosine;
         }
-        if look.sori == 0.0 || run < 0.1 {
+        if run < 0.1 {
+            return Curve::Line;
+        }
+        if let Some(line) = Broken::of(look.shape, look.pitch, run) {
+            return Curve::Broken(line);
+        }
+        if look.sori == 0.0 {
             return Curve::Line;
         }
         // The sagitta is perpendicular to a slope of this length; the line is measured vertically.
@@ -202,6 +215,8 @@ mod tests {
             (60.0, RoofShape::Gable),
             (-60.0, RoofShape::Gable),
             (0.0, RoofShape::Karahafu),
+            (0.0, RoofShape::Gambrel),
+            (3.0, RoofShape::Mansard),
         ] {
             let line = Profile::new(&look(sori, shape), 5.0, &[1.25]);
             assert!(line.height(0.0).abs() < 1e-12, "{line:?}");

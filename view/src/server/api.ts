@@ -155,8 +155,21 @@ export interface State {
   /** Content keys of the external textures, by name. */
   pictures: Record<string, string>;
   /** `reasons`: texts for the keys in `fixed`. */
-  plan: { reasons: Record<string, string>; houses: House[] };
+  plan: { reasons: Record<string, string>; houses: House[]; views: NamedView[] };
   times: [step: string, ms: number][];
+}
+
+/** A view that the author has named; places are metres east, north and up, `fov` the vertical angle in degrees. */
+export interface NamedView {
+  name: string;
+  from: [number, number, number];
+  to: [number, number, number];
+  fov: number;
+  /** Year-month-day and hour of the sun; null for the usual afternoon. */
+  date: string | null;
+  hour: number | null;
+  file: number;
+  span: ByteRange;
 }
 
 /** The cursor in the user's editor. */

@@ -380,6 +380,7 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
   hsd render street/*.hsd -o pictures/ --view front,above      家ごとに 2 枚の画像を作る
   hsd render street.hsd -o eye.png --from 2,0,1.6 --to 60,0,3  通りに立って東を見る
   hsd render shop.hsd -o front.png --view elevation-front      正面の立面を平行投影で描く
+  hsd render plot.hsd -o pictures/ --view garden,court         ファイルの視点 garden と中庭を写す
   hsd render plot.hsd -o kura.png --house kura --date 2026-12-21 --hour 9
                                                                冬の朝の土蔵を描く",
         arguments: &[
@@ -389,7 +390,7 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
                 "画像をこのファイル (.png か .jpg) に、複数ならこのフォルダー (`pictures/`) に書く",
                 "",
             ),
-            ("views", "視点をコンマで区切って選ぶ", ""),
+            ("views", "視点をコンマで区切って選ぶ。下の値か、ファイルの `View` の名", ""),
             ("size", "幅と高さを画素数で指定する", ""),
             ("house", "ファイルの中のこの名前の家を写す", ""),
             ("date", "午後の光の代わりに、この日の京都の太陽で照らす", ""),
@@ -414,6 +415,8 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
             ("elevation-left", "左側面の立面。平行投影"),
             ("elevation-right", "右側面の立面。平行投影"),
             ("plan", "屋根伏せ。平行投影で、正面が下"),
+            ("court", "建物の中庭。`court-2` は二つ目"),
+            ("street", "最初の行の前、目の高さから。`side-2` は二つ目の壁の前"),
             ("png", "可逆圧縮"),
             ("jpg", "非可逆圧縮、大きさは数分の一"),
         ],

@@ -46,6 +46,22 @@ pub fn not_a_length(span: Span, name: &str, text: &str, fix: Option<&str>) -> Di
     no_number(span, name, text, fix, digits)
 }
 
+/// A list of lengths, of which only some have a unit.
+#[cold]
+pub fn length_without_unit(span: Span, number: &str, unit: &str) -> Diagnostic {
+    let whole = format!("{number} {unit}");
+    let message = text!([number, unit]
+        "{number} has no unit, another length of the list is in {unit}",
+        "{number} に単位がありません。同じ並びの別の長さには {unit} が付いています"
+    );
+    Diagnostic::warning(152, span, message)
+        .help(text!([whole]
+            "a length without a unit is in that of the attribute; write `{whole}` if you mean it",
+            "単位のない長さはその属性の単位で読みます。同じ単位のつもりなら `{whole}` と書いてください"
+        ))
+        .fix(writing(&whole), span, whole.clone())
+}
+
 fn no_number(span: Span, name: &str, text: &str, fix: Option<&str>, digits: Text) -> Diagnostic {
     let offered = fix;
     let (name, text) = (quote(name), quote(text));

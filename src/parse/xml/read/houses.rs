@@ -81,6 +81,9 @@ impl<'t> Reader<'t, '_> {
                     self.members(child, schema.content(), inner, houses, parts);
                 }
                 Tag::Place => self.placed(schema, child, around, houses),
+                // Those of a file that is placed are views of that file.
+                Tag::View if around.place.is_some() => {}
+                Tag::View => self.view(schema, child, around.frame),
                 // Repetitions and choices are written out already; what is left draws codes.
                 _ => {
                     let home = "`Storey`, `Row`, `Facade` or `Floor`";

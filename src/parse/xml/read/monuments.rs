@@ -1,7 +1,7 @@
 //! `Pagoda`, `Gate`, `Hall`, `Shrine`: monuments.
 
-use crate::ast::{Gate, Hall, House, Measures, Monument, Pagoda, Paint, RoofShape};
-use crate::parse::schema::vocabulary::COVERINGS;
+use crate::ast::{Gate, Hall, House, Measures, Monument, Pagoda, Paint};
+use crate::parse::schema::vocabulary::{COVERINGS, ROOF_SHAPES};
 use crate::parse::schema::{Schema, Tag};
 use crate::parse::xml::read::{Attributes, Reader};
 use crate::parse::xml::tree::Element;
@@ -69,7 +69,7 @@ impl<'t> Reader<'t, '_> {
             sori: self.number(of, "sori"),
             thickness: self.number(of, "thickness"),
             kind: self.choice(of, "kind", &COVERINGS),
-            shape: self.choice(of, "shape", &RoofShape::ALL),
+            shape: self.choice(of, "shape", &ROOF_SHAPES),
             platform: self.number(of, "platform"),
             margin: self.pair(of, "margin"),
         }

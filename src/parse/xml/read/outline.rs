@@ -8,7 +8,6 @@ use crate::parse::schema::attributes::CORNERS_MOST;
 use crate::parse::schema::vocabulary::ON;
 use crate::parse::schema::{Schema, Tag};
 use crate::parse::xml::edits;
-use crate::parse::xml::read::values::pieces;
 use crate::parse::xml::read::{AllowedChild, Attributes, Reader};
 use crate::parse::xml::tree::Element;
 use crate::parse::xml::tree::chars::is_blank;
@@ -112,10 +111,9 @@ impl<'t> Reader<'t, '_> {
     /// Reads corners: pairs of numbers, divided by blanks or commas.
     fn points(&mut self, of: &Attributes<'t>, name: &str) -> Option<Points> {
         let attribute = of.get(name)?;
-        let text = attribute.value.as_str();
         let divides = |c| is_blank(c) || matches!(c, ',' | ';' | '、' | '\n' | '\r');
         let (mut numbers, mut good) = (vec![], true);
-        for piece in pieces(text, divides) {
+        for piece in self.lengths(of, name, divides) {
             let span = self.reporter.span(&attribute.value.range(piece.clone()));
             match self.number_in(of, name, piece) {
                 Some(value) => numbers.push(Spanned::new(value, span)),

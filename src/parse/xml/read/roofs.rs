@@ -2,7 +2,9 @@
 
 use crate::ast::{RoofLine, RoofMethod, RoofShape, RoofStyle, Roofs};
 use crate::parse::schema::Schema;
-use crate::parse::schema::vocabulary::{COVERINGS, RIDGE_DIRECTIONS, ROOF_MODES};
+use crate::parse::schema::vocabulary::{
+    COVERINGS, RIDGE_DIRECTIONS, ROOF_MODES, ROOF_SHAPES, SHAPES_OF_HOUSES,
+};
 use crate::parse::xml::read::{AllowedChild, Attributes, Reader};
 use crate::parse::xml::tree::Element;
 use crate::parse::xml::tree::chars::is_blank;
@@ -20,9 +22,14 @@ impl<'t> Reader<'t, '_> {
             span: Some(self.start(element)),
             mode: self.choice(&of, "mode", &ROOF_MODES),
             method: self.choice(&of, "method", &RoofMethod::ALL),
-            style: self.style(&of),
+            style: RoofStyle::default(),
+            by_use: None,
             lines: vec![],
         };
+        let shape = self.choice(&of, "shape", &SHAPES_OF_HOUSES);
+        roofs.by_use = shape.filter(|s| s.value.is_none()).map(|s| s.span);
+        let written = shape.and_then(|s| Some(Spanned::new(s.value?, s.span)));
+        roofs.style = self.style(&of, written);
         for node in self.children(element, schema.content()) {
             if let AllowedChild::Element(schema, child) = node {
                 roofs.lines.extend(self.roof(schema, child));
@@ -35,7 +42,8 @@ impl<'t> Reader<'t, '_> {
     fn roof(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Option<RoofLine> {
         let of = self.attributes(schema, element);
         self.no_children(element);
-        let style = self.style(&of);
+        let shape = self.choice(&of, "shape", &ROOF_SHAPES);
+        let style = self.style(&of, shape);
         let direction = self.choice(&of, "ridge", &RIDGE_DIRECTIONS);
         let star = |h: &str| h.trim_matches(is_blank) == "*";
         let automatic = of.get("height").is_some_and(|h| star(h.value.as_str()));
@@ -55,10 +63,11 @@ impl<'t> Reader<'t, '_> {
         })
     }
 
-    fn style(&mut self, of: &Attributes<'t>) -> RoofStyle {
+    /// Reads the style of roofs of a given shape.
+    fn style(&mut self, of: &Attributes<'t>, shape: Option<Spanned<RoofShape>>) -> RoofStyle {
         RoofStyle {
             kind: self.choice(of, "kind", &COVERINGS),
-            shape: self.choice(of, "shape", &RoofShape::ALL),
+            shape,
             pitch: self.number(of, "pitch"),
             eaves: self.number(of, "eaves"),
             verge: self.number(of, "verge"),

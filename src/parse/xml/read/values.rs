@@ -2,7 +2,7 @@
 
 use crate::diagnostic::messages::xml as say;
 use crate::parse::meanings;
-use crate::parse::schema::lengths::length;
+use crate::parse::schema::lengths::{length, units};
 use crate::parse::xml::read::{Attributes, Reader};
 use crate::parse::xml::suggest::narrow_ascii;
 use crate::parse::xml::tree::chars::is_blank;
@@ -153,15 +153,43 @@ impl<'t> Reader<'t, '_> {
     ) -> Option<Spanned<Vec<f64>>> {
         let attribute = of.get(name)?;
         let (mut list, mut good) = (vec![], true);
-        for piece in pieces(attribute.value.as_str(), |c| {
-            is_blank(c) || c == ',' || c == '、'
-        }) {
+        let divides = |c| is_blank(c) || c == ',' || c == '、';
+        for piece in self.lengths(of, name, divides) {
             match self.number_in(of, name, piece) {
                 Some(value) => list.push(value),
                 None => good = false,
             }
         }
         good.then(|| Spanned::new(list, self.value_span(attribute)))
+    }
+
+    /// Returns the pieces of a list; in lists of lengths a unit belongs to the number before it. Reports a list with units
+    /// after some of its lengths only.
+    pub(in crate::parse::xml) fn lengths(
+        &mut self,
+        of: &Attributes<'t>,
+        name: &str,
+        divides: impl Fn(char) -> bool + Copy,
+    ) -> Vec<Range<usize>> {
+        let Some(attribute) = of.get(name) else {
+            return vec![];
+        };
+        let text = attribute.value.as_str();
+        let found = pieces(text, divides);
+        if of.measure(name).is_none() {
+            return found;
+        }
+        let list = with_units(text, found);
+        let bare =
+            |piece: &&Range<usize>| decimal(&text[(*piece).clone()]).is_some_and(|n| n != 0.0);
+        let word = |piece: &Range<usize>| unit_after(&text[piece.clone()]);
+        if let (Some(without), Some(unit)) = (list.iter().find(bare), list.iter().find_map(word)) {
+            let span = self.reporter.span(&attribute.value.range(without.clone()));
+            let number = &text[without.clone()];
+            self.reporter
+                .push(|| say::length_without_unit(span, number, unit));
+        }
+        list
     }
 
     /// Reads a point `"a b"`.
@@ -320,6 +348,32 @@ impl<'t> Reader<'t, '_> {
         });
         None
     }
+}
+
+/// Joins numbers with the units that follow them after a blank.
+fn with_units(text: &str, pieces: Vec<Range<usize>>) -> Vec<Range<usize>> {
+    let mut list: Vec<Range<usize>> = Vec::with_capacity(pieces.len());
+    for piece in pieces {
+        let is_unit = units().any(|unit| unit == &text[piece.clone()]);
+        match list.last_mut() {
+            Some(last)
+                if is_unit
+                    && decimal(&text[last.clone()]).is_some()
+                    && text[last.end..piece.start].chars().all(is_blank) =>
+            {
+                last.end = piece.end;
+            }
+            _ => list.push(piece),
+        }
+    }
+    list
+}
+
+/// Returns the unit at the end of a length.
+fn unit_after(length: &str) -> Option<&str> {
+    let number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.');
+    let word = length.trim_start_matches(number).trim_start();
+    units().find(|unit| *unit == word)
 }
 
 /// Returns the number within bounds nearest to one outside of them; without its sign, if that was the error.
