@@ -231,10 +231,16 @@ impl Level<'_> {
         veranda.is_none_or(|v| v.height == 0.0)
     }
 
-    /// The posts that the author asked for: half a side, metres.
+    /// The posts that the author asked for: half the width that they take from joinery, metres. A round column, which is
+    /// drawn with sixteen sides, is narrower at the face of the joinery than in the middle.
     fn post(&self) -> Option<f64> {
-        let posts = self.storey.order.posts.as_ref();
-        posts.map(|p| p.size * crate::geometry::SHAKU / 2.0)
+        let posts = self.storey.order.posts.as_ref()?;
+        let half = posts.size * crate::geometry::SHAKU / 2.0;
+        let face = part::bay::HALF_POST.min(half * 0.7);
+        Some(match posts.round {
+            true => ((half * 0.98).powi(2) - face * face).sqrt(),
+            false => half,
+        })
     }
 }
 

@@ -53,6 +53,7 @@ mod roof_gallery;
 mod roof_partition;
 mod roof_shapes;
 mod schema;
+mod see_through;
 mod seen;
 mod sheet;
 mod streams;

@@ -110,9 +110,19 @@ impl<'a> Bay<'a> {
             Level::Start(from) if from < 0.0 => GROUND,
             _ => 0.0,
         };
+        // A share of the width is one between the posts wherever it stands, so that what ends there meets what begins
+        // there; only ends and measured edges reach under the posts.
+        let shared = inside.unwrap_or(match place.over {
+            Area::Bay => self.clear,
+            _ => area,
+        });
+        let across = |level: Level| match level {
+            Level::Share(_) => level.at(shared.x0, shared.x1),
+            _ => level.at(area.x0, area.x1),
+        };
         let rect = Rect {
-            x0: place.left.at(area.x0, area.x1).max(0.0),
-            x1: place.right.at(area.x0, area.x1).min(self.width),
+            x0: across(place.left).max(0.0),
+            x1: across(place.right).min(self.width),
             z0: place.from.at(area.z0, area.z1).max(low),
             z1: place.to.at(area.z0, area.z1).min(self.height),
         };
