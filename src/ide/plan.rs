@@ -15,12 +15,16 @@
 //!    "regions":[]}],
 //!   "roofs":[{"shape":"KIR","kind":"K","storey":2,"file":0,"span":[700,740],"rect":[0,0,6,8],"z":4.24,
 //!     "ridge":[[6,4],[0,4]]}]}],
-//!  "views":[{"name":"garden","from":[2,-5,1.6],"to":[-2,0,2],"fov":45,"date":null,"hour":null,"file":0,"span":[12,60]}]}
+//!  "views":[{"name":"garden","from":[2,-5,1.6],"to":[-2,0,2],"fov":45,"date":null,"hour":null,"file":0,"span":[12,60]}],
+//!  "places":[{"kind":"Group","origin":[0,0],"turn":0,"at":[2,3],"heading":5,"houses":[0],"fixed":null,"turn_fixed":null}],
+//!  "outlines":[{"origin":[2,3],"turn":5,"corners":[[0,0],[6.2,-0.4],[6.8,8]],"fixed":null}]}
 //! ```
 //!
 //! `fixed` is null, or the key of the reason why no stroke can change an item (for a wall: move it); `reasons` has its
 //! text in the requested language. `height` of a storey is in shaku, `z0`, `z1` and `z` are metres above the house's
-//! origin. The `part` of a unit is one of `wall`, `door`, `window`, `lattice`, `post`, `opening`, `modern`, `void`,
+//! origin. `places` are groups, placed houses and houses of the XML form with the houses that move with them, and
+//! `outlines` the surveyed ones: `origin` and `turn` are those of the frame in the world, metres and degrees clockwise;
+//! `at`, `heading` (`turn` or `azimuth`) and `corners` count in it. The `part` of a unit is one of `wall`, `door`, `window`, `lattice`, `post`, `opening`, `modern`, `void`,
 //! `picture`, `split`. `regions` are those of `hsd dump --stage regions`. The `rect` of a roof are its bounds with its
 //! eaves, `ridge` the line of its highest points, null where that is a point, a surface or broken.
 
@@ -33,7 +37,8 @@ use crate::building::{self, EdgeKind, HouseRoofs};
 use crate::catalog::Catalog;
 use crate::diagnostic::Language;
 use crate::geometry::SHAKU;
-use crate::ide::stroke::sheet::{Reason, Sheet, SheetRow};
+use crate::ide::standing::{Standing, SurveyedOutline, outlines, standing};
+use crate::ide::stroke::sheet::{Reason, Sheet, SheetRow, name};
 use crate::program::{self, Content};
 use crate::source::Span;
 use glam::{DVec2, dvec2};
@@ -49,6 +54,10 @@ pub struct Plan {
     pub houses: Vec<House>,
     /// The named views, in the order of the file.
     pub views: Vec<View>,
+    /// What can be moved as a whole, in the order of the file.
+    pub places: Vec<PlanStanding>,
+    /// Surveyed outlines, each before its courtyards.
+    pub outlines: Vec<PlanOutline>,
 }
 
 /// A named view; places are metres east, north and up.
@@ -69,6 +78,40 @@ pub struct View {
     /// Its place in the file.
     #[serde(flatten)]
     pub place: PlanPlace,
+}
+
+/// A group, a placed house or a house.
+#[derive(Debug, Serialize)]
+pub struct PlanStanding {
+    /// Its element: `Group`, `Place` or `House`.
+    pub kind: &'static str,
+    /// The origin of its frame, metres east and north.
+    pub origin: [Number; 2],
+    /// The turn of its frame, degrees clockwise.
+    pub turn: Number,
+    /// Its place in the frame, metres.
+    pub at: [Number; 2],
+    /// Its `turn` or `azimuth`, degrees.
+    pub heading: Number,
+    /// The houses that move with it.
+    pub houses: Vec<usize>,
+    /// The reason why it cannot be moved.
+    pub fixed: Option<&'static str>,
+    /// The reason why it cannot be turned.
+    pub turn_fixed: Option<&'static str>,
+}
+
+/// A surveyed outline.
+#[derive(Debug, Serialize)]
+pub struct PlanOutline {
+    /// The origin of its frame, metres east and north.
+    pub origin: [Number; 2],
+    /// The turn of its frame, degrees clockwise.
+    pub turn: Number,
+    /// Its corners in the frame, metres, in the order of the file.
+    pub corners: Vec<[Number; 2]>,
+    /// The reason why its corners cannot be moved.
+    pub fixed: Option<&'static str>,
 }
 
 /// A house.
@@ -213,11 +256,17 @@ impl Plan {
         };
         let houses = building.houses.iter();
         let houses = houses.map(|b| writer.house(&b.house, &b.roofs)).collect();
+        let places = standing(&sheet);
+        let places = places.into_iter().map(|s| writer.standing(s)).collect();
+        let outlines = outlines(&sheet);
+        let outlines = outlines.into_iter().map(|o| writer.outline(o)).collect();
         let words = |r: &Reason| (r.key(), r.text().in_language(language).into_owned());
         Plan {
             reasons: writer.used.iter().map(words).collect(),
             houses,
             views: a.checked.views.iter().map(view).collect(),
+            places,
+            outlines,
         }
     }
 }
@@ -260,6 +309,30 @@ impl PlanWriter<'_> {
     fn told(&mut self, reason: Option<Reason>) -> Option<&'static str> {
         self.used.extend(reason);
         reason.map(Reason::key)
+    }
+
+    fn standing(&mut self, standing: Standing) -> PlanStanding {
+        let [east, north, _] = standing.frame.origin;
+        PlanStanding {
+            kind: name(&self.sheet.outline.elements[standing.element]),
+            origin: [Number(east), Number(north)],
+            turn: Number(standing.frame.turn),
+            at: standing.at.map(Number),
+            heading: Number(standing.turn),
+            houses: standing.houses,
+            fixed: self.told(standing.fixed),
+            turn_fixed: self.told(standing.turn_fixed),
+        }
+    }
+
+    fn outline(&mut self, outline: SurveyedOutline) -> PlanOutline {
+        let [east, north, _] = outline.frame.origin;
+        PlanOutline {
+            origin: [Number(east), Number(north)],
+            turn: Number(outline.frame.turn),
+            corners: outline.corners.iter().map(|c| c.at.map(Number)).collect(),
+            fixed: self.told(outline.fixed),
+        }
     }
 
     fn house(&mut self, house: &building::House, roofs: &HouseRoofs) -> House {

@@ -17,6 +17,10 @@
 //! {"do":"remove-storey","house":0,"storey":1}
 //! {"do":"set-height","house":0,"storey":0,"height":9.5}
 //! {"do":"remove-house","house":1}
+//! {"do":"move-place","place":0,"to":[6.5,3.5]}
+//! {"do":"turn-place","place":0,"to":5}
+//! {"do":"draw-outline","points":[[0,0],[6.2,-0.4],[6.8,8],[0.6,8.4]],"height":9.5}
+//! {"do":"move-corner","outline":0,"corner":2,"to":[6.9,8.1]}
 //! ```
 //!
 //! | stroke | does |
@@ -28,6 +32,10 @@
 //! | `add-storey` | Adds a storey on the highest one, with its outline or the given one. `height` is optional. |
 //! | `remove-storey`, `remove-house` | Removes a storey or a house. |
 //! | `set-height` | Changes the height of a storey. |
+//! | `move-place` | Writes `x` and `y` of a group, a placed house or a house, counted as in `places` of the plan: metres east and north in the frame of the groups around it. |
+//! | `turn-place` | Writes `turn` of a group or `azimuth` of a house, degrees in the same frame. |
+//! | `draw-outline` | Adds a house on an `Outline`, corners in metres east and north in the world. |
+//! | `move-corner` | Writes a corner of an outline, counted as in `outlines` of the plan, metres in its frame. |
 //!
 //! Roof lines stay as they are, save those that lay over the whole storey whose wall moves, edges over such a wall and pent
 //! roofs along it, and those whose height was the top of a storey that rises or falls: they follow; where such a height is
@@ -43,6 +51,7 @@
 mod apply;
 mod draft;
 mod find;
+mod ground;
 mod houses;
 mod legacy;
 mod outline;
@@ -145,6 +154,37 @@ pub enum Stroke {
         /// The house.
         house: usize,
     },
+    /// Moves a group or a house.
+    MovePlace {
+        /// What to move, among the places of the plan.
+        place: usize,
+        /// Metres east and north in its frame.
+        to: [f64; 2],
+    },
+    /// Turns a group or a house.
+    TurnPlace {
+        /// What to turn, among the places of the plan.
+        place: usize,
+        /// Degrees in its frame.
+        to: f64,
+    },
+    /// Adds a house on an outline.
+    DrawOutline {
+        /// Its corners, metres east and north in the world.
+        points: Vec<[f64; 2]>,
+        /// The height of its storey in shaku.
+        #[serde(default)]
+        height: Option<f64>,
+    },
+    /// Moves a corner of an outline.
+    MoveCorner {
+        /// The outline, among those of the plan.
+        outline: usize,
+        /// The corner, in the order of the file.
+        corner: usize,
+        /// Metres in the frame of the outline.
+        to: [f64; 2],
+    },
 }
 
 /// A wall by its place in the plan.
@@ -234,5 +274,13 @@ fn worked_out(sheet: &Sheet<'_>, stroke: &Stroke) -> Result<Vec<Edit>, Text> {
             height,
         } => storeys::set_height(sheet, *house, *storey, *height),
         Stroke::RemoveHouse { house } => houses::remove(sheet, *house),
+        Stroke::MovePlace { place, to } => ground::move_to(sheet, *place, *to),
+        Stroke::TurnPlace { place, to } => ground::turn_to(sheet, *place, *to),
+        Stroke::DrawOutline { points, height } => ground::draw(sheet, points, *height),
+        Stroke::MoveCorner {
+            outline,
+            corner,
+            to,
+        } => ground::move_corner(sheet, *outline, *corner, *to),
     }
 }

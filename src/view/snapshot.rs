@@ -154,6 +154,8 @@ impl Snapshot {
                 reasons: BTreeMap::new(),
                 houses: vec![],
                 views: vec![],
+                places: vec![],
+                outlines: vec![],
             },
             times: vec![],
         };

@@ -1,6 +1,7 @@
 //! Strokes of the drawing tool.
 
 mod bench;
+mod ground;
 mod odd;
 mod parts;
 mod storeys;

@@ -138,7 +138,12 @@ fn element(sheet: &Sheet<'_>, site: &Site, walk: &Walk, height: f64) -> Result<V
 }
 
 /// Inserts a house after the last one below a root; a single root house becomes one of several.
-fn behind(sheet: &Sheet<'_>, root: &Element, house: &str, end: &str) -> Result<Vec<Edit>, Text> {
+pub(super) fn behind(
+    sheet: &Sheet<'_>,
+    root: &Element,
+    house: &str,
+    end: &str,
+) -> Result<Vec<Edit>, Text> {
     let put = |at: usize, text: String| Edit {
         range: at..at,
         text,

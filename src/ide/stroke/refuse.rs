@@ -150,6 +150,22 @@ pub(super) fn bad_outline() -> Text {
     )
 }
 
+/// The corners of a survey are no outline.
+pub(super) fn bad_survey() -> Text {
+    text!(
+        "an outline has three corners or more, an area of at least one square metre, and sides that do not cross",
+        "輪郭には三つ以上の隅と 1 平方メートル以上の面積が必要で、辺が交わってはいけません"
+    )
+}
+
+/// The form of the file has no outlines.
+pub(super) fn no_outlines() -> Text {
+    text!(
+        "this form knows no outlines in metres: convert the text to XML first (`hsd fmt --to xml`)",
+        "この形式ではメートルの輪郭を書けません。先に XML へ変換してください（hsd fmt --to xml）"
+    )
+}
+
 /// The outline lies beyond that of the storey below.
 pub(super) fn outside() -> Text {
     text!(

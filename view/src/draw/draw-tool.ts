@@ -10,9 +10,11 @@ import { EditSession } from './session.ts';
 import { OutlineTool } from './outline-tool.ts';
 import { partName, Palette } from './palette.ts';
 import { PartTool } from './part-tool.ts';
+import { PlaceTool } from './place-tool.ts';
+import { SurveyTool } from './survey-tool.ts';
 import { WallTool } from './wall-tool.ts';
 
-const TOOLS = ['part', 'wall', 'break', 'outline'] as const;
+const TOOLS = ['part', 'wall', 'break', 'outline', 'survey', 'place', 'turn'] as const;
 type Tool = (typeof TOOLS)[number];
 
 /** How far the sheet moves at once while a drag points out of it, CSS pixels. */
@@ -29,11 +31,14 @@ export class DrawTool {
   #walls: WallTool;
   #outline: OutlineTool;
   #parts: PartTool;
+  #places: PlaceTool;
+  #survey: SurveyTool;
   #help = h('p', { class: 'quiet' });
   #house = h('select', { onchange: () => this.#fill() });
   #houses = field(strings.planHouse, this.#house);
   #height = h('input', { type: 'number', min: 1, max: 100, step: 0.1, onkeydown: (event: KeyboardEvent) => { if (event.key === 'Enter') this.#setHeight(); } });
   #allStoreys = checkbox(strings.allStoreys, false, on => { this.#walls.all = on; });
+  #wholeGroup = checkbox(strings.wholeGroup, false, on => { this.#places.groups = on; });
   /** Id of the pointer that is drawing. */
   #pointerId: number | null = null;
   /** True if the pointer has moved since it was pressed. */
@@ -48,6 +53,8 @@ export class DrawTool {
     this.#walls = new WallTool(app, plan, this.session);
     this.#outline = new OutlineTool(app, plan, this.session);
     this.#parts = new PartTool(plan, this.session, () => this.#palette.chosen?.code ?? null);
+    this.#places = new PlaceTool(plan, this.session);
+    this.#survey = new SurveyTool(plan, this.session);
     this.#palette.changed = () => this.session.report(strings.partChosen(partName(this.#palette.chosen!)));
     const name = newId();
     this.#bar = h('div', { class: 'draw', hidden: true },
@@ -56,7 +63,7 @@ export class DrawTool {
       h('div', { class: 'buttons' },
         button(strings.undo, () => void this.session.undo(), { 'data-do': 'undo', title: 'Ctrl+Z' }),
         button(strings.redo, () => void this.session.redo(), { 'data-do': 'redo', title: 'Ctrl+Shift+Z' })),
-      this.#allStoreys, this.#help, this.#palette.element, this.#houses,
+      this.#allStoreys, this.#wholeGroup, this.#help, this.#palette.element, this.#houses,
       h('div', { class: 'buttons' },
         button(strings.addStorey, () => void this.#addStorey(), { 'data-do': 'add-storey' }),
         button(strings.removeStorey, () => void this.#removeStorey(), { 'data-do': 'remove-storey' }),
@@ -73,7 +80,7 @@ export class DrawTool {
       this.#enable();
     };
     plan.isDragging = () => this.#pointerId !== null;
-    plan.sheet.moves = target => !this.on || this.tool === 'part' || this.tool !== 'outline' && !target.closest('.run');
+    plan.sheet.moves = target => !this.on || this.tool === 'part' || this.tool !== 'outline' && this.tool !== 'survey' && !target.closest('.run');
     app.on('files', () => {
       this.#switch.disabled = !app.serverInfo.writes;
       this.#switch.title = app.serverInfo.writes ? '' : strings.drawOffWhy;
@@ -101,10 +108,11 @@ export class DrawTool {
     this.#walls.breaks = tool === 'break';
     this.#palette.element.hidden = tool !== 'part';
     this.#allStoreys.hidden = tool !== 'wall';
+    this.#wholeGroup.hidden = tool !== 'place' && tool !== 'turn';
+    this.#places.turns = tool === 'turn';
     this.#help.textContent = strings.toolHelp[tool];
     this.#plan.element.dataset.tool = tool;
-    this.#walls.release();
-    this.#outline.release();
+    this.#release();
     this.#enable();
   }
 
@@ -130,21 +138,32 @@ export class DrawTool {
   #following = 0;
 
   #activeTool() {
-    return this.tool === 'outline' ? this.#outline : this.tool === 'part' ? null : this.#walls;
+    switch (this.tool) {
+      case 'part': return null;
+      case 'outline': return this.#outline;
+      case 'survey': return this.#survey;
+      case 'place': case 'turn': return this.#places;
+      default: return this.#walls;
+    }
+  }
+
+  #release() {
+    for (const tool of [this.#walls, this.#outline, this.#survey, this.#places]) tool.release();
   }
 
   /** Cancels a drag. */
   #cancelDrag() {
     this.#pointerId = null;
-    this.#walls.release();
-    this.#outline.release();
+    this.#release();
     this.session.report('');
     this.#plan.update();
   }
 
   #enable() {
-    this.#walls.enable(this.on && (this.tool === 'wall' || this.tool === 'break'));
-    this.#parts.enable(this.on && this.tool === 'part');
+    const tools = [[this.#walls, ['wall', 'break']], [this.#places, ['place', 'turn']], [this.#parts, ['part']], [this.#survey, ['survey']]] as const;
+    // What another tool has made focusable is taken back first.
+    for (const [tool] of tools) tool.enable(false);
+    for (const [tool, names] of tools) if (this.on && (names as readonly Tool[]).includes(this.tool)) tool.enable(true);
   }
 
   #attend() {
@@ -158,6 +177,8 @@ export class DrawTool {
       this.#pointerId = event.pointerId;
       event.preventDefault();
     });
+    // The next corner follows the pointer between presses.
+    svg.addEventListener('pointermove', event => { if (this.on && this.tool === 'survey' && this.#pointerId === null) this.#survey.move(event); });
     const isActive = ({ pointerId }: PointerEvent) => this.on && pointerId === this.#pointerId;
     window.addEventListener('pointermove', event => {
       if (!isActive(event)) return;

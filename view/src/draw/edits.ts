@@ -12,6 +12,10 @@ export type Edit =
   | { do: 'add-storey'; house: number; height?: number }
   | { do: 'remove-storey'; house: number; storey: number }
   | { do: 'remove-house'; house: number }
+  | { do: 'move-place'; place: number; to: Point }
+  | { do: 'turn-place'; place: number; to: number }
+  | { do: 'draw-outline'; points: Point[] }
+  | { do: 'move-corner'; outline: number; corner: number; to: Point }
   | { do: 'set-height'; house: number; storey: number; height: number };
 
 /** A stretch of a wall, in units from its `from` end. */
@@ -76,7 +80,8 @@ export function sameTarget(edit: Edit, meant: State, now: State): boolean {
     const wall = 'wall' in edit ? storey?.rings[edit.ring]?.walls[edit.wall] : undefined;
     const unit = 'unit' in edit ? wall?.units[edit.unit] : undefined;
     const ends = (of?: Pick<Wall, 'from' | 'to'>) => of && [...of.from, ...of.to];
-    return JSON.stringify([house?.name, storey?.storey, ends(wall), unit?.code, ends(unit)]);
+    const place = 'place' in edit ? plan.places[edit.place] : 'corner' in edit ? plan.outlines[edit.outline] : undefined;
+    return JSON.stringify([place, house?.name, storey?.storey, ends(wall), unit?.code, ends(unit)]);
   });
   return before === after;
 }

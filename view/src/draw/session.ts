@@ -2,7 +2,7 @@
 
 import type { App } from '../app.ts';
 import { h, s } from '../ui/dom.ts';
-import { bounds, path, toPlan } from '../plan/coordinates.ts';
+import { bounds, path, toPlan, type XY } from '../plan/coordinates.ts';
 import type { PlanView } from '../plan/plan-view.ts';
 import { type EditResult, type House, type Point, applyEdit, redo, undo } from '../server/api.ts';
 import { strings } from '../ui/strings.ts';
@@ -88,10 +88,16 @@ export class EditSession {
 
   /** Draws the preview of an edit with its label. */
   ghost(house: House, points: Point[], label: string, closed = false) {
-    const at = points.map(point => toPlan(house, point));
+    this.sketch([points.map(point => toPlan(house, point))], label, closed);
+  }
+
+  /** Draws lines of the plan as a preview, with a label in their middle. */
+  sketch(lines: XY[][], label: string, closed: boolean) {
+    const at = lines.flat();
+    if (!at.length) return;
     const [x, y] = [0, 1].map(k => at.reduce((sum, p) => sum + p[k]!, 0) / at.length) as [number, number];
     const size = this.#plan.sheet.pixel * 15;
-    this.#plan.marks.replaceChildren(s('path', { class: `ghost${closed ? ' closed' : ''}`, d: path(at, closed) }),
+    this.#plan.marks.replaceChildren(...lines.map(line => s('path', { class: `ghost${closed ? ' closed' : ''}`, d: path(line, closed) })),
       s('text', { class: 'ghost-label', x, y, 'font-size': size }, label));
     if (!this.#plan.isDragging()) this.#plan.sheet.reveal(bounds(at)!);
     this.report(label);

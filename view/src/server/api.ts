@@ -145,6 +145,27 @@ export interface House {
   storeys: Storey[];
 }
 
+/** A frame of metres east and north, turned clockwise, degrees. */
+export interface PlanFrame { origin: [east: number, north: number]; turn: number }
+
+/** A group, a placed house or a house, with its place in the frame of the groups around it. */
+export interface PlanPlace extends PlanFrame {
+  kind: string;
+  at: [east: number, north: number];
+  /** Its `turn` or `azimuth`. */
+  heading: number;
+  /** Indices of the houses that move with it. */
+  houses: number[];
+  fixed: string | null;
+  turn_fixed: string | null;
+}
+
+/** A surveyed outline, or one of its courtyards. */
+export interface PlanOutline extends PlanFrame {
+  corners: [east: number, north: number][];
+  fixed: string | null;
+}
+
 export interface State {
   revision: number;
   file: string;
@@ -155,7 +176,7 @@ export interface State {
   /** Content keys of the external textures, by name. */
   pictures: Record<string, string>;
   /** `reasons`: texts for the keys in `fixed`. */
-  plan: { reasons: Record<string, string>; houses: House[]; views: NamedView[] };
+  plan: { reasons: Record<string, string>; houses: House[]; views: NamedView[]; places: PlanPlace[]; outlines: PlanOutline[] };
   times: [step: string, ms: number][];
 }
 
