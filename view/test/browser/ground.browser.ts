@@ -130,8 +130,8 @@ test('a corner of an outline is dragged and moved by keyboard; the text follows'
 test('an outline is drawn corner by corner in metres, by pointer and by keyboard', async () => {
   await tool('survey');
   for (let i = 0; i < 3; i++) await does(page, 'farther').click();
-  const ring = [[-12, 0], [-6, 0], [-6, 7], [-12, 6.5]] as const;
-  for (const corner of [...ring, ring[0]]) {
+  const ring: [number, number][] = [[-12, 0], [-6, 0], [-6, 7], [-12, 6.5]];
+  for (const corner of [...ring, ring[0]!]) {
     const { x, y } = await at(...corner);
     await page.mouse.move(x, y, { steps: 2 });
     await page.mouse.down();
