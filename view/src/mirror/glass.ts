@@ -60,13 +60,14 @@ export class Glass {
   }
 
   /** Adds the reflection shader to a material. */
-  attach(material: THREE.Material) {
+  attach(material: THREE.MeshStandardMaterial, environment: THREE.Texture | null) {
     if (this.#known.has(material)) return;
     this.#known.add(material);
     const { reflection } = material.userData as { reflection?: number };
     const share = { value: reflection ?? 0 }, before = material.onBeforeCompile;
     // Environment maps and baked reflections (for viewers without this shader) would reflect twice.
-    if ('envMapIntensity' in material) material.envMapIntensity = 0;
+    // The one of the scene is weighed by the scene, that of a material by the material.
+    if ('envMapIntensity' in material) Object.assign(material, { envMap: environment, envMapIntensity: 0 });
     if ('emissiveIntensity' in material) material.emissiveIntensity = 0;
     material.onBeforeCompile = (shader, renderer) => {
       before.call(material, shader, renderer);

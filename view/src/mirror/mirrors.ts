@@ -100,7 +100,7 @@ export class Mirrors {
     this.#chunks = new BoxTree(model.chunks);
     this.#meshes = new Set(model.chunks.map(chunk => chunk.mesh));
     this.#reach = model.box.getSize(new THREE.Vector3()).length() * 2 + 10;
-    for (const chunk of model.chunks) if (isGlass(chunk)) this.#glass.attach(chunk.mesh.material);
+    for (const chunk of model.chunks) if (isGlass(chunk)) this.#glass.attach(chunk.mesh.material, this.#scene.environment);
   }
 
   /** Draws the scene with its reflections; `ask` updates the occlusion queries for the next frame. */

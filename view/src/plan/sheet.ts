@@ -10,7 +10,7 @@ export const contains = (frame: Frame, { x, y, width, height }: Frame) =>
   x >= frame.x && y >= frame.y && x + width <= frame.x + frame.width && y + height <= frame.y + frame.height;
 
 /** CSS pixels: width of the edge; room for the lengths beside and above a fitted rectangle, or a share where there is little. */
-const EDGE = 6, BESIDE = 86, ABOVE = 38, SHARE = 0.24;
+const EDGE = 6, BESIDE = 86, ABOVE = 38, SHARE = 0.3;
 
 export class Sheet {
   readonly svg = s('svg', { class: 'sheet', tabindex: 0, role: 'group' });

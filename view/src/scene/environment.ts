@@ -16,7 +16,7 @@ const colours = (of: typeof DAY): Colours => ({
 export class Environment {
   readonly group = new THREE.Group();
   readonly sun = new THREE.DirectionalLight(0xfff2dd, 2.9);
-  readonly sky = new THREE.HemisphereLight(0xeaf1f8, 0xb0a288, 1.5);
+  readonly sky = new THREE.HemisphereLight(0xeaf1f8, 0xb0a288, 1);
   #now: Sun = { azimuth: 215, altitude: 42 };
   #middle = new THREE.Vector3();
   #reach = 10;
@@ -72,6 +72,9 @@ export class Environment {
     this.#place();
   }
 
+  /** Share of daylight: 0 by night, 1 by day. */
+  day = 1;
+
   get now(): Readonly<Sun> { return this.#now; }
 
   /** Current colours of sky and ground; updated with the sun. */
@@ -83,11 +86,11 @@ export class Environment {
     sun.target.position.copy(this.#middle);
     sun.position.set(x, y, z).multiplyScalar(this.#reach * 2).add(this.#middle);
     // Full light above 25 degrees, none below the horizon.
-    const high = THREE.MathUtils.smoothstep(altitude, -1, 25), day = THREE.MathUtils.smoothstep(altitude, -9, 6);
+    const high = THREE.MathUtils.smoothstep(altitude, -1, 25), day = this.day = THREE.MathUtils.smoothstep(altitude, -9, 6);
     sun.intensity = 2.9 * Math.sqrt(THREE.MathUtils.smoothstep(altitude, -0.8, 25)) * (altitude > -0.8 ? 1 : 0);
     sun.castShadow = altitude > -0.8;
     sun.color.set(0xff9a52).lerp(new THREE.Color(0xfff2dd), high);
-    sky.intensity = 0.12 + 1.38 * day;
+    sky.intensity = 0.12 + 0.88 * day;
     sky.color.set(0x9fb4d8).lerp(new THREE.Color(0xeaf1f8), day);
     const of = colours(NIGHT), dusk = colours(DUSK), noon = colours(DAY);
     for (const name of ['horizon', 'zenith', 'ground'] as const) {

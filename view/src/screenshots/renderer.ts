@@ -3,12 +3,13 @@
 import * as THREE from 'three';
 import { Mirrors } from '../mirror/mirrors.ts';
 import type { Model } from '../model/model.ts';
+import { REFLECTION, skyReflections } from '../scene/reflections.ts';
 import { type Elevation, elevationCamera, ELEVATIONS, projectedBounds, cornersOf, type View, directionOf } from '../scene/views.ts';
 
 const EYE_HEIGHT = 1.5; // metres
 /** Direction to the usual sun: from the south-west, a little behind the camera of the front view. */
 const AFTERNOON = new THREE.Vector3(-0.55, 0.72, 0.62).normalize();
-const SUN_COLOUR = new THREE.Color(1.0, 0.93, 0.82), SKY_COLOUR = new THREE.Color(0.72, 0.84, 1.0);
+const SUN_COLOUR = new THREE.Color(1.0, 0.93, 0.82), SKY_COLOUR = new THREE.Color(0.86, 0.93, 1.0);
 const SUN_STRENGTH = 3.8, SKY_STRENGTH = 2.1, SUN_SHARE = 0.4; // fraction of the lights that represent the sun
 const HAZE = new THREE.Color(0.66, 0.77, 0.88), ZENITH = new THREE.Color(0.13, 0.32, 0.70);
 
@@ -35,20 +36,6 @@ function skyDome(radius: number, sun: THREE.Vector3): THREE.Mesh {
 
 /** Colour of the ground in reflections without an image. */
 const GROUND = new THREE.Color(0x8c8474);
-
-/** Environment map for glazed tiles: sky above, ground below. */
-function skyReflections(renderer: THREE.WebGLRenderer, sun: THREE.Vector3): THREE.Texture {
-  const scene = new THREE.Scene();
-  scene.add(skyDome(50, sun));
-  const ground = new THREE.Mesh(new THREE.CircleGeometry(60, 48), new THREE.MeshBasicMaterial({ color: GROUND }));
-  ground.rotation.x = -Math.PI / 2;
-  ground.position.y = -2;
-  scene.add(ground);
-  const maker = new THREE.PMREMGenerator(renderer);
-  const { texture } = maker.fromScene(scene, 0, 0.1, 200);
-  maker.dispose();
-  return texture;
-}
 
 /** Procedural gravel texture. */
 function groundTexture(): THREE.Texture {
@@ -133,10 +120,12 @@ export class ScreenshotRenderer {
     renderer.shadowMap.type = THREE.BasicShadowMap; // The sum over many lights softens the shadows.
     renderer.shadowMap.autoUpdate = false;
     document.body.append(renderer.domElement);
+    const reflections = scene.environment = skyReflections(renderer);
+    scene.environmentIntensity = REFLECTION;
     for (const { mesh } of model.chunks) {
       const { material } = mesh, glass = material.transparent || (material as THREE.MeshPhysicalMaterial).transmission > 0;
       mesh.castShadow = !glass;
-      material.envMapIntensity = glass ? 1.0 : 0.35;
+      if (glass) material.envMap = reflections; // In full; the other surfaces see less of the sky.
       for (const map of [material.map, material.normalMap]) if (map) map.anisotropy = 2;
       scene.add(mesh);
     }
@@ -147,7 +136,6 @@ export class ScreenshotRenderer {
     this.#box = new THREE.Box3().setFromPoints(this.#corners);
     scene.add(ground(ball, level), skyDome(ball.radius * 60, sun));
     scene.fog = new THREE.Fog(HAZE, ball.radius * 8, ball.radius * 38);
-    scene.environment = skyReflections(renderer, sun);
     const bounce = new THREE.HemisphereLight(0xffffff, 0xd8c4a0, 0.35); // Light reflected by the ground and the neighbours.
     const light = this.#light, reach = ball.radius * 1.1;
     light.castShadow = true;

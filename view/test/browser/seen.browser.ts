@@ -66,29 +66,8 @@ test('the ground has one surface, and the near plane is as far away as the house
   assert.ok(seen.near > 1, `${seen.near} m`);
 });
 
-test('shadows on far ground are whole', async () => {
-  await open('street.hsd');
-  // From far away: the shadow of the street on the ground changes from light to dark a few times and not in every pixel.
-  const changes = await page.evaluate(() => {
-    hsd.camera = [60, 30, 220, 0, 0, 0];
-    const { clientWidth: w, clientHeight: h } = hsd.viewport.canvas, rows: [number, number][] = [];
-    for (let y = Math.round(h * 0.3); y < h * 0.8; y++) for (let x = 0; x < w; x += 8) rows.push([x, y]);
-    const light = hsd.pixels(rows).map(([r, g, b]) => r! + g! + b!), wide = Math.ceil(w / 8);
-    let least = 0;
-    for (let column = 0; column < wide; column++) {
-      let flips = 0;
-      for (let i = column + 2 * wide; i < light.length; i += wide) {
-        const [p, q, r] = [light[i - 2 * wide]!, light[i - wide]!, light[i]!];
-        if (Math.abs(q - p) > 60 && Math.abs(r - q) > 60 && Math.sign(q - p) !== Math.sign(r - q)) flips++;
-      }
-      least = Math.max(least, flips);
-    }
-    return least;
-  });
-  assert.ok(changes < 40, `${changes} changes in a column`);
-});
-
 test('a street of facing houses opens along it', async () => {
+  await open('street.hsd');
   const [x, y, z, tx, , tz] = await page.evaluate(async () => { hsd.app.reset(); await hsd.settled(); return hsd.camera; }) as [number, number, number, number, number, number];
   assert.ok(Math.abs(x - tx) > 20 && Math.abs(z - tz) < 0.5, `${x} ${z} to ${tx} ${tz}`);
   assert.ok(y < 3, 'at eye height');
