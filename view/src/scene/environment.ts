@@ -7,6 +7,8 @@ import { type Sun, sunDirection } from './sun.ts';
 const DAY = { horizon: 0xf4efe3, zenith: 0xa9c0d0, ground: 0xcfc5b0 };
 const DUSK = { horizon: 0xe9b48c, zenith: 0x5d7391, ground: 0x9a8a78 };
 const NIGHT = { horizon: 0x2b3440, zenith: 0x0e141d, ground: 0x2a2a2c };
+/** Strength of the sky by day: it stands for its reflections on glossy surfaces too, which have none of their own here. */
+const SKY = 2.3;
 type Colours = Record<keyof typeof DAY, THREE.Color>;
 
 const colours = (of: typeof DAY): Colours => ({
@@ -16,7 +18,7 @@ const colours = (of: typeof DAY): Colours => ({
 export class Environment {
   readonly group = new THREE.Group();
   readonly sun = new THREE.DirectionalLight(0xfff2dd, 2.9);
-  readonly sky = new THREE.HemisphereLight(0xeaf1f8, 0xb0a288, 1);
+  readonly sky = new THREE.HemisphereLight(0xeaf1f8, 0xb0a288, SKY);
   #now: Sun = { azimuth: 215, altitude: 42 };
   #middle = new THREE.Vector3();
   #reach = 10;
@@ -72,9 +74,6 @@ export class Environment {
     this.#place();
   }
 
-  /** Share of daylight: 0 by night, 1 by day. */
-  day = 1;
-
   get now(): Readonly<Sun> { return this.#now; }
 
   /** Current colours of sky and ground; updated with the sun. */
@@ -86,11 +85,11 @@ export class Environment {
     sun.target.position.copy(this.#middle);
     sun.position.set(x, y, z).multiplyScalar(this.#reach * 2).add(this.#middle);
     // Full light above 25 degrees, none below the horizon.
-    const high = THREE.MathUtils.smoothstep(altitude, -1, 25), day = this.day = THREE.MathUtils.smoothstep(altitude, -9, 6);
+    const high = THREE.MathUtils.smoothstep(altitude, -1, 25), day = THREE.MathUtils.smoothstep(altitude, -9, 6);
     sun.intensity = 2.9 * Math.sqrt(THREE.MathUtils.smoothstep(altitude, -0.8, 25)) * (altitude > -0.8 ? 1 : 0);
     sun.castShadow = altitude > -0.8;
     sun.color.set(0xff9a52).lerp(new THREE.Color(0xfff2dd), high);
-    sky.intensity = 0.12 + 0.88 * day;
+    sky.intensity = 0.12 + (SKY - 0.12) * day;
     sky.color.set(0x9fb4d8).lerp(new THREE.Color(0xeaf1f8), day);
     const of = colours(NIGHT), dusk = colours(DUSK), noon = colours(DAY);
     for (const name of ['horizon', 'zenith', 'ground'] as const) {
@@ -119,6 +118,7 @@ function groundMaterial(ground: THREE.Color, horizon: THREE.Color): THREE.Shader
         #include <worldpos_vertex>
         #include <shadowmap_vertex>
       }`,
+    defines: { REACHED: '0.43' }, // Share of the ground that shadows reach.
     fragmentShader: `varying vec2 at; uniform vec3 ground, horizon, shade; uniform float depth;
       #include <common>
       #include <bsdfs>
@@ -127,7 +127,8 @@ function groundMaterial(ground: THREE.Color, horizon: THREE.Color): THREE.Shader
       #include <shadowmask_pars_fragment>
       void main() {
         vec3 lit = mix(ground, horizon, smoothstep(0.06, 0.95, length(at)));
-        gl_FragColor = vec4(mix(lit, shade, depth * (1.0 - getShadowMask())), 1.0);
+        if (length(at) < REACHED) lit = mix(lit, shade, depth * (1.0 - getShadowMask()));
+        gl_FragColor = vec4(lit, 1.0);
         #include <colorspace_fragment>
       }`,
   });

@@ -6,7 +6,6 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { LowResolutionPass } from './low-resolution.ts';
 import type { Chunk, Model } from '../model/model.ts';
 import { Environment } from './environment.ts';
-import { REFLECTION, skyReflections } from './reflections.ts';
 
 /** Statistics of the last frame. */
 export interface FrameStats {
@@ -81,13 +80,11 @@ export class Viewport {
     this.#lowResolution = new LowResolutionPass(this.renderer);
     this.environment = new Environment();
     this.scene.add(this.environment.group, this.marks);
-    this.scene.environment = skyReflections(this.renderer);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', () => { this.#keepAboveGround(); this.draw(); });
     canvas.addEventListener('webglcontextrestored', () => {
       for (const then of this.onRestored) then();
-      this.scene.environment = skyReflections(this.renderer);
       this.updateShadows();
     });
     new ResizeObserver(() => this.#resize()).observe(canvas);
@@ -190,7 +187,6 @@ export class Viewport {
     this.#waited = false;
     info.reset();
     this.#fitNear();
-    this.scene.environmentIntensity = REFLECTION * this.environment.day;
     if (coarse) this.#lowResolution.begin(SLOW_FRAME_MS / this.frameTime);
     try {
       this.paint();

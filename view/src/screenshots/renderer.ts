@@ -3,7 +3,7 @@
 import * as THREE from 'three';
 import { Mirrors } from '../mirror/mirrors.ts';
 import type { Model } from '../model/model.ts';
-import { REFLECTION, skyReflections } from '../scene/reflections.ts';
+import { REFLECTION, skyReflections } from './reflections.ts';
 import { type Elevation, elevationCamera, ELEVATIONS, projectedBounds, cornersOf, type View, directionOf } from '../scene/views.ts';
 
 const EYE_HEIGHT = 1.5; // metres

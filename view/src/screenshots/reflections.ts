@@ -1,10 +1,10 @@
-// What glossy surfaces reflect where no mirror shows it: a sky that is bright at the horizon, and the ground. The page and the
-// screenshots use the same one, so that smoked tiles (ibushi) have the same silver in both.
+// What glossy surfaces reflect where no mirror shows it: a sky that is bright at the horizon, and the ground. Under a deep blue sky
+// smoked tiles (ibushi) would be blue; the page, which has no time for reflections of the sky, shows them as silver too.
 
 import * as THREE from 'three';
 
 /** Linear colours; the white balance of daylight has taken most of the blue from the sky. */
-export const REFLECTED = { horizon: new THREE.Color(0.86, 0.89, 0.92), zenith: new THREE.Color(0.42, 0.50, 0.60), ground: new THREE.Color(0x8c8474) };
+const REFLECTED = { horizon: new THREE.Color(0.86, 0.89, 0.92), zenith: new THREE.Color(0.42, 0.50, 0.60), ground: new THREE.Color(0x8c8474) };
 
 /** Strength of the reflected sky by day, beside the lights that stand for it in the open. */
 export const REFLECTION = 0.6;
