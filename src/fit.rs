@@ -13,7 +13,7 @@ mod platform;
 mod undersides;
 mod veranda;
 
-use crate::building::fittings::{Fitting, FittingKind};
+use crate::building::fittings::{Fitting, FittingKind, Veranda};
 use crate::building::{House, HouseRoofs, Ring, Storey, Wall};
 use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
@@ -35,18 +35,16 @@ pub fn house(
 ) -> Vec<Fitting> {
     let mut made = vec![];
     let undersides = OnceCell::new();
-    let ground = house.storeys.first();
-    if let Some(platform) = &house.platform {
-        match ground.and_then(|g| platform::platform(house, g, platform)) {
-            Some(it) => made.push(fitting(platform.span, 0, FittingKind::Platform(it))),
-            None => out.push(say::nothing_to_stand_at(platform.span, "Platform")),
-        }
-    }
+    let mut deck = bases(house, &mut made, out);
     for (i, storey) in house.storeys.iter().enumerate() {
         let order = &storey.order;
         let number = storey.number;
         if let Some(veranda) = &order.veranda {
-            match veranda::veranda(house, storey, veranda, i == 0) {
+            let it = match i {
+                0 => deck.take(),
+                _ => veranda::veranda(house, storey, veranda, false),
+            };
+            match it {
                 Some(it) => made.push(fitting(veranda.span, number, FittingKind::Veranda(it))),
                 None => out.push(say::nothing_to_stand_at(veranda.span, "Veranda")),
             }
@@ -78,6 +76,28 @@ pub fn house(
         }
     }
     made
+}
+
+/// Lays out the platform, which it adds, and the veranda of the ground storey, which it returns: the flights of both are
+/// one matter.
+fn bases(house: &House, made: &mut Vec<Fitting>, out: &mut Diagnostics) -> Option<Veranda> {
+    let ground = house.storeys.first();
+    let platform = |written| platform::platform(house, ground?, written);
+    let mut deck = ground.and_then(|g| {
+        let written = g.order.veranda.as_ref()?;
+        veranda::veranda(house, g, written, true)
+    });
+    if let Some(written) = &house.platform {
+        match platform(written) {
+            Some(mut it) => {
+                let flights = deck.iter_mut().flat_map(|d| &mut d.stairs);
+                platform::stand(flights, &mut it);
+                made.push(fitting(written.span, 0, FittingKind::Platform(it)));
+            }
+            None => out.push(say::nothing_to_stand_at(written.span, "Platform")),
+        }
+    }
+    deck
 }
 
 fn fitting(span: Span, storey: u32, what: FittingKind) -> Fitting {

@@ -63,6 +63,15 @@ impl Heading {
     }
 }
 
+/// Returns true if a polygon contains a point.
+pub fn holds(polygon: &[DVec2], p: DVec2) -> bool {
+    let next = polygon.iter().cycle().skip(1);
+    let crossed = polygon.iter().zip(next).filter(|(a, b)| {
+        (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)
+    });
+    crossed.count() % 2 == 1
+}
+
 /// Returns twice the signed area of a closed polygon; positive = interior on the right of the walk.
 pub fn area2(corners: &[DVec2]) -> f64 {
     let next = corners.iter().cycle().skip(1);

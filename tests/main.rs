@@ -56,6 +56,7 @@ mod schema;
 mod see_through;
 mod seen;
 mod sheet;
+mod stairs;
 mod streams;
 mod tea_shop_pictures;
 mod tessellate;

@@ -58,13 +58,19 @@ fn scene(part: &PartDef, front: Front, detail: Detail) -> Scene {
     let round = if front.round { "yes" } else { "no" };
     let posts = match front.post {
         0.0 => String::new(),
-        size => format!("<Posts size=\"{size}\" round=\"{round}\" paint=\"hinoki\" nageshi=\"0\"/>"),
+        size => {
+            format!("<Posts size=\"{size}\" round=\"{round}\" paint=\"hinoki\" nageshi=\"0\"/>")
+        }
     };
-    let wall = |code: &str| format!("<Row><repeat num=\"3\"><Part code=\"{code}\"/></repeat></Row>");
+    let wall =
+        |code: &str| format!("<Row><repeat num=\"3\"><Part code=\"{code}\"/></repeat></Row>");
     let side = "<Row><Part code=\"KSK\"/><Part code=\"KSK\"/></Row>";
     let back = match part.width() {
         w if w < 1.0 => wall(&code),
-        w => format!("<Row><repeat num=\"{}\"><Part code=\"KSK\"/></repeat></Row>", 3.0 * w),
+        w => format!(
+            "<Row><repeat num=\"{}\"><Part code=\"KSK\"/></repeat></Row>",
+            3.0 * w
+        ),
     };
     let text = format!(
         "<House unit=\"{unit}\">{posts}<Storey height=\"{}\">{}{side}{back}{side}</Storey>\
@@ -115,7 +121,10 @@ fn gaps(scene: &Scene, front: Front) -> Vec<String> {
     let facade = NodeId(facade.expect("a facade") as u32);
     let root = &scene.nodes[facade.0 as usize];
     assert_eq!(root.name, "facade 1");
-    let triangles: Vec<Triangle> = skins_below(scene, facade).into_iter().map(|s| s.0).collect();
+    let triangles: Vec<Triangle> = skins_below(scene, facade)
+        .into_iter()
+        .map(|s| s.0)
+        .collect();
     let (bay, high) = (front.bay * SHAKU, front.height * SHAKU);
     // In the facade's frame x runs from minus its length to zero.
     let middle = (-2.0 * bay, -bay);
@@ -126,7 +135,11 @@ fn gaps(scene: &Scene, front: Front) -> Vec<String> {
         for angle in [0.0, 0.13, -0.13, 0.41, -0.41, 0.86, -0.86] {
             if let Some((a, b)) = gap(&segments, angle, middle) {
                 let mm = |x: f64| ((x - middle.0) * 1000.0).round();
-                found.push(format!("at height {z:.3}, {} to {} mm, {angle}", mm(a), mm(b)));
+                found.push(format!(
+                    "at height {z:.3}, {} to {} mm, {angle}",
+                    mm(a),
+                    mm(b)
+                ));
             }
         }
     }
@@ -142,7 +155,11 @@ fn one_does_not_see_through_closed_bays() {
             for detail in [Detail::Everything, Detail::Openings, Detail::Flat] {
                 let gaps = gaps(&scene(parts[i], front, detail), front);
                 let here = format!("{} in {front:?} at {detail:?}", parts[i].code());
-                found.extend(gaps.iter().take(1).map(|g| format!("{here}: {} such, {g}", gaps.len())));
+                found.extend(
+                    gaps.iter()
+                        .take(1)
+                        .map(|g| format!("{here}: {} such, {g}", gaps.len())),
+                );
             }
         }
         found

@@ -57,6 +57,28 @@ pub struct Stairs {
     pub z: (f64, f64),
 }
 
+impl Stairs {
+    /// The depth of a step, metres.
+    pub const TREAD: f64 = 0.3;
+
+    /// Returns the number of risers, none higher than 20 cm unless the flight is endless.
+    pub fn risers(&self) -> u32 {
+        (((self.z.1 - self.z.0) / 0.2).ceil() as u32).clamp(1, 120)
+    }
+
+    /// Returns how far it extends from the edge it leads to, metres.
+    pub fn run(&self) -> f64 {
+        Stairs::TREAD * f64::from(self.risers())
+    }
+
+    /// Returns the corners of its plan: left and right at the top, right and left at the foot, seen from below.
+    pub fn plan(&self) -> [DVec2; 4] {
+        let half = DVec2::new(-self.out.y, self.out.x) * (self.width / 2.0);
+        let foot = self.at + self.out * self.run();
+        [self.at - half, self.at + half, foot + half, foot - half]
+    }
+}
+
 /// Boards round a storey.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Veranda {

@@ -5,7 +5,7 @@ use super::rings;
 use crate::ast;
 use crate::building::fittings::{Platform, Stairs};
 use crate::building::{House, Storey};
-use crate::geometry::SHAKU;
+use crate::geometry::{SHAKU, holds};
 use glam::{DVec2, dvec2};
 
 /// Returns the platform under the largest ring of the ground storey; `None` if no ring is closed.
@@ -41,6 +41,27 @@ pub(super) fn flight(outline: &[DVec2], way: DVec2, width: f64, z: (f64, f64)) -
         width,
         z,
     })
+}
+
+/// Gives the flights of a veranda something to stand on: one that ends on the platform stays; one that would end beyond
+/// the platform's edge goes on down to the ground, and takes the place of the platform's own stairs where they would
+/// stand in each other.
+pub(super) fn stand<'a>(flights: impl Iterator<Item = &'a mut Stairs>, platform: &mut Platform) {
+    for flight in flights {
+        let [_, _, right, left] = flight.plan();
+        let on = |p: DVec2| holds(&platform.outline, p);
+        if on(right) && on(left) {
+            continue;
+        }
+        flight.z.0 = platform.z.0;
+        platform.stairs.retain(|own| !meet(own, flight));
+    }
+}
+
+/// Returns true if two flights that lead the same way share some of their width.
+fn meet(a: &Stairs, b: &Stairs) -> bool {
+    let side = dvec2(-b.out.y, b.out.x);
+    a.out.dot(b.out) > 0.7 && (a.at - b.at).dot(side).abs() < (a.width + b.width) / 2.0
 }
 
 /// Returns the width of the bay in the middle of the walls on one side, metres.

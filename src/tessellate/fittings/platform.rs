@@ -88,10 +88,8 @@ fn posts(bodies: &mut Bodies, it: &Platform, z: (f64, f64)) {
 
 /// Adds steps and their cheeks.
 pub(super) fn flight(bodies: &mut Bodies, it: &Stairs, finish: SurfaceId, detail: Detail) {
-    let rise = it.z.1 - it.z.0;
-    let count = ((rise / 0.2).ceil() as u32).clamp(1, 120);
-    let (riser, tread) = (rise / f64::from(count), 0.3);
-    let run = tread * f64::from(count);
+    let (count, tread, run) = (it.risers(), Stairs::TREAD, it.run());
+    let riser = (it.z.1 - it.z.0) / f64::from(count);
     let side = dvec2(-it.out.y, it.out.x);
     let at = |u: f64, out: f64, z: f64| (it.at + side * u + it.out * out).extend(z);
     let cheek = (it.width * 0.08).clamp(0.08, 0.45);

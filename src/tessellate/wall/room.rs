@@ -3,7 +3,7 @@
 use crate::building::Ring;
 use crate::catalog::body::{Element, Shape};
 use crate::catalog::{Below, Era, PartDef, Stance};
-use crate::geometry::{SAME, area2};
+use crate::geometry::{SAME, area2, holds};
 use crate::material::SurfaceId;
 use crate::program::{Content, Unit};
 use crate::scene::{Detail, Kind, MeshId};
@@ -30,7 +30,8 @@ const CEILING: (f64, f64) = (-0.100, -0.075);
 pub(in crate::tessellate) struct Rooms(HashMap<(Vec<i64>, SurfaceId, Weather), MeshId>);
 
 impl Walker<'_> {
-    /// Returns floor and ceiling of a storey whose inside is visible.
+    /// Returns floor and ceiling of a storey whose inside is visible, and of every storey of a monument: its posts are the
+    /// author's, and its storeys stand over each other without a house's joists.
     pub(in crate::tessellate) fn interior(
         &mut self,
         level: Level<'_>,
@@ -38,7 +39,9 @@ impl Walker<'_> {
     ) {
         let units = || lines.iter().flat_map(|(_, l)| l).flat_map(|l| &l.units);
         let seen = units().find_map(|s| self.floor(level, s.unit));
-        let Some(floor) = seen.filter(|_| level.framed() && self.detail > Detail::Flat) else {
+        let ordered = level.storey.order.posts.as_ref();
+        let floor = seen.or(ordered.map(|_| SurfaceId::named("boards")));
+        let Some(floor) = floor.filter(|_| level.framed() && self.detail > Detail::Flat) else {
             return;
         };
         let outlines = outlines(level, lines);
@@ -53,7 +56,7 @@ impl Walker<'_> {
         let step = |metres: f64| (metres * 10_000.0).round() as i64;
         let points = outlines.iter().flatten().flat_map(|p| [p.x, p.y]);
         let mut key: Vec<i64> = points.map(step).collect();
-        let height = if covered { level.height } else { 0.0 };
+        let height = if covered { ceiling(level) } else { 0.0 };
         key.extend([step(foot), step(height)]);
         self.weather(|aged| aged.even("room", 0.0));
         let key = (key, floor, self.store.weather);
@@ -102,9 +105,15 @@ impl Walker<'_> {
     }
 }
 
-/// Returns true if a unit reaches the storey's top.
+/// Returns the height that ceilings hang from, metres above the floor: the top of the storey, or of its posts under
+/// brackets.
+fn ceiling(level: Level<'_>) -> f64 {
+    level.height.min(level.storey.wall_height())
+}
+
+/// Returns true if a unit reaches the ceiling.
 fn is_full(level: Level<'_>, placed: &PlacedUnit<'_>) -> bool {
-    placed.is_post() || (placed.top() - level.height).abs() < SAME
+    placed.is_post() || (placed.top() - ceiling(level)).abs() < SAME
 }
 
 /// Returns true if a part is an opening that is empty or holds only cloth.
@@ -159,15 +168,6 @@ fn outlines(level: Level<'_>, lines: &[(&Ring, Vec<Line<'_>>)]) -> Vec<Vec<DVec2
         }
     }
     outer
-}
-
-/// Returns true if a polygon contains a point.
-fn holds(polygon: &[DVec2], p: DVec2) -> bool {
-    let next = polygon.iter().cycle().skip(1);
-    let crossed = polygon.iter().zip(next).filter(|(a, b)| {
-        (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)
-    });
-    crossed.count() % 2 == 1
 }
 
 /// Joins a hole to the polygon around it by two mutually visible corners, trying the nearest first.
