@@ -6,7 +6,7 @@
 mod roots;
 
 use crate::backend::images;
-use crate::source::{IncludeError, PictureFile, World};
+use crate::source::{IncludeError, PictureFile, Stream, World};
 use std::collections::BTreeSet;
 use std::fs;
 use std::fs::File;
@@ -109,6 +109,14 @@ impl World for FolderWorld {
 
     fn text_bytes(&self, path: &str, limit: usize) -> io::Result<Vec<u8>> {
         self.roots.bytes(path, limit)
+    }
+
+    fn open(&self, path: &str) -> io::Result<Box<dyn Stream>> {
+        Ok(Box::new(self.roots.open(path)?))
+    }
+
+    fn on_disk(&self, path: &str) -> Option<PathBuf> {
+        self.roots.resolved(path).ok()
     }
 }
 

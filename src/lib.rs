@@ -18,6 +18,7 @@
 //!
 //! | feature (all on by default) | adds |
 //! |---|---|
+//! | `maps` | readers of maps: features out of files |
 //! | `models` | scenes, textures, back ends; without it the chain ends with roofed buildings |
 //! | `cli` | the program `hsd` |
 //! | `view` | `hsd view`, `hsd render` |
@@ -79,6 +80,9 @@ pub mod material;
 pub mod texture;
 #[doc(hidden)]
 pub mod templates;
+#[cfg(feature = "maps")]
+#[doc(hidden)]
+pub mod map;
 
 // The chain.
 #[doc(hidden)]

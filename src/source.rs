@@ -51,7 +51,26 @@ pub trait World: Send + Sync {
         let _ = limit;
         Err(std::io::Error::new(std::io::ErrorKind::NotFound, path))
     }
+
+    /// Opens a file found by [`World::text`], or one beside it, to be read piece by piece: a map.
+    ///
+    /// # Errors
+    /// If it cannot be read.
+    fn open(&self, path: &str) -> std::io::Result<Box<dyn Stream>> {
+        Err(std::io::Error::new(std::io::ErrorKind::NotFound, path))
+    }
+
+    /// Returns a file that may be opened as a path of the system, for libraries that open files themselves.
+    fn on_disk(&self, path: &str) -> Option<std::path::PathBuf> {
+        let _ = path;
+        None
+    }
 }
+
+/// A file that is read piece by piece.
+pub trait Stream: std::io::Read + std::io::Seek + Send {}
+
+impl<T: std::io::Read + std::io::Seek + Send> Stream for T {}
 
 /// The reason why a file cannot be included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -297,7 +316,7 @@ fn detect(bytes: &[u8]) -> (&'static encoding_rs::Encoding, usize) {
 
 /// Returns the Japanese encoding in which all bytes are valid. If both are, the one with fewer half-width kana: they
 /// are rare in real files, and EUC-JP read as Shift_JIS is full of them.
-fn japanese(bytes: &[u8]) -> Option<&'static encoding_rs::Encoding> {
+pub(crate) fn japanese(bytes: &[u8]) -> Option<&'static encoding_rs::Encoding> {
     let candidates = [encoding_rs::SHIFT_JIS, encoding_rs::EUC_JP];
     let readable = candidates.into_iter().filter_map(|encoding| {
         let (text, malformed) = encoding.decode_without_bom_handling(bytes);

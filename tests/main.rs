@@ -32,6 +32,7 @@ mod legacy_grammar;
 mod lower;
 mod lsp;
 mod fixes;
+mod maps;
 mod mistakes;
 mod monuments;
 mod order;

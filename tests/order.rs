@@ -11,6 +11,7 @@ const ORDER: &[(&str, Part)] = &[
     ("geometry", Foundation),
     ("rng", Foundation),
     ("diagnostic", Foundation),
+    ("map", Foundation),
     ("ast", Noun),
     ("material", Foundation),
     ("catalog", Foundation),

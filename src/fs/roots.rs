@@ -63,14 +63,27 @@ impl Roots {
 
     /// Returns the contents of a file found before: at most `limit` bytes, plus one if there are more.
     pub(super) fn bytes(&self, path: &str, limit: usize) -> io::Result<Vec<u8>> {
-        let Some(found) = real(Path::new(path)).filter(|p| self.inside(p)) else {
-            let message = "the file is outside the root folder";
-            return Err(io::Error::new(io::ErrorKind::NotFound, message));
-        };
         let mut bytes = vec![];
-        let file = File::open(found)?;
+        let file = self.open(path)?;
         file.take(limit as u64 + 1).read_to_end(&mut bytes)?;
         Ok(bytes)
+    }
+
+    /// Opens a file below a root.
+    pub(super) fn open(&self, path: &str) -> io::Result<File> {
+        File::open(self.resolved(path)?)
+    }
+
+    /// Returns the canonical path of a file below a root.
+    pub(super) fn resolved(&self, path: &str) -> io::Result<PathBuf> {
+        let missing = |message: &str| io::Error::new(io::ErrorKind::NotFound, message);
+        let Some(found) = real(Path::new(path)) else {
+            return Err(missing("there is no such file"));
+        };
+        match self.inside(&found) {
+            true => Ok(found),
+            false => Err(missing("the file is outside the root folder")),
+        }
     }
 }
 

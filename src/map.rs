@@ -1,0 +1,91 @@
+//! Maps: features out of files. One reader a format, all behind [`Reader`]; nothing else in the program knows formats.
+//!
+//! [`open`] looks at the first bytes of a file, picks the reader and puts [`checked`] before it, so that every feature
+//! that comes out has a usable geometry. Readers stream: what they keep does not grow with the file. Files come through
+//! [`World`], so nothing outside its roots is read.
+//!
+//! A reader loses nothing in silence. It yields a [`Feature`] or, in place of each one that cannot be used, a [`Fault`];
+//! what is wrong with features that are built nevertheless, and with the file, it keeps as remarks
+//! ([`Reader::remarks`]).
+
+mod checked;
+pub mod crs;
+mod fault;
+mod feature;
+mod geojson;
+mod input;
+
+pub use crs::{Crs, Datum, Datums, Mismatch, Transform};
+pub use fault::{Fault, Kind, Which};
+pub use feature::{
+    Area, Chain, Column, ColumnType, Columns, Feature, Geometry, Layer, Place, Value,
+};
+
+use crate::source::World;
+use std::sync::Arc;
+
+/// Features of a layer, in the order of the file. `Err` stands in the place of a feature that is not built, or at the end of
+/// a file of which the rest cannot be read.
+pub trait Reader: Iterator<Item = Result<Feature, Fault>> + Send {
+    /// Returns what is known of the layer; columns may be added while features are read.
+    fn layer(&self) -> &Layer;
+
+    /// Returns the faults, since the last call, of features that were built nevertheless and of the file as a whole. To be
+    /// asked after each feature, or memory grows.
+    fn remarks(&mut self) -> Vec<Fault>;
+}
+
+/// What is said of a map beside its file.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// The layer, or the theme of OpenStreetMap data; the only or first one if none is named.
+    pub layer: Option<Box<str>>,
+    /// The encoding of texts, by its name such as `cp932`; what the file says or its bytes show if none is named.
+    pub encoding: Option<Box<str>>,
+    /// The reference system; what the file says if none is given.
+    pub crs: Option<Crs>,
+    /// Bounds.
+    pub limits: Limits,
+}
+
+/// Bounds on maps, so that no file exhausts memory.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// Bytes of one feature as the file writes it.
+    pub feature_bytes: usize,
+    /// Points of one feature.
+    pub points: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Limits {
+            feature_bytes: 64 << 20,
+            points: 2_000_000,
+        }
+    }
+}
+
+/// Opens a map, a path that [`World::text`] has found.
+///
+/// # Errors
+/// If it cannot be read at all: it is not there, or of no known format, or its head is damaged.
+pub fn open(world: &dyn World, path: &str, options: &Options) -> Result<Box<dyn Reader>, Fault> {
+    let file: Arc<str> = path.into();
+    let input = input::Input::open(world, &file, options)?;
+    let reader = geojson::GeoJson::open(input, &file, options)?;
+    Ok(Box::new(checked::Checked::new(
+        Box::new(reader),
+        file,
+        options,
+    )))
+}
+
+/// Returns the name of a file without folders and extensions.
+fn stem(path: &str) -> &str {
+    let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
+    name.split('.')
+        .next()
+        .filter(|stem| !stem.is_empty())
+        .unwrap_or(name)
+}

@@ -1,0 +1,166 @@
+//! Faults of maps: what is wrong, in which file, feature and field. They become diagnostics in [`super::report`].
+
+use super::crs::Outside;
+use std::sync::Arc;
+
+/// A fault of a map.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fault {
+    /// The file as named to [`open`](super::open).
+    pub file: Arc<str>,
+    /// The feature, if it concerns one.
+    pub feature: Option<Which>,
+    /// The field, if it concerns one.
+    pub field: Option<Box<str>>,
+    /// The byte in the file, if it is known.
+    pub byte: Option<u64>,
+    /// What is wrong.
+    pub kind: Kind,
+}
+
+/// A feature in a fault.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Which {
+    /// Its number in the layer, from 0.
+    pub number: u64,
+    /// Its id, if it has one.
+    pub id: Option<Box<str>>,
+}
+
+impl Which {
+    /// Returns its id, or its number if it has none.
+    pub fn key(&self) -> Arc<str> {
+        match &self.id {
+            Some(id) => Arc::from(&**id),
+            None => self.number.to_string().into(),
+        }
+    }
+}
+
+impl Fault {
+    /// Creates a fault of a file as a whole.
+    pub fn of_file(file: &Arc<str>, kind: Kind) -> Fault {
+        Fault {
+            file: file.clone(),
+            feature: None,
+            field: None,
+            byte: None,
+            kind,
+        }
+    }
+
+    /// Sets the feature.
+    #[must_use]
+    pub fn of_feature(mut self, number: u64, id: Option<Box<str>>) -> Fault {
+        self.feature = Some(Which { number, id });
+        self
+    }
+
+    /// Sets the field.
+    #[must_use]
+    pub fn in_field(mut self, field: impl Into<Box<str>>) -> Fault {
+        self.field = Some(field.into());
+        self
+    }
+
+    /// Sets the byte in the file.
+    #[must_use]
+    pub fn at(mut self, byte: u64) -> Fault {
+        self.byte = Some(byte);
+        self
+    }
+}
+
+/// The kinds of faults, with their values.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Kind {
+    /// The file is not there, or may not be read.
+    Unreadable {
+        /// What the system says.
+        why: Box<str>,
+    },
+    /// The format is none that is read.
+    UnknownFormat,
+    /// The file is damaged; what follows this place is not read.
+    Damaged {
+        /// What was expected.
+        what: &'static str,
+    },
+    /// The feature is not written as its format demands.
+    Malformed {
+        /// What is wrong.
+        what: Box<str>,
+    },
+    /// The feature has no geometry.
+    NoGeometry,
+    /// The geometry is of a kind, or a mixture of kinds, that is not read.
+    OtherGeometry {
+        /// The name of the kind.
+        name: Box<str>,
+    },
+    /// A line of fewer than two points, or a ring of fewer than three.
+    TooFewPoints {
+        /// The number of different points.
+        points: usize,
+    },
+    /// A coordinate is no number.
+    NotFinite,
+    /// A coordinate lies outside what the reference system can hold.
+    OutsideCrs {
+        /// East.
+        x: f64,
+        /// North.
+        y: f64,
+        /// The name of the reference system.
+        crs: Box<str>,
+        /// What they seem to be.
+        seems: Outside,
+    },
+    /// The ring is not closed; it was closed.
+    Unclosed,
+    /// The ring crosses or touches itself.
+    Crossing,
+    /// Points that stand on another one; they were removed.
+    DoubledPoints {
+        /// Their number.
+        points: usize,
+    },
+    /// Parts of the geometry have too few points; the rest was kept.
+    DroppedParts {
+        /// Their number.
+        parts: usize,
+    },
+    /// The reference system is not known.
+    UnknownCrs {
+        /// Its name in the file.
+        name: Box<str>,
+    },
+    /// Two features have the same key.
+    DuplicateKey,
+    /// A field is written twice; the later value counts.
+    DuplicateField,
+    /// The reference system stands behind features and is not that of those; it is ignored.
+    LateCrs {
+        /// Its name in the file.
+        name: Box<str>,
+    },
+    /// The text holds bytes that are not in the encoding of the file.
+    Encoding,
+    /// No encoding has the name that was given.
+    UnknownEncoding {
+        /// The name.
+        name: Box<str>,
+    },
+    /// A text stands in a field of numbers.
+    NotANumber {
+        /// The text.
+        text: Box<str>,
+    },
+    /// A limit is exceeded.
+    TooLarge {
+        /// What is too large.
+        what: &'static str,
+        /// The limit.
+        limit: u64,
+    },
+}
