@@ -9,11 +9,19 @@
 //! ([`Reader::remarks`]).
 
 mod checked;
+mod citygml;
 pub mod crs;
+mod csv;
 mod fault;
 mod feature;
+mod format;
 mod geojson;
 mod input;
+mod moj;
+mod osm;
+mod rings;
+mod shapefile;
+mod xml;
 
 pub use crs::{Crs, Datum, Datums, Mismatch, Transform};
 pub use fault::{Fault, Kind, Which};
@@ -22,6 +30,7 @@ pub use feature::{
 };
 
 use crate::source::World;
+use format::Format;
 use std::sync::Arc;
 
 /// Features of a layer, in the order of the file. `Err` stands in the place of a feature that is not built, or at the end of
@@ -66,19 +75,35 @@ impl Default for Limits {
     }
 }
 
-/// Opens a map, a path that [`World::text`] has found.
+/// Opens a map, a path that [`World::text`] has found. The format is told by the first bytes; for tables of text, by the
+/// extension.
 ///
 /// # Errors
 /// If it cannot be read at all: it is not there, or of no known format, or its head is damaged.
 pub fn open(world: &dyn World, path: &str, options: &Options) -> Result<Box<dyn Reader>, Fault> {
     let file: Arc<str> = path.into();
-    let input = input::Input::open(world, &file, options)?;
-    let reader = geojson::GeoJson::open(input, &file, options)?;
-    Ok(Box::new(checked::Checked::new(
-        Box::new(reader),
-        file,
-        options,
-    )))
+    if has_extension(path, "shp") || has_extension(path, "dbf") {
+        let reader = Box::new(shapefile::Shapefile::open(world, &file, options)?);
+        return Ok(Box::new(checked::Checked::new(reader, file, options)));
+    }
+    let mut input = input::Input::open(world, &file)?;
+    let format = format::of(input.head(&file)?, path);
+    let reader: Box<dyn Reader> = match format {
+        Format::GeoJson => Box::new(geojson::GeoJson::open(input, &file, options)?),
+        Format::OsmXml => Box::new(osm::Osm::open(input, &file, options, false)?),
+        Format::OsmPbf => Box::new(osm::Osm::open(input, &file, options, true)?),
+        Format::Moj => Box::new(moj::Moj::open(input, &file, options)?),
+        Format::CityGml => Box::new(citygml::CityGml::open(input, &file, options)?),
+        Format::Csv => Box::new(csv::Csv::open(input, &file, options)?),
+        Format::Unknown => return Err(Fault::of_file(&file, Kind::UnknownFormat)),
+    };
+    Ok(Box::new(checked::Checked::new(reader, file, options)))
+}
+
+/// Returns true if a path has an extension, in small or large letters.
+fn has_extension(path: &str, extension: &str) -> bool {
+    let own = path.rsplit_once('.').map(|(_, own)| own);
+    own.is_some_and(|own| own.eq_ignore_ascii_case(extension))
 }
 
 /// Returns the name of a file without folders and extensions.

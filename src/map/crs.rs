@@ -150,6 +150,16 @@ impl Crs {
         self.projection == Projection::Degrees
     }
 
+    /// Returns true if the authority that defined the system has north before east: longitude and latitude, and the plane
+    /// zones of Japan. Formats that follow it are turned by their readers.
+    pub fn authority_has_north_first(&self) -> bool {
+        match self.projection {
+            Projection::Degrees => true,
+            Projection::TransverseMercator(m) => m.east == 0.0 && m.north == 0.0,
+            Projection::WebMercator | Projection::Local => false,
+        }
+    }
+
     /// Returns why a point cannot lie in this system, if it cannot. Numbers in degrees that stand in a system of metres
     /// are recognised in Japan, where a map of 30 m at this very distance from the origin of its zone is less likely.
     pub fn refuses(&self, p: DVec2) -> Option<Outside> {

@@ -156,6 +156,39 @@ pub enum Kind {
         /// The text.
         text: Box<str>,
     },
+    /// A file that belongs to this one is missing; it is read as far as that goes.
+    MissingPart {
+        /// Its extension with the dot.
+        part: &'static str,
+    },
+    /// The file says another number of features than it holds.
+    CountsDiffer {
+        /// What is said.
+        said: u64,
+        /// What was found.
+        found: u64,
+    },
+    /// The table has no row for the feature.
+    NoRow,
+    /// The file has no columns of coordinates.
+    NoCoordinates,
+    /// A column has a type that is read as text.
+    ColumnType {
+        /// The letter of the type.
+        of: char,
+    },
+    /// Two columns have one name; the second was renamed.
+    DuplicateColumn,
+    /// Parts of the feature are not in the file.
+    MissingMembers {
+        /// Their number.
+        count: usize,
+    },
+    /// The file has no such layer.
+    NoLayer {
+        /// The name.
+        layer: Box<str>,
+    },
     /// A limit is exceeded.
     TooLarge {
         /// What is too large.

@@ -1,6 +1,6 @@
 //! The bytes of a map as a stream: unpacked if they are compressed, counted, and turned to UTF-8 where a format is text.
 
-use super::{Fault, Kind, Options};
+use super::{Fault, Kind};
 use crate::source::World;
 use encoding_rs::{Decoder, Encoding};
 use flate2::bufread::MultiGzDecoder;
@@ -23,11 +23,7 @@ pub(super) struct Input {
 
 impl Input {
     /// Opens a file; gzip is unpacked.
-    pub(super) fn open(
-        world: &dyn World,
-        file: &Arc<str>,
-        _options: &Options,
-    ) -> Result<Input, Fault> {
+    pub(super) fn open(world: &dyn World, file: &Arc<str>) -> Result<Input, Fault> {
         let failed = |e: io::Error| unreadable(file, &e);
         let stream = world.open(file).map_err(failed)?;
         let mut inner = BufReader::with_capacity(HEAD, stream);
@@ -45,11 +41,9 @@ impl Input {
         Ok(Input { inner, at: 0 })
     }
 
-    /// Creates an input of bytes at hand.
-    #[cfg(test)]
-    pub(super) fn of_bytes(bytes: Vec<u8>) -> Input {
-        let inner = Box::new(io::Cursor::new(bytes));
-        Input { inner, at: 0 }
+    /// Returns the first bytes, which are not taken.
+    pub(super) fn head(&mut self, file: &Arc<str>) -> Result<&[u8], Fault> {
+        self.inner.fill_buf().map_err(|e| unreadable(file, &e))
     }
 
     /// Returns the number of bytes that were taken.
