@@ -14,6 +14,7 @@ mod pieces;
 mod purpose;
 mod rare;
 mod roofs;
+pub mod town;
 mod value;
 mod view;
 
@@ -42,6 +43,9 @@ use serde::Serialize;
 pub struct Document {
     /// In the order of the file.
     pub houses: Vec<House>,
+    /// The town, if the file is one; its houses are made from its maps.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub town: Option<Box<town::Town>>,
     /// The parameters of the file and its houses, and of the files it includes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub parameters: Vec<Parameter>,

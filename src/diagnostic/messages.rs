@@ -14,5 +14,6 @@ pub mod print;
 pub mod purpose;
 pub mod roofs;
 pub mod views;
+pub mod town;
 mod words;
 pub mod xml;

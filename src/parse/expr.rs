@@ -6,7 +6,7 @@
 
 mod evaluate;
 
-pub(super) use evaluate::{FUNCTIONS, PI, Problem, evaluate};
+pub(super) use evaluate::{FUNCTIONS, Meanings, PI, Problem, TOWN_FUNCTIONS, evaluate};
 
 use crate::ast::Value;
 use crate::diagnostic::{Noun, noun};

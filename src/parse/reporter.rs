@@ -5,7 +5,7 @@
 //! counted, and the last message states their number.
 
 use crate::diagnostic::messages::file;
-use crate::diagnostic::{Diagnostic, Diagnostics, ENOUGH, Origin, Severity, Text};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, ENOUGH, Origin, Severity, Text};
 use crate::source::{FileId, Source, Span};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -36,6 +36,8 @@ pub(super) struct Reporter<'a> {
     said: usize,
     /// The highest severity of the omitted messages.
     worst: Option<Severity>,
+    /// The gravest problem since it was last asked for.
+    problem: Option<(Severity, Code)>,
 }
 
 /// Returns the first line end of a source, or the usual one.
@@ -60,6 +62,20 @@ impl<'a> Reporter<'a> {
             out: Diagnostics::new(),
             said: 0,
             worst: None,
+            problem: None,
+        }
+    }
+
+    /// Returns the gravest problem since this was last asked, warnings and errors alone.
+    pub(super) fn take_problem(&mut self) -> Option<(Severity, Code)> {
+        self.problem.take()
+    }
+
+    /// Records a problem.
+    fn note_problem(&mut self, message: &Diagnostic) {
+        let known = self.problem.map(|(severity, _)| severity);
+        if message.severity > Severity::Note && known < Some(message.severity) {
+            self.problem = Some((message.severity, message.code));
         }
     }
 
@@ -160,6 +176,7 @@ impl<'a> Reporter<'a> {
                 return;
             }
             let message = message();
+            self.note_problem(&message);
             if self.is_news(&message) {
                 self.count(|| message);
             }

@@ -9,6 +9,7 @@ pub mod lengths;
 pub(in crate::parse) mod vocabulary;
 
 use attributes as bear;
+use attributes::town;
 pub(in crate::parse) use contents::*;
 pub use contents::{Content, ROOT};
 pub use kinds::{AttributeSchema, Kind};
@@ -16,6 +17,13 @@ pub use kinds::{AttributeSchema, Kind};
 /// An element of the language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::parse) enum Tag {
+    Town,
+    Layer,
+    Field,
+    Table,
+    For,
+    Skip,
+    Tiles,
     Houses,
     Group,
     Place,
@@ -150,8 +158,11 @@ impl Schema {
 
     /// Returns true if `Param` may be a direct child.
     pub fn takes_parameters(&self) -> bool {
-        use Tag::{Catalog, Define, House, Houses, Structure};
-        matches!(self.tag, Catalog | Define | House | Houses | Structure)
+        use Tag::{Catalog, Define, House, Houses, Structure, Town};
+        matches!(
+            self.tag,
+            Catalog | Define | House | Houses | Structure | Town
+        )
     }
 
     /// Returns true if its other attributes are parameters of a definition.
@@ -203,15 +214,29 @@ use Holds::{Anything, Choices, Only, Repeated, Same, Shapes};
 /// All elements.
 #[rustfmt::skip]
 pub static ELEMENTS: &[Schema] = &[
+    element(Tag::Town, "Town", town::TOWN, Only(&TOWN), "nothing: it is the outermost element",
+        ["a town: layers of maps, and what is made of each thing on them", "町。地図のレイヤーと、その地物から作るもの"]),
+    element(Tag::Layer, "Layer", town::LAYER, Only(&LAYER), "`Town`",
+        ["the features of a map: areas, lines or points", "地図の地物。面、線、点"]),
+    element(Tag::Field, "Field", town::FIELD, Only(&NOTHING), "`Layer`",
+        ["a field of the features that is renamed, converted or filled", "名を変え、変換し、補う属性"]),
+    element(Tag::Table, "Table", town::TABLE, Only(&NOTHING), "`Town`",
+        ["a table of values, which `look` reads", "`look` で引く値の表"]),
+    element(Tag::For, "for", town::FOR, Only(&FOR), "`Town`",
+        ["its content once for each feature of a layer", "レイヤーの地物ごとに中身を一度ずつ作る"]),
+    element(Tag::Skip, "Skip", town::SKIP, Only(&NOTHING), "`for`",
+        ["nothing is wanted of this feature", "この地物からは何も作らない"]),
+    element(Tag::Tiles, "Tiles", town::TILES, Only(&NOTHING), "`Town`",
+        ["how the model of the town is divided", "町のモデルの分け方"]),
     element(Tag::Houses, "Houses", bear::HOUSES, Only(&HOUSES), "nothing: it is the outermost element",
         ["several houses in one file", "一つのファイルに書いた複数の建物"]),
     element(Tag::Group, "Group", bear::GROUP, Only(&HOUSES), "`Houses` or `Group`",
         ["houses that are moved and turned together", "まとめて動かし、回す建物"]),
-    element(Tag::Place, "Place", bear::PLACEMENT, Only(&NOTHING), "`Houses` or `Group`",
+    element(Tag::Place, "Place", bear::PLACEMENT, Only(&NOTHING), "`Houses`, `Group` or `for`",
         ["a house that is written elsewhere, at a place of its own", "別の場所に書いた建物を、この位置に置く"]),
     element(Tag::View, "View", bear::VIEW, Only(&NOTHING), "`Houses` or `Group`",
         ["a camera with a name: `hsd render --view NAME` takes its picture", "名の付いたカメラ。`hsd render --view 名` で写す"]),
-    element(Tag::House, "House", bear::HOUSE, Only(&HOUSE), "`Houses` or `Group`, or is the outermost element",
+    element(Tag::House, "House", bear::HOUSE, Only(&HOUSE), "`Houses`, `Group` or `for`, or is the outermost element",
         ["a house: storeys or facades from the ground up, then roofs", "建物。下の階から順に書き、最後に屋根を書く"]),
     element(Tag::Outline, "Outline", bear::OUTLINE, Only(&OUTLINE), "`House`",
         ["the outline of the house in metres: the walls of every storey without rows of its own", "メートルで測った建物の輪郭。行の無い階の壁になる"]),
@@ -249,7 +274,7 @@ pub static ELEMENTS: &[Schema] = &[
         ["the upper half", "上の部分"]),
     element(Tag::Lower, "lower", &[], Only(&PIECES), "`split`",
         ["the lower half", "下の部分"]),
-    element(Tag::Random, "random", bear::RANDOM, Choices, "`Houses`, `Group`, `Storey`, `Row`, `Facade` or `Floor`",
+    element(Tag::Random, "random", bear::RANDOM, Choices, "`Houses`, `Group`, `for`, `Storey`, `Row`, `Facade` or `Floor`",
         ["draws one code of a list, or one `choice` of anything", "コードのひとつ、または `choice` のひとつを抽選する"]),
     element(Tag::Choice, "choice", bear::CHOICE, Same, "`random`",
         ["what stands in the place of its `random` if it is drawn", "抽選で選ばれたときに `random` の場所に置く中身"]),
@@ -281,7 +306,7 @@ pub static ELEMENTS: &[Schema] = &[
         ["a shrine in place of all storeys", "社殿。階の代わりに書く"]),
     element(Tag::Catalog, "Catalog", &[], Only(&DEFINITIONS), "nothing: it is the outermost element",
         ["parameters, names, pieces and parts for other files", "ほかのファイルのための変数、名、部品、部材"]),
-    element(Tag::Param, "Param", bear::PARAM, Only(&NOTHING), "`House`, `Houses`, `Structure`, `Catalog` or `define`",
+    element(Tag::Param, "Param", bear::PARAM, Only(&NOTHING), "`House`, `Houses`, `Town`, `Structure`, `Catalog` or `define`",
         ["a parameter, set by `--param` or by `use`", "変数。`--param` や `use` で指定する"]),
     element(Tag::Let, "let", bear::LET, Only(&NOTHING), ANY,
         ["a name for a value", "値に名を付ける"]),

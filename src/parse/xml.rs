@@ -16,10 +16,12 @@ mod language;
 mod outline;
 mod read;
 mod suggest;
+mod town;
 mod tree;
 mod trees;
 
 pub(super) use outline::outline;
+pub use town::{FeatureMade, FeatureOf, MissingFields, RuleMade, features};
 pub use trees::Trees;
 
 use super::ReadContext;
@@ -83,16 +85,17 @@ pub(super) fn parse_from<'a>(
         suggest: suggest::Suggest::new(),
         views: vec![],
     };
-    let mut parts = vec![];
+    let (mut parts, mut town) = (vec![], None);
     let houses = match made.over {
         true => vec![],
-        false => reader.houses(&mut parts),
+        false => reader.houses(&mut parts, (&mut town, made.fronts)),
     };
     let views = reader.views;
     out.append(reporter.finish());
     Document {
         houses,
         views,
+        town,
         parameters: made.parameters,
         variant: None,
         parts,

@@ -12,6 +12,7 @@ mod values;
 
 pub use elements::*;
 pub(super) use fixes::offer;
+pub(super) use language::known;
 pub use language::*;
 pub use markup::*;
 pub use parameters::*;

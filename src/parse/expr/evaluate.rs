@@ -45,10 +45,31 @@ pub(in crate::parse) enum Problem {
     TooLong,
     /// The name's own value could not be computed, which was reported.
     Reported,
+    /// A field that this feature of a map does not have.
+    Missing(String),
+    /// A word that a table does not have: the number of the argument, the word, and those that there are.
+    Unfound(usize, String, Vec<String>),
 }
 
-/// Returns the value of a name.
-pub(in crate::parse) type Names<'n> = &'n dyn Fn(&str) -> Result<Value, Problem>;
+/// What the names of an expression mean.
+pub(in crate::parse) trait Meanings {
+    /// Returns the value of a name.
+    fn value(&self, name: &str) -> Result<Value, Problem>;
+
+    /// Calls a function that only some places know; `None` if this one does not.
+    fn call(&self, _function: &str, _arguments: &[Value]) -> Option<Result<Value, Problem>> {
+        None
+    }
+}
+
+impl<F: Fn(&str) -> Result<Value, Problem>> Meanings for F {
+    fn value(&self, name: &str) -> Result<Value, Problem> {
+        self(name)
+    }
+}
+
+/// The names of an expression.
+pub(in crate::parse) type Names<'n> = &'n dyn Meanings;
 
 const NUMBER: Noun = noun("a number", "数値");
 const TEXT: Noun = noun("a text", "文字列");
@@ -72,11 +93,19 @@ pub(in crate::parse) fn evaluate(expr: &Expr, names: Names<'_>) -> Outcome {
     };
     match &expr.kind {
         Kind::Value(value) => Ok(value.clone()),
-        Kind::Name(name) => names(name).map_err(trouble),
+        Kind::Name(name) => names.value(name).map_err(trouble),
         Kind::Negative(inner) => Ok(Value::Number(-number(inner, names)?)),
         Kind::Not(inner) => Ok(Value::Truth(!truth(inner, names)?)),
+        Kind::Call(function, list) if function == IF => choice(expr, list, names),
         Kind::Call(function, list) => {
             let mut numbers = vec![];
+            if TOWN_FUNCTIONS.contains(&&**function) {
+                let values: Result<Vec<Value>, Trouble> =
+                    list.iter().map(|argument| evaluate(argument, names)).collect();
+                if let Some(found) = names.call(function, &values?) {
+                    return found.map_err(trouble);
+                }
+            }
             if !FUNCTIONS.contains(&&**function) {
                 return Err(trouble(Problem::NoFunction(function.clone())));
             }
@@ -86,6 +115,23 @@ pub(in crate::parse) fn evaluate(expr: &Expr, names: Names<'_>) -> Outcome {
             call(function, &numbers).map_err(trouble)
         }
         Kind::Chain(first, more) => chain(first, more, names),
+    }
+}
+
+/// Evaluates `if(test, a, b)`: only the case that counts.
+fn choice(expr: &Expr, list: &[Expr], names: Names<'_>) -> Outcome {
+    let [test, then, otherwise] = list else {
+        let problem = Problem::Arguments {
+            function: IF.to_owned(),
+            wanted: noun("a test and two values", "条件と二つの値"),
+            found: list.len(),
+        };
+        let range = expr.range.clone();
+        return Err(Trouble { range, problem });
+    };
+    match truth(test, names)? {
+        true => evaluate(then, names),
+        false => evaluate(otherwise, names),
     }
 }
 
@@ -183,9 +229,16 @@ fn mismatch(wanted: Noun, found: Value, expr: &Expr) -> Trouble {
 }
 
 /// Names of the functions.
-pub(in crate::parse) const FUNCTIONS: [&str; 12] = [
+pub(in crate::parse) const FUNCTIONS: [&str; 13] = [
     "min", "max", "floor", "ceil", "round", "abs", "clamp", "sin", "cos", "tan", "atan2", "sqrt",
+    IF,
 ];
+
+/// The function that chooses between two values, of any type.
+const IF: &str = "if";
+
+/// Names of the functions that only the content of a `for` knows.
+pub(in crate::parse) const TOWN_FUNCTIONS: [&str; 3] = ["draw", "look", "randloc"];
 
 /// The name of the number that every file knows; another meaning given to it comes first.
 pub(in crate::parse) const PI: &str = "pi";

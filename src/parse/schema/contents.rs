@@ -53,7 +53,29 @@ const fn repeating(again: &'static Content, name: &'static str, tags: &'static [
 /// The elements that may be outermost.
 pub static ROOT: Content = content(
     "root",
-    &[Tag::House, Tag::Houses, Tag::Structure, Tag::Catalog],
+    &[
+        Tag::House,
+        Tag::Houses,
+        Tag::Town,
+        Tag::Structure,
+        Tag::Catalog,
+    ],
+);
+pub(in crate::parse) static TOWN: Content = content(
+    "town",
+    &[
+        Tag::Layer,
+        Tag::Table,
+        Tag::For,
+        Tag::Tiles,
+        Tag::PartDef,
+    ],
+);
+pub(in crate::parse) static LAYER: Content = content("layer", &[Tag::Field]);
+/// What may be made of a feature.
+pub(in crate::parse) static FOR: Content = content(
+    "for",
+    &[Tag::Skip, Tag::Place, Tag::House, Tag::Random],
 );
 pub(in crate::parse) static HOUSES: Content = content(
     "houses",

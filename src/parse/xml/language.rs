@@ -9,6 +9,7 @@
 //! | `scope` | the names known at each place |
 //! | `names` | `Param` and `let` |
 //! | `conditions` | `if` and `else` |
+//! | `feature`, `features` | `for`: its content, at each feature of a map |
 //! | `draws` | `random` among runs of text, and parameters chosen at random |
 //! | `storeys` | the number `k`, and repetitions that use it |
 //! | `pieces` | `define` and `use` |
@@ -26,6 +27,8 @@
 mod braces;
 mod conditions;
 mod draws;
+mod feature;
+mod features;
 mod files;
 mod fixes;
 mod names;
@@ -36,6 +39,7 @@ mod scope;
 mod storeys;
 
 pub(super) use braces::{Segment, segments};
+pub(super) use feature::Rules;
 
 use super::suggest::Suggest;
 use super::tree::{Child, Element, Tree};
@@ -49,7 +53,7 @@ use crate::parse::schema;
 use crate::parse::schema::{Tag, is_language};
 use crate::parse::xml::tree::text::Text;
 use crate::parse::xml::tree::token::Attribute;
-use crate::source::Span;
+use crate::source::{Span, Spanned};
 use conditions::Branch;
 use pieces::Used;
 use scope::{Frame, Scope};
@@ -70,6 +74,8 @@ const COLUMNS: usize = 5;
 pub(super) struct Computed<'a> {
     pub(super) tree: Rc<Tree<'a>>,
     pub(super) parameters: Vec<Parameter>,
+    /// The words of `front` in the rules of a town.
+    pub(super) fronts: Vec<Spanned<String>>,
     /// True if it exceeded the limit and was abandoned.
     pub(super) over: bool,
 }
@@ -86,30 +92,12 @@ pub(super) fn compute<'a>(
         return Computed {
             tree,
             parameters: vec![],
+            fronts: vec![],
             over: false,
         };
     }
     reporter.say_once();
-    let mut expander = Expander {
-        reporter,
-        setting,
-        trees,
-        nesting,
-        suggest: Suggest::new(),
-        made: Tree::default(),
-        parameters: vec![],
-        parsed: BTreeMap::new(),
-        storeys: Storeys::default(),
-        uses: vec![],
-        placed: vec![],
-        open: draws::Open::outermost(setting.seed),
-        files: files::Files::default(),
-        depth: 0,
-        hints: HINTS,
-        copying: false,
-        room: setting.limits.parts as u64,
-        over: false,
-    };
+    let mut expander = Expander::new(setting, nesting, trees, reporter);
     let scope = Frame::outermost();
     for root in &tree.roots {
         let made = expander.copy(&tree, *root, &scope);
@@ -118,14 +106,15 @@ pub(super) fn compute<'a>(
     Computed {
         tree: Rc::new(expander.made),
         parameters: expander.parameters,
+        fronts: expander.feature.fronts,
         over: expander.over,
     }
 }
 
 /// Returns true if there is nothing to compute.
 fn is_plain(tree: &Tree<'_>, reporter: &Reporter<'_>) -> bool {
-    const NAMES: [&str; 9] = [
-        "Param", "let", "define", "use", "if", "else", "include", "choice", "Place",
+    const NAMES: [&str; 10] = [
+        "Param", "let", "define", "use", "if", "else", "include", "choice", "Place", "for",
     ];
     let of_houses = |e: &Element<'_>| {
         let inner = e.children.iter().filter_map(|child| match child {
@@ -159,6 +148,7 @@ struct Expander<'a, 'f> {
     /// The houses being placed, outermost first.
     placed: Vec<places::Placed<'a>>,
     files: files::Files<'a>,
+    feature: feature::AtFeature<'a, 'f>,
     /// The number of open elements, conditions, uses and files.
     depth: usize,
     /// The number of messages that may still list known names, which takes time.
@@ -168,6 +158,39 @@ struct Expander<'a, 'f> {
     /// The number of parts that may still be made of copies.
     room: u64,
     over: bool,
+}
+
+impl<'a, 'f> Expander<'a, 'f> {
+    /// Creates the state at the start of a file.
+    fn new(
+        setting: ReadContext<'a>,
+        nesting: usize,
+        trees: &'f mut Trees<'a>,
+        reporter: &'f mut Reporter<'a>,
+    ) -> Self {
+        Expander {
+
+            reporter,
+            setting,
+            trees,
+            nesting,
+            suggest: Suggest::new(),
+            made: Tree::default(),
+            parameters: vec![],
+            parsed: BTreeMap::new(),
+            storeys: Storeys::default(),
+            uses: vec![],
+            placed: vec![],
+            open: draws::Open::outermost(setting.seed),
+            files: files::Files::default(),
+            feature: feature::AtFeature::default(),
+            depth: 0,
+            hints: HINTS,
+            copying: false,
+            room: setting.limits.parts as u64,
+            over: false,
+        }
+    }
 }
 
 /// An element of a tree.
@@ -218,10 +241,13 @@ impl<'a> Expander<'a, '_> {
         let made = self.made.elements.len();
         let mut attributes = element.attributes.clone();
         for attribute in attributes.iter_mut().filter(|a| !a.is_foreign()) {
+            let before = self.key_draws(element.name, attribute.name);
             self.fill_attribute(attribute, scope);
+            self.restore_draws(before);
         }
         if element_ref.tag() == Some(Tag::House) {
             self.name_placed(&mut attributes);
+            self.seed_house(&mut attributes, element);
         }
         self.made.elements.push(Element {
             name: element.name,
@@ -334,7 +360,11 @@ impl<'a> Expander<'a, '_> {
             Some(Tag::If) => return self.condition(element_ref, parent, scope, into, Branch::Open),
             Some(Tag::Else) => return self.condition(element_ref, parent, scope, into, branch),
             Some(Tag::Include) => self.include(element_ref, scope, into),
+            Some(Tag::For) => self.rule(element_ref, scope, into),
             Some(Tag::Place) => self.place(element_ref, scope, into),
+            Some(Tag::House) if self.feature.site.is_some() && self.placed.is_empty() => {
+                self.house_at_feature(element_ref, scope, into)
+            }
             Some(Tag::Repeat) if rounds::is_written_out(element_ref, parent) => {
                 self.write_out(element_ref, scope, into)
             }

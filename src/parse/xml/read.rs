@@ -12,6 +12,7 @@ pub(in crate::parse::xml) mod houses;
 pub(in crate::parse::xml) mod codes;
 pub(in crate::parse::xml) mod monuments;
 pub(in crate::parse::xml) mod views;
+pub(in crate::parse::xml) mod town;
 
 use super::edits;
 use super::suggest::Suggest;

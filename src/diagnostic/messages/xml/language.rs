@@ -12,7 +12,7 @@ use crate::text;
 pub(super) const LISTED: usize = 12;
 
 /// Known names for a help text.
-pub(super) fn known(words: &[impl AsRef<str>]) -> Text {
+pub(in crate::diagnostic::messages) fn known(words: &[impl AsRef<str>]) -> Text {
     if words.is_empty() {
         return text!("nothing", "なし");
     }

@@ -2,7 +2,7 @@
 
 use super::{Expander, Scope, fixes};
 use crate::ast::Value;
-use crate::diagnostic::messages::xml as say;
+use crate::diagnostic::messages::{town, xml as say};
 use crate::parse::expr::{self, Expr, Problem};
 use crate::parse::xml::tree::chars::is_blank;
 use crate::parse::xml::tree::text::{REPORTED, Text};
@@ -167,18 +167,10 @@ impl<'a> Expander<'a, '_> {
         scope: &Scope<'a>,
     ) -> Option<Value> {
         let expr = self.parsed(text, &range)?;
-        let storeys = &self.storeys;
-        let names = |name: &str| {
-            if name == "k" {
-                storeys.asked.set(true);
-                let number = storeys.number.ok_or(Problem::NoStorey)?;
-                return Ok(Value::Number(number as f64));
-            }
-            match scope.value(name) {
-                Some(bound) => bound.value.ok_or(Problem::Reported),
-                None if name == expr::PI => Ok(Value::Number(std::f64::consts::PI)),
-                None => Err(Problem::Unknown(name.to_owned())),
-            }
+        let names = super::feature::Names {
+            expander: self,
+            scope,
+            drawn: Default::default(),
         };
         let trouble = match expr::evaluate(&expr, &names) {
             Ok(value) => {
@@ -238,18 +230,26 @@ impl<'a> Expander<'a, '_> {
     ) {
         match problem {
             Problem::Reported => {}
+            Problem::Missing(name) => self.lacks(name, place),
+            Problem::Unfound(argument, word, known) => {
+                let near = self.suggest.among(word, known.iter().map(|n| &**n));
+                self.reporter.at(place, |s| {
+                    town::not_in_table(s, *argument, word, near, known)
+                });
+            }
             Problem::Unknown(name) => {
-                let known = self.known(|| scope.names());
+                let names = self.names_in(scope);
+                let known = self.known(|| names);
                 let near = self.suggest.among(name, known.iter().map(|n| &**n));
                 self.reporter.at(place, |s| {
                     say::unknown_name(s, name, near, &known, compared)
                 });
             }
             Problem::NoFunction(name) => {
-                let near = self.suggest.among(name, expr::FUNCTIONS.iter().copied());
-                self.reporter.at(place, |s| {
-                    say::unknown_function(s, name, near, &expr::FUNCTIONS)
-                });
+                let known = self.functions(scope);
+                let near = self.suggest.among(name, known.iter().copied());
+                self.reporter
+                    .at(place, |s| say::unknown_function(s, name, near, &known));
             }
             Problem::NoStorey => self.reporter.at(place, say::no_storey),
             Problem::Mismatch { wanted, found } => self

@@ -6,6 +6,7 @@ use crate::ast::Value;
 use crate::diagnostic::messages::xml as say;
 use crate::parse::schema;
 use crate::parse::schema::Tag;
+use crate::parse::xml::tree::text::Text;
 
 /// The state of the condition that an `else` at this place would continue.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -19,6 +20,18 @@ pub(super) enum Branch {
 }
 
 impl<'a> Expander<'a, '_> {
+    /// Returns the value of a test; one that asks for a field that the feature lacks does not hold.
+    fn tested(&mut self, test: &Text<'_>, scope: &Scope<'a>) -> Option<Value> {
+        let before = self.key_draws("if", "test");
+        self.take_lacks();
+        let value = self.value(test, scope);
+        self.restore_draws(before);
+        match self.take_lacks() {
+            true if value.is_none() => Some(Value::Truth(false)),
+            _ => value,
+        }
+    }
+
     /// Evaluates an `if`, or an `else` after it. An `else` with a test is another condition.
     pub(super) fn condition(
         &mut self,
@@ -45,7 +58,7 @@ impl<'a> Expander<'a, '_> {
             _ if branch == Branch::Chosen => false,
             None if schema.tag == Tag::Else => true,
             None => return Branch::Chosen,
-            Some(test) => match self.value(test, scope) {
+            Some(test) => match self.tested(test, scope) {
                 Some(Value::Truth(truth)) => truth,
                 Some(found) => {
                     let quoted = test.as_str();

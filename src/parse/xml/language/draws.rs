@@ -62,6 +62,26 @@ impl<'a> Open<'a> {
         }
     }
 
+    /// Creates the state at a feature of a map, whose place keys its choices.
+    pub(super) fn at_place(seed: Option<u64>, place: Place) -> Self {
+        Open {
+            seed,
+            levels: vec![OpenElement::new(place)],
+            houses: 0,
+            drawn: false,
+        }
+    }
+
+    /// Returns the place that the next element of this kind in the current one will have.
+    pub(super) fn ahead(&self, kind: &str) -> Place {
+        let Some(level) = self.levels.last() else {
+            return Place::seed(0);
+        };
+        let known = level.kinds.iter().find(|(k, _)| *k == kind);
+        let number = known.map_or(0, |(_, count)| count + 1);
+        level.place.named(kind).at(number)
+    }
+
     /// Resets the record of choices, and returns whether there were any.
     pub(super) fn forget(&mut self) -> bool {
         std::mem::take(&mut self.drawn)

@@ -26,7 +26,10 @@ impl<'a> Expander<'a, '_> {
             return;
         };
         let of = check(self.reporter, &mut self.suggest, schema, element);
+        let written = of.get("name").map_or("", |n| n.value.as_str());
+        let before = self.key_draws(element.name, written);
         let value = of.get("value").map(|v| self.value(&v.value, scope));
+        self.restore_draws(before);
         if let Some(name) = self.name(&of) {
             self.bind(&name, value.flatten(), scope);
         }
@@ -104,7 +107,9 @@ impl<'a> Expander<'a, '_> {
         let placed = !self.placed.is_empty();
         let value = self.given(&parameter, given, name.span);
         let value = value.filter(|value| value.is_some() || !placed);
+        let value = value.or_else(|| self.offered(&parameter).map(Some));
         parameter.value = value.unwrap_or_else(|| drawn.or_else(|| parameter.default.clone()));
+        self.note_parameter(&parameter);
         if parameter.value.is_none() && !written && !at_run {
             let span = self.uses.last().map_or(name.span, |u| u.span);
             let at = self.uses.last().map(|u| (&parameter, u.tag));

@@ -7,6 +7,7 @@ use super::names::Given;
 use super::scope::{DefinedPiece, Frame};
 use super::{ELEMENT, ElementRef, Expander, Scope};
 use crate::ast::Value;
+use crate::ast::town::Stood;
 use crate::diagnostic::messages::xml as say;
 use crate::parse::schema;
 use crate::parse::schema::{Schema, Tag};
@@ -18,23 +19,39 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// The parameters that a `Place` sets, with their values. `None` = an error was reported.
-type Arguments<'a> = BTreeMap<String, (Attribute<'a>, Option<Value>)>;
+pub(super) type Arguments<'a> = BTreeMap<String, (Attribute<'a>, Option<Value>)>;
 
 /// The house that a `Place` is being replaced by.
 pub(super) struct Placed<'a> {
     /// The parameters that it sets and that have not been asked for yet.
-    arguments: Arguments<'a>,
+    pub(super) arguments: Arguments<'a>,
     /// The names of the parameters that the house has.
-    known: Vec<String>,
+    pub(super) known: Vec<String>,
     /// The attribute `type`, in whose place generated names stand.
-    kind: Attribute<'a>,
-    name: Option<String>,
+    pub(super) kind: Attribute<'a>,
+    pub(super) name: Option<String>,
     /// The attribute `seed` and its value.
-    seed: Option<(Attribute<'a>, u64)>,
+    pub(super) seed: Option<(Attribute<'a>, u64)>,
+    /// Where it stands, in a town.
+    pub(super) stood: Option<Stood>,
+    /// The number of uses around it.
+    pub(super) uses: usize,
+    /// The greatest width that the type allows, if its front is wider.
+    pub(super) widest: Option<f64>,
+    /// The parameters of the type and their values.
+    pub(super) values: Vec<(String, Value)>,
+}
+
+/// A type whose houses have been put into their `Place`.
+pub(super) struct Filled {
+    /// Its parameters and their values.
+    pub(super) values: Vec<(String, Value)>,
+    /// The greatest width that it allows, metres, if its front is wider.
+    pub(super) widest: Option<f64>,
 }
 
 /// Where a placed house is written.
-enum Origin<'a> {
+pub(super) enum Origin<'a> {
     Piece(DefinedPiece<'a>, Scope<'a>),
     /// The tree of a file, and its path.
     File(Rc<Tree<'a>>, String),
@@ -82,6 +99,9 @@ impl<'a> Expander<'a, '_> {
             check(self.reporter, &mut self.suggest, schema, &bare);
             return;
         };
+        if self.feature.site.is_some() && self.placed.is_empty() {
+            return self.place_at_feature(element_ref, (own, arguments), &kind, scope, into);
+        }
         let Some(origin) = self.origin(&kind, scope) else {
             return;
         };
@@ -93,6 +113,10 @@ impl<'a> Expander<'a, '_> {
             kind: kind.clone(),
             name: of("name").map(text).filter(|name| !name.is_empty()),
             seed,
+            stood: None,
+            uses: self.uses.len(),
+            widest: None,
+            values: vec![],
         };
         let cost = ELEMENT * (1 + own.len() as u64);
         if !self.take(cost, &element.name_range) {
@@ -106,20 +130,20 @@ impl<'a> Expander<'a, '_> {
         self.enter(element_ref, made);
         let filled = self.fill(element, placed, origin, made);
         self.leave();
-        if filled {
+        if filled.is_some() {
             let children = &mut self.made.elements[into].children;
             children.push(Child::Element(made));
         }
     }
 
-    /// Puts the houses of a place into its element; returns false if there are none.
-    fn fill(
+    /// Puts the houses of a place into its element; `None` if there are none.
+    pub(super) fn fill(
         &mut self,
         element: &Element<'a>,
         placed: Placed<'a>,
         origin: Origin<'a>,
         made: usize,
-    ) -> bool {
+    ) -> Option<Filled> {
         let kind = placed.kind.clone();
         let copying = std::mem::replace(&mut self.copying, true);
         let storeys = std::mem::take(&mut self.storeys);
@@ -142,20 +166,22 @@ impl<'a> Expander<'a, '_> {
         });
         self.storeys = storeys;
         self.copying = copying;
-        let Some(placed) = self.placed.pop() else {
-            return false;
-        };
+        let mut placed = self.placed.pop()?;
         if self.over {
-            return false;
+            return None;
         }
         if !self.has_house(made) {
             let word = kind.value.as_str().trim();
             self.reporter
                 .at(&kind.value.whole(), |s| say::place_without_house(s, word));
-            return false;
+            return None;
         }
+        let filled = Filled {
+            values: std::mem::take(&mut placed.values),
+            widest: placed.widest,
+        };
         self.unknown_arguments(placed);
-        true
+        Some(filled)
     }
 
     /// Reports parameters that the house does not have.
@@ -192,7 +218,8 @@ impl<'a> Expander<'a, '_> {
             .placed
             .last_mut()
             .map(|p| std::mem::take(&mut p.arguments));
-        let arguments = arguments.unwrap_or_default();
+        let mut arguments = arguments.unwrap_or_default();
+        self.offer_attributes(&body, &mut arguments, kind);
         let given = arguments
             .iter()
             .map(|(name, (attribute, value))| (name.clone(), (attribute, value.clone())));
@@ -200,6 +227,23 @@ impl<'a> Expander<'a, '_> {
         let name = Spanned::new(kind.value.as_str().trim().to_owned(), span);
         self.parameters_of(&body, &name, given.collect(), &frame);
         self.list(&body, &frame, made);
+    }
+
+    /// Sets the attributes of a definition that nobody sets and that are named like a field or measure of the feature.
+    fn offer_attributes(
+        &mut self,
+        body: &ElementRef<'_, 'a>,
+        arguments: &mut Arguments<'a>,
+        kind: &Attribute<'a>,
+    ) {
+        let attributes = body.element().attributes.iter();
+        for attribute in attributes.filter(|a| a.name != "name" && !a.is_foreign()) {
+            let known = arguments.contains_key(attribute.name);
+            if let Some(value) = self.measure(attribute.name).filter(|_| !known) {
+                let value = (kind.clone(), Some(value));
+                arguments.insert(attribute.name.to_owned(), value);
+            }
+        }
     }
 
     fn fill_with_file(&mut self, tree: &Rc<Tree<'a>>, made: usize) {
@@ -225,20 +269,23 @@ impl<'a> Expander<'a, '_> {
         let (mut own, mut arguments) = (vec![], BTreeMap::new());
         for attribute in element.attributes.iter().filter(|a| !a.is_foreign()) {
             let mut attribute = attribute.clone();
-            if schema.attribute(attribute.name).is_none() {
+            let before = self.key_draws(element.name, attribute.name);
+            if schema.attribute(attribute.name).is_none() || self.is_for_type(&attribute, scope) {
                 let value = self.value(&attribute.value, scope);
+                self.restore_draws(before);
                 let entry = arguments.entry(attribute.name.to_owned());
                 entry.or_insert((attribute, value));
                 continue;
             }
             self.fill_attribute(&mut attribute, scope);
+            self.restore_draws(before);
             own.push(attribute);
         }
         (own, arguments)
     }
 
     /// Finds what a `Place` means: a definition, a file or a type of the library.
-    fn origin(&mut self, kind: &Attribute<'a>, scope: &Scope<'a>) -> Option<Origin<'a>> {
+    pub(super) fn origin(&mut self, kind: &Attribute<'a>, scope: &Scope<'a>) -> Option<Origin<'a>> {
         let place = kind.value.whole();
         let word = kind.value.as_str().trim();
         if word.is_empty() {
@@ -359,7 +406,7 @@ impl<'a> Expander<'a, '_> {
 }
 
 /// Returns an element without attributes and content.
-fn bare<'a>(element: &Element<'a>) -> Element<'a> {
+pub(super) fn bare<'a>(element: &Element<'a>) -> Element<'a> {
     Element {
         name: element.name,
         name_range: element.name_range.clone(),

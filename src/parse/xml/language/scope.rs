@@ -18,6 +18,8 @@ pub(super) struct Frame<'a> {
     pieces: RefCell<BTreeMap<String, DefinedPiece<'a>>>,
     /// Files included here and by these, each once.
     files: RefCell<Vec<Scope<'a>>>,
+    /// True if the fields and measures of a feature are known in it.
+    feature: bool,
 }
 
 /// The value of a name.
@@ -56,6 +58,28 @@ impl<'a> Frame<'a> {
             outer: Some(Rc::clone(outer)),
             ..Frame::default()
         })
+    }
+
+    /// Creates a frame inside this one in which the names of a feature are known.
+    pub(super) fn of_feature(outer: &Scope<'a>) -> Scope<'a> {
+        Rc::new(Frame {
+            outer: Some(Rc::clone(outer)),
+            feature: true,
+            ..Frame::default()
+        })
+    }
+
+    /// Returns true if the names of a feature are known here.
+    pub(super) fn knows_feature(&self) -> bool {
+        self.frames().any(|frame| frame.feature)
+    }
+
+    /// Returns the value of a name that is bound nearer than the names of the feature.
+    pub(super) fn nearer_value(&self, name: &str) -> Option<Bound> {
+        let mut feature = false;
+        let near = self.frames().take_while(|frame| !std::mem::replace(&mut feature, frame.feature));
+        near.into_iter()
+            .find_map(|frame| frame.names.borrow().get(name).cloned())
     }
 
     /// Binds a name; if it is bound in this frame already, returns its place.

@@ -1,5 +1,6 @@
 //! The houses of a file, alone and in groups: `Houses`, `Group`, and what a `Place` has become.
 
+use crate::ast::town::Town;
 use crate::ast::{Era, Frame, House, PlacedBy, Placement, Stand, WrittenPart};
 use crate::diagnostic::messages::xml as say;
 use crate::geometry::Heading;
@@ -13,7 +14,7 @@ use crate::templates::Template;
 
 /// What the elements around a house say of it.
 #[derive(Clone, Copy, Default)]
-struct Around {
+pub(super) struct Around {
     /// The groups around it together, if there are any.
     frame: Option<Frame>,
     /// The innermost `Place`.
@@ -24,7 +25,12 @@ struct Around {
 
 impl<'t> Reader<'t, '_> {
     /// Returns the houses of the file, and the custom parts that all of them know.
-    pub(in crate::parse::xml) fn houses(&mut self, parts: &mut Vec<WrittenPart>) -> Vec<House> {
+    pub(in crate::parse::xml) fn houses(
+        &mut self,
+        parts: &mut Vec<WrittenPart>,
+        (town, fronts): (&mut Option<Box<Town>>, Vec<Spanned<String>>),
+    ) -> Vec<House> {
+        let mut fronts = Some(fronts);
         let mut houses = vec![];
         for node in self.roots() {
             let AllowedChild::Element(schema, element) = node else {
@@ -33,6 +39,10 @@ impl<'t> Reader<'t, '_> {
             match schema.tag {
                 Tag::House => houses.push(self.house(schema, element)),
                 Tag::Structure => houses.push(self.lone_structure(schema, element)),
+                Tag::Town => {
+                    let fronts = fronts.take().unwrap_or_default();
+                    *town = Some(Box::new(self.town(schema, element, fronts)));
+                }
                 Tag::Catalog => {
                     self.attributes(schema, element);
                     for node in self.children(element, schema.content()) {
@@ -97,7 +107,7 @@ impl<'t> Reader<'t, '_> {
 
     /// Reads the houses that a `Place` has become. A lone one stands at the place, whatever its own says; several keep
     /// their places to each other.
-    fn placed(
+    pub(super) fn placed(
         &mut self,
         schema: &'static Schema,
         element: &'t Element<'t>,
@@ -170,6 +180,14 @@ impl<'t> Reader<'t, '_> {
 }
 
 impl Around {
+    /// Returns what a frame alone says.
+    pub(super) fn of(frame: Frame) -> Around {
+        Around {
+            frame: Some(frame),
+            ..Around::default()
+        }
+    }
+
     /// Enters a frame inside those entered so far.
     fn enter(&mut self, inner: Frame) {
         self.frame = Some(match self.frame {
@@ -179,7 +197,7 @@ impl Around {
     }
 
     /// Returns a house at its place in the world, with the age that it has not said itself.
-    fn put(self, mut house: House) -> House {
+    pub(super) fn put(self, mut house: House) -> House {
         let span = house.span;
         let settings = &mut house.settings;
         settings.age = settings.age.or(self.age);

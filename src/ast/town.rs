@@ -1,0 +1,285 @@
+//! A town as written (docs/contract.md 10): layers of maps, and rules for what is made of their features. What stands
+//! in a `for` is evaluated for each feature, at its [`Site`].
+
+use super::{House, Value};
+use crate::source::{Span, Spanned};
+use glam::DVec2;
+use serde::Serialize;
+
+/// A town.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Town {
+    /// The start tag.
+    pub span: Span,
+    /// Its name.
+    pub name: Option<Spanned<String>>,
+    /// The plane in which it is built, such as `EPSG:6674`.
+    pub crs: Option<Spanned<String>>,
+    /// Key of all draws.
+    pub seed: u64,
+    /// Metres east and north in the plane that are 0 0 of the model.
+    pub origin: Option<Spanned<(f64, f64)>>,
+    /// Its maps, in the order of the file.
+    pub layers: Vec<Layer>,
+    /// Its tables.
+    pub tables: Vec<Table>,
+    /// Its rules.
+    pub rules: Vec<Rule>,
+    /// The layers that a `front` names.
+    pub fronts: Vec<Spanned<String>>,
+    /// How its model is divided.
+    pub tiles: Tiles,
+}
+
+/// A map, or a layer of one.
+#[derive(Clone, Debug, Serialize)]
+pub struct Layer {
+    /// The start tag.
+    pub span: Span,
+    /// Its name in the town.
+    pub name: Spanned<String>,
+    /// Its file.
+    pub src: Spanned<String>,
+    /// The layer of the file.
+    pub layer: Option<Spanned<String>>,
+    /// The encoding of texts.
+    pub encoding: Option<Spanned<String>>,
+    /// The coordinates.
+    pub crs: Option<Spanned<String>>,
+    /// The field that names features.
+    pub key: Option<Spanned<String>>,
+    /// The test that features must pass.
+    pub filter: Option<Spanned<String>>,
+    /// The source of the map.
+    pub evidence: Option<Spanned<String>>,
+    /// Fields that are renamed, converted or filled.
+    pub fields: Vec<Field>,
+}
+
+/// A field that is renamed, converted or filled.
+#[derive(Clone, Debug, Serialize)]
+pub struct Field {
+    /// The start tag.
+    pub span: Span,
+    /// Its name in expressions.
+    pub name: Spanned<String>,
+    /// Its name in the file.
+    pub from: Spanned<String>,
+    /// The type it is read as.
+    pub kind: Option<FieldType>,
+    /// The value where there is none.
+    pub default: Option<Value>,
+    /// Replacements of values.
+    pub map: Vec<(String, String)>,
+}
+
+/// The type of a field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum FieldType {
+    /// A number.
+    Number,
+    /// Any text.
+    Text,
+    /// A truth value.
+    Truth,
+}
+
+impl FieldType {
+    /// The words for it.
+    pub const WORDS: [(&'static str, FieldType); 3] = [
+        ("number", FieldType::Number),
+        ("text", FieldType::Text),
+        ("yesno", FieldType::Truth),
+    ];
+}
+
+/// A table of values.
+#[derive(Clone, Debug, Serialize)]
+pub struct Table {
+    /// The start tag.
+    pub span: Span,
+    /// Its name.
+    pub name: Spanned<String>,
+    /// Its file.
+    pub src: Spanned<String>,
+    /// The column by which rows are found.
+    pub key: Spanned<String>,
+}
+
+/// A `for`.
+#[derive(Clone, Debug, Serialize)]
+pub struct Rule {
+    /// The start tag.
+    pub span: Span,
+    /// Its layer.
+    pub each: Spanned<String>,
+}
+
+/// How the model of a town is divided.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Tiles {
+    /// The side of a tile, metres.
+    pub size: f64,
+    /// The field that names the tile of a feature.
+    pub by: Option<Spanned<String>>,
+    /// Levels of detail, from far to near.
+    pub detail: Vec<u8>,
+}
+
+impl Default for Tiles {
+    fn default() -> Tiles {
+        Tiles {
+            size: 250.0,
+            by: None,
+            detail: vec![0, 1, 3],
+        }
+    }
+}
+
+/// What a house stands on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum PlaceOn {
+    /// The type's own rectangle behind the front.
+    Plot,
+    /// The walls of the outline.
+    Outline,
+    /// The centre of the feature, facing its street.
+    Centre,
+    /// The middle of a line, along it.
+    Line,
+}
+
+impl PlaceOn {
+    /// The words for it.
+    pub const WORDS: [(&'static str, PlaceOn); 4] = [
+        ("plot", PlaceOn::Plot),
+        ("outline", PlaceOn::Outline),
+        ("centre", PlaceOn::Centre),
+        ("line", PlaceOn::Line),
+    ];
+
+    /// Returns the word for it.
+    pub fn word(self) -> &'static str {
+        let found = Self::WORDS.iter().find(|(_, on)| *on == self);
+        found.map_or("", |(word, _)| word)
+    }
+}
+
+/// A name of a feature: a field or a measure.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Known {
+    /// Its value.
+    Value(Value),
+    /// A field that other features of the layer have.
+    Missing,
+    /// No name of the layer.
+    Unknown,
+}
+
+/// What a `Place` asks of its site.
+#[derive(Clone, Debug)]
+pub struct Wish<'w> {
+    /// The place of the type's name.
+    pub span: Span,
+    /// The type, as written.
+    pub kind: &'w str,
+    /// What it shall stand on, if that is said.
+    pub on: Option<PlaceOn>,
+    /// The layer of streets that it fronts, or `published`.
+    pub front: Option<&'w str>,
+    /// The greatest depth, metres.
+    pub cap: Option<f64>,
+    /// How much narrower than its front it is, metres.
+    pub gap: f64,
+    /// The greatest width that the type allows, metres, once that is known to be too small.
+    pub widest: Option<f64>,
+}
+
+/// Where a house stands: lengths in metres, places in the frame of the town.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stood {
+    /// The right end of the front, or the centre.
+    pub at: DVec2,
+    /// Height of the ground.
+    pub z: f64,
+    /// Compass direction of the front, degrees.
+    pub azimuth: f64,
+    /// Width along the front.
+    pub frontage: f64,
+    /// Depth behind it.
+    pub depth: f64,
+    /// True if its centre stands at `at`.
+    pub centred: bool,
+    /// The walls that it follows, where it is no rectangle; `at` is then the origin of their points.
+    pub walls: Option<SiteWalls>,
+}
+
+/// The walls of a feature that a house follows.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SiteWalls {
+    /// The corners, metres from [`Stood::at`].
+    pub ring: Vec<DVec2>,
+    /// Courtyards.
+    pub holes: Vec<Vec<DVec2>>,
+    /// The number of the front side, from 1.
+    pub front: u32,
+    /// The numbers of sides on streets.
+    pub street: Vec<u32>,
+    /// The numbers of sides on which a neighbour stands.
+    pub neighbour: Vec<u32>,
+}
+
+/// A feature of a map and what stands round it.
+pub trait Site {
+    /// Returns the value of a field or measure.
+    fn value(&self, name: &str) -> Known;
+    /// Returns the names of all fields and measures, fields first.
+    fn names(&self) -> Vec<String>;
+    /// Returns the cell of a table; `Err` with the known words if the table, the row or the column is not there.
+    ///
+    /// # Errors
+    /// Which of table, key and column is wrong.
+    fn look(&self, table: &str, key: &Value, column: &str) -> Result<Value, Unfound>;
+    /// Returns true if a layer of the town has this name.
+    fn is_layer(&self, name: &str) -> bool;
+    /// Returns the place that keys draws: its centroid on a grid of 0.5 m.
+    fn key(&self) -> (i64, i64);
+    /// Finds the place of a house; `None` if there is none, which the site records.
+    fn stand(&self, wish: &Wish<'_>) -> Option<Stood>;
+}
+
+/// The argument of `look` that is wrong, and what there is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unfound {
+    /// The number of the argument.
+    pub argument: usize,
+    /// The words that it could be.
+    pub known: Vec<String>,
+}
+
+/// What a rule makes of a feature.
+#[derive(Clone, Debug)]
+pub enum Made {
+    /// Nothing, since the author says so.
+    Skip {
+        /// The place of the element.
+        span: Span,
+        /// The reason.
+        because: String,
+    },
+    /// Houses.
+    Houses {
+        /// The place of the element.
+        span: Span,
+        /// The type, or nothing for a house written in place.
+        kind: String,
+        /// Where it comes from.
+        evidence: String,
+        /// The houses, in the frame of the town.
+        houses: Vec<House>,
+        /// The parameters of the type and their values.
+        parameters: Vec<(String, Value)>,
+        /// Where they stand.
+        stood: Stood,
+    },
+}

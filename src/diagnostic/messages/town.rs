@@ -1,0 +1,210 @@
+//! Messages about towns (HSD11xx).
+
+use super::words::{all_of, quote};
+use super::xml::{known, offer};
+use crate::diagnostic::{Diagnostic, Origin, Text};
+use crate::source::Span;
+use crate::text;
+
+/// A layer that the town does not have.
+#[cold]
+pub fn unknown_layer(span: Span, name: &str, near: Option<&str>, layers: &[String]) -> Diagnostic {
+    let name = quote(name);
+    let message = text!([name] "there is no layer {name}", "{name} というレイヤーはありません");
+    let all = known(layers);
+    let found = Diagnostic::error(1101, span, message).help(text!([all]
+        "the layers of this town are {all}",
+        "この町のレイヤー: {all}"
+    ));
+    offer(found, span, near)
+}
+
+/// Two layers, or two tables, of one name.
+#[cold]
+pub fn same_name(span: Span, name: &str, first: Span) -> Diagnostic {
+    let name = quote(name);
+    let message = text!([name]
+        "the name {name} is given twice",
+        "{name} という名が二度使われています"
+    );
+    Diagnostic::error(1102, span, message)
+        .label(first, text!("first given here", "最初はここ"))
+        .help(text!(
+            "give each layer and each table a name of its own",
+            "レイヤーと表には別々の名を付けてください"
+        ))
+}
+
+/// A file of a table that cannot be used.
+#[cold]
+pub fn no_table(span: Span, path: &str, why: &Text) -> Diagnostic {
+    let path = quote(path);
+    let message = text!([path, why]
+        "the table {path} cannot be read: {why}",
+        "表 {path} を読めません: {why}"
+    );
+    Diagnostic::error(1103, span, message).help(text!(
+        "a table is a CSV file in UTF-8 or Shift_JIS whose first line names the columns",
+        "表は UTF-8 か Shift_JIS の CSV で、最初の行に列の名を書きます"
+    ))
+}
+
+/// A word that a table does not have; `argument` counts the arguments of `look` from 0.
+#[cold]
+pub fn not_in_table(
+    span: Span,
+    argument: usize,
+    word: &str,
+    near: Option<&str>,
+    words: &[String],
+) -> Diagnostic {
+    let (quoted, all) = (quote(word), known(words));
+    let message = match argument {
+        0 => text!([quoted] "there is no table {quoted}", "{quoted} という表はありません"),
+        1 => text!([quoted] "the table has no row {quoted}", "表に {quoted} の行がありません"),
+        _ => text!([quoted] "the table has no column {quoted}", "表に {quoted} の列がありません"),
+    };
+    let found = Diagnostic::error(1104, span, message)
+        .help(text!([all] "there are {all}", "あるもの: {all}"));
+    match near {
+        Some(near) if argument != 1 => {
+            let fixed = format!("'{near}'");
+            offer(found, span, Some(&*fixed).filter(|_| false))
+        }
+        _ => found,
+    }
+}
+
+/// An attribute of a `Place` whose value comes from the map.
+#[cold]
+pub fn place_is_given(span: Span, name: &str, whole: Span) -> Diagnostic {
+    let name = quote(name);
+    let message = text!([name]
+        "{name} has no meaning in a town: the map says where a house stands",
+        "町では {name} に意味がありません。建物の位置は地図が決めます"
+    );
+    Diagnostic::error(1105, span, message)
+        .help(text!(
+            "leave it out; `on`, `front`, `cap` and `gap` say how the house stands on its plot",
+            "書かないでください。敷地への置き方は `on`、`front`、`cap`、`gap` で決めます"
+        ))
+        .fix(text!([name] "Remove {name}", "{name} を削除する"), whole, "")
+}
+
+/// Features that lack a field that an expression asks for.
+#[cold]
+pub fn field_missing(span: Span, name: &str, count: usize) -> Diagnostic {
+    let quoted = quote(name);
+    let message = text!([quoted, count]
+        "{count} features have no {quoted}: a test with it does not hold, a parameter keeps its default",
+        "{count} 件の地物に {quoted} がありません。条件は成り立たず、変数は既定値のままです"
+    );
+    Diagnostic::warning(1106, span, message).help(text!([name]
+        "say what holds then in the layer: `<Field name=\"{name}\" default=\"...\"/>`",
+        "無いときの値をレイヤーに書いてください: `<Field name=\"{name}\" default=\"...\"/>`"
+    ))
+}
+
+/// Features of which nothing is made, by layer.
+#[cold]
+pub fn nothing_made(layer: Span, name: &str, count: usize) -> Diagnostic {
+    let name = quote(name);
+    let message = text!([name, count]
+        "{count} features of {name} meet no rule, and nothing is made of them",
+        "{name} の {count} 件の地物はどの規則にも合わず、何も作られません"
+    );
+    Diagnostic::warning(1107, layer, message).help(text!(
+        "write a `for` that takes them, or one with `<Skip because=\"...\"/>` if nothing is wanted",
+        "それらを受ける `for` を書くか、不要なら `<Skip because=\"...\"/>` を書いてください"
+    ))
+}
+
+/// A house that cannot stand where its feature is.
+#[cold]
+pub fn refused(origin: Origin, why: &Text) -> Diagnostic {
+    let message = text!([why] "no house can stand here: {why}", "ここには建物を置けません: {why}");
+    Diagnostic::warning(1108, origin, message).help(text!(
+        "`on=\"outline\"` follows the walls of the map whatever their shape; `Skip` says that nothing is wanted",
+        "`on=\"outline\"` なら形によらず地図の壁に沿います。不要なら `Skip` と書いてください"
+    ))
+}
+
+/// A house with errors, which is replaced by its plain body.
+#[cold]
+pub fn plain_body(origin: Origin, kind: &str, first: &Text) -> Diagnostic {
+    let kind = quote(kind);
+    let message = text!([kind, first]
+        "the house {kind} has errors, and plain walls stand in its place: {first}",
+        "建物 {kind} に誤りがあり、代わりに無地の壁を建てました: {first}"
+    );
+    Diagnostic::warning(1109, origin, message).help(text!(
+        "mend the type or the parameters that the map gives it",
+        "型か、地図から渡す変数を直してください"
+    ))
+}
+
+/// A town without streets.
+#[cold]
+pub fn no_streets(town: Span) -> Diagnostic {
+    let message = text!(
+        "no layer of this town is known to be streets: houses front the side with the longest free way before it",
+        "この町には通りとわかるレイヤーがありません。建物は前がいちばん空いている辺を正面にします"
+    );
+    Diagnostic::note(1110, town, message).help(text!(
+        "name the layer in `front`: `<Place front=\"roads\" .../>`",
+        "`front` でレイヤーを指定してください: `<Place front=\"roads\" .../>`"
+    ))
+}
+
+/// A town where houses are expected.
+#[cold]
+pub fn is_town(town: Span) -> Diagnostic {
+    let message = text!(
+        "this is a town, whose houses are made from maps",
+        "これは町のファイルで、建物は地図から作られます"
+    );
+    Diagnostic::error(1111, town, message).help(text!(
+        "build it with `hsd town FILE -o OUT.glb`",
+        "`hsd town FILE -o OUT.glb` で作ってください"
+    ))
+}
+
+/// Keys that several features of a layer share.
+#[cold]
+pub fn same_keys(layer: Span, name: &str, keys: &[String]) -> Diagnostic {
+    let (name, count) = (quote(name), keys.len());
+    let few: Vec<&str> = keys.iter().take(3).map(|k| &**k).collect();
+    let few = all_of(&few);
+    let message = text!([name, count, few]
+        "{count} keys of {name} belong to several features, such as {few}",
+        "{name} では {count} 個のキーが複数の地物に付いています（{few} など）"
+    );
+    Diagnostic::warning(1112, layer, message).help(text!(
+        "name a field with a value for each feature in `key`, or leave `key` out",
+        "地物ごとに違う値の属性を `key` に書くか、`key` を書かないでください"
+    ))
+}
+
+/// A number or a truth value that a field's default or text does not give.
+#[cold]
+pub fn not_of_type(span: Span, text: &str, wanted: &Text) -> Diagnostic {
+    let quoted = quote(text);
+    let message = text!([quoted, wanted]
+        "{quoted} is not {wanted}",
+        "{quoted} は{wanted}ではありません"
+    );
+    Diagnostic::error(1113, span, message).help(text!(
+        "change the value, or the `type` of the field",
+        "値か、属性の `type` を直してください"
+    ))
+}
+
+/// A town in the input that has no layers.
+#[cold]
+pub fn no_layers(town: Span) -> Diagnostic {
+    let message = text!("this town has no layers", "この町にはレイヤーがありません");
+    Diagnostic::error(1114, town, message).help(text!(
+        "add a map: `<Layer name=\"houses\" src=\"buildings.geojson\"/>`",
+        "地図を加えてください: `<Layer name=\"houses\" src=\"buildings.geojson\"/>`"
+    ))
+}

@@ -1,0 +1,66 @@
+//! The attributes of the elements of towns (docs/contract.md 10).
+
+use super::{FAR, LENGTH};
+use crate::ast::town::{FieldType, PlaceOn};
+use crate::parse::schema::kinds::Kind::{Choice, Number, Point, Text, Whole};
+use crate::parse::schema::kinds::{AttributeSchema, may, must, words};
+
+const ON: &[&str] = &words(&PlaceOn::WORDS);
+const TYPE: &[&str] = &words(&FieldType::WORDS);
+
+#[rustfmt::skip]
+pub(in crate::parse::schema) const TOWN: &[AttributeSchema] = &[
+    may("name", Text, "", "its name", "町の名"),
+    may("crs", Text, "", "the plane in which it is built, such as `EPSG:6674`; without, the zone of Japan or of UTM that the first layer lies in", "町を作る平面座標系。`EPSG:6674` など。無ければ最初のレイヤーが入る平面直角座標系か UTM"),
+    may("seed", Whole(0, u64::MAX), "0", "key of all draws: another seed, another town on the same maps", "抽選の種。変えると同じ地図の別の町になる"),
+    may("origin", Point(-FAR, FAR), "", "metres east and north in `crs` that are 0 0 of the model; without, the centre of the first layer, rounded to 1 km", "モデルの原点。`crs` での東と北(m)。無ければ最初のレイヤーの中心を 1 km に丸めた点"),
+];
+#[rustfmt::skip]
+pub(in crate::parse::schema) const LAYER: &[AttributeSchema] = &[
+    must("name", Text, "what `for` calls it", "`for` で使う名"),
+    must("src", Text, "the file, from the folder of this one", "地図のファイル。このファイルのフォルダーから数える"),
+    may("layer", Text, "", "which layer of the file, where it has several", "ファイルに複数のレイヤーがあるとき、そのどれか"),
+    may("encoding", Text, "", "how the texts of its fields are encoded, such as `cp932`, where the file does not say", "属性の文字コード。`cp932` など。ファイルに書いていないとき"),
+    may("crs", Text, "", "its coordinates, such as `EPSG:6668`, where the file does not say", "座標系。`EPSG:6668` など。ファイルに書いていないとき"),
+    may("key", Text, "", "the field that names its features; without, their id or number", "地物を見分ける属性。無ければ id か番号"),
+    may("where", Text, "", "a test on the fields, such as `building = 'house'`: other features are left out", "属性の条件。`building = 'house'` など。合わない地物は読まない"),
+    may("evidence", Text, "", "where the map comes from, for tables and models", "地図の出典。表とモデルに残す"),
+];
+#[rustfmt::skip]
+pub(in crate::parse::schema) const FIELD: &[AttributeSchema] = &[
+    must("name", Text, "what expressions call it", "式の中での名"),
+    may("from", Text, "", "the field of the file; without, that of the same name", "ファイルの属性名。無ければ同じ名"),
+    may("type", Choice(TYPE), "", "what it is read as; without, what it looks like", "読み方。無ければ見た目による"),
+    may("default", Text, "", "the value of features without one", "値の無い地物に使う値"),
+    may("map", Text, "", "other words for its values: `a=b, c=d`", "値の言い換え。`a=b, c=d`"),
+];
+#[rustfmt::skip]
+pub(in crate::parse::schema) const TABLE: &[AttributeSchema] = &[
+    must("name", Text, "what `look` calls it", "`look` で使う名"),
+    must("src", Text, "a CSV file whose first line names the columns", "最初の行に列の名がある CSV ファイル"),
+    must("key", Text, "the column by which `look` finds a row", "`look` が行を探す列"),
+];
+#[rustfmt::skip]
+pub(in crate::parse::schema) const FOR: &[AttributeSchema] = &[
+    must("each", Text, "the layer", "レイヤーの名"),
+    may("test", Text, "", "a condition on the fields and measures of a feature, in braces", "地物の属性や寸法の条件。波括弧で囲む"),
+];
+#[rustfmt::skip]
+pub(in crate::parse::schema) const SKIP: &[AttributeSchema] = &[
+    may("because", Text, "", "why, for the table of decisions", "理由。決定の表に残す"),
+];
+#[rustfmt::skip]
+pub(in crate::parse::schema) const TILES: &[AttributeSchema] = &[
+    may("size", Number(10.0, 100_000.0), "250", "side of a tile, metres", "タイルの一辺(m)").metres(),
+    may("by", Text, "", "the field that names the tile of a feature, in place of squares", "タイルを分ける属性。格子の代わりに使う"),
+    may("detail", Text, "0, 1, 3", "levels of detail from far to near, of 0 to 3", "詳細度。遠くから近くへ 0 から 3 を並べる"),
+];
+/// The attributes of a `Place` that only mean something in a `for`; elsewhere they are parameters like any other.
+#[rustfmt::skip]
+pub(in crate::parse::schema) const PLACEMENT: [AttributeSchema; 5] = [
+    may("on", Choice(ON), "", "in a town: on a rectangle behind the front (`plot`), on the walls of the outline, at its centre, or along the line; without, a rectangle where one fits", "町で: 正面の後ろの矩形 `plot`、輪郭どおり `outline`、中心 `centre`、線の上 `line`。無ければ矩形が合うかどうかによる"),
+    may("front", Text, "", "in a town: the layer of streets that it fronts, or `published` for the rule of the machiya macro; any other word is for the type", "町で: 正面が向く通りのレイヤー。`published` なら町家マクロの規則。ほかの語は型の変数"),
+    may("cap", LENGTH, "", "in a town: the greatest depth behind the front, metres; 12 for chu-nikai, 8 for the other town houses", "町で: 正面からの奥行の上限(m)。中二階は 12、ほかの町家は 8").metres(),
+    may("gap", LENGTH, "0", "in a town: how much narrower than its front it is, metres", "町で: 間口をどれだけ狭めるか(m)").metres(),
+    may("evidence", Text, "", "in a town: where it comes from, for tables and models", "町で: 根拠。表とモデルに残す"),
+];

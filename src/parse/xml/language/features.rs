@@ -1,0 +1,244 @@
+//! What the elements of a `for` do at a feature: `Place` and `House` ask its site where they stand.
+
+use super::super::tree::token::Attribute;
+use super::super::tree::{Child, Element};
+use super::places::{Arguments, Placed, bare};
+use super::{ELEMENT, ElementRef, Expander, Scope};
+use crate::ast::Parameter;
+use crate::ast::town::{PlaceOn, Stood, Wish};
+use crate::diagnostic::messages::xml as say;
+use crate::parse::schema;
+use crate::parse::schema::Kind;
+use crate::parse::schema::lengths::{Measure, length};
+use crate::parse::xml::tree::text::Text;
+
+impl<'a> Expander<'a, '_> {
+    /// Replaces a `Place` in a `for` by the houses that it means, at the place that the site of the feature finds.
+    pub(super) fn place_at_feature(
+        &mut self,
+        element_ref: &ElementRef<'_, 'a>,
+        (own, arguments): (Vec<Attribute<'a>>, Arguments<'a>),
+        kind: &Attribute<'a>,
+        scope: &Scope<'a>,
+        into: usize,
+    ) {
+        let Some(site) = self.feature.site else {
+            return;
+        };
+        self.place_in_town(element_ref.element());
+        let text = |name: &str| {
+            let found = own.iter().find(|a| a.name == name)?;
+            Some(found.value.as_str().trim().to_owned()).filter(|text| !text.is_empty())
+        };
+        let (word, front) = (kind.value.as_str().trim().to_owned(), text("front"));
+        let mut wish = Wish {
+            span: self.reporter.span(&kind.value.whole()),
+            kind: &word,
+            on: self.place_on(&own),
+            front: front.as_deref(),
+            cap: self.metres(&own, "cap"),
+            gap: self.metres(&own, "gap").unwrap_or(0.0),
+            widest: None,
+        };
+        let before = self.made.elements.len();
+        // Twice, if the type turns out to be too narrow for the front.
+        for _ in 0..2 {
+            let Some(stood) = site.stand(&wish) else {
+                return;
+            };
+            let Some(origin) = self.origin(kind, scope) else {
+                return;
+            };
+            let placed = Placed {
+                arguments: arguments.clone(),
+                known: vec![],
+                kind: kind.clone(),
+                name: text("name"),
+                seed: Some(self.seed_of_feature(&own, kind)),
+                stood: Some(stood.clone()),
+                uses: self.uses.len(),
+                widest: None,
+                values: vec![],
+            };
+            let made = self.made.elements.len();
+            self.made.elements.push(Element {
+                attributes: standing(&own, kind, &stood),
+                ..bare(element_ref.element())
+            });
+            if !self.take(ELEMENT, &element_ref.element().name_range) {
+                return;
+            }
+            self.enter(element_ref, made);
+            let filled = self.fill(element_ref.element(), placed, origin, made);
+            self.leave();
+            let Some(filled) = filled else {
+                return;
+            };
+            if filled.widest.is_some() && wish.widest.is_none() && stood.walls.is_none() {
+                wish.widest = filled.widest;
+                self.made.elements.truncate(before);
+                self.files.names.clear();
+                continue;
+            }
+            self.feature.stood.insert(made, stood);
+            self.feature.given.insert(made, filled.values);
+            self.made.elements[into].children.push(Child::Element(made));
+            return;
+        }
+    }
+
+    /// Copies a house that is written in a `for`.
+    pub(super) fn house_at_feature(
+        &mut self,
+        element_ref: &ElementRef<'_, 'a>,
+        scope: &Scope<'a>,
+        into: usize,
+    ) {
+        let Some(site) = self.feature.site else {
+            return;
+        };
+        let wish = Wish {
+            span: self.reporter.span(&element_ref.element().tag),
+            kind: "",
+            on: None,
+            front: None,
+            cap: None,
+            gap: 0.0,
+            widest: None,
+        };
+        let Some(stood) = site.stand(&wish) else {
+            return;
+        };
+        if let Some(made) = self.copy(element_ref.tree, element_ref.index, scope) {
+            self.feature.stood.insert(made, stood);
+            self.made.elements[into].children.push(Child::Element(made));
+        }
+    }
+
+    /// Gives a house that is written in a `for` a seed by the place of the feature, if it has none.
+    pub(super) fn seed_house(&self, attributes: &mut Vec<Attribute<'a>>, element: &Element<'a>) {
+        let there = attributes.iter().any(|a| a.name == "seed");
+        if self.feature.site.is_none() || !self.placed.is_empty() || there {
+            return;
+        }
+        let place = element.name_range.clone();
+        attributes.push(Attribute {
+            name: "seed",
+            name_range: place.clone(),
+            value: Text::instead(self.place_of_feature().key().to_string(), place.clone()),
+            range: place,
+            faulty: false,
+        });
+    }
+
+    /// Returns true for an attribute of a `Place` that only means something in a town but sets a parameter here.
+    pub(super) fn is_for_type(&mut self, attribute: &Attribute<'a>, scope: &Scope<'a>) -> bool {
+        if !["on", "front", "cap", "gap", "evidence"].contains(&attribute.name) {
+            return false;
+        }
+        let Some(site) = self.feature.site.filter(|_| self.placed.is_empty()) else {
+            return true;
+        };
+        if attribute.name != "front" {
+            return false;
+        }
+        let word = self.filled(&attribute.value, scope);
+        let word = word.map_or(String::new(), |word| word.as_str().trim().to_owned());
+        word != "published" && !site.is_layer(&word)
+    }
+
+    /// Records the value of a parameter of the house that is being placed.
+    pub(super) fn note_parameter(&mut self, parameter: &Parameter) {
+        let uses = self.uses.len();
+        if let Some(placed) = self.placed.last_mut().filter(|p| p.uses == uses)
+            && let Some(value) = &parameter.value
+        {
+            placed.values.push((parameter.name.clone(), value.clone()));
+        }
+    }
+
+    /// Returns the attribute `seed` of a house at a feature, and its value.
+    fn seed_of_feature(&self, own: &[Attribute<'a>], kind: &Attribute<'a>) -> (Attribute<'a>, u64) {
+        let given = own.iter().find(|a| a.name == "seed");
+        let number = given.and_then(|a| Some((a, a.value.as_str().trim().parse().ok()?)));
+        if let Some((attribute, number)) = number {
+            return (attribute.clone(), number);
+        }
+        let number = self.place_of_feature().key();
+        (named("seed", number.to_string(), kind), number)
+    }
+
+    fn place_on(&mut self, own: &[Attribute<'a>]) -> Option<PlaceOn> {
+        let attribute = own.iter().find(|a| a.name == "on")?;
+        let word = attribute.value.as_str().trim();
+        let found = PlaceOn::WORDS.iter().find(|(known, _)| *known == word);
+        if found.is_none() && !attribute.faulty {
+            let known = PlaceOn::WORDS.map(|(word, _)| word);
+            let near = self.suggest.among(word, known.into_iter());
+            self.reporter.at(&attribute.value.whole(), |s| {
+                say::not_a_choice(s, "on", word, &known, near.map(|n| (n, None)))
+            });
+        }
+        found.map(|(_, on)| *on)
+    }
+
+    /// Reads a length in metres.
+    fn metres(&mut self, own: &[Attribute<'a>], name: &str) -> Option<f64> {
+        let attribute = own.iter().find(|a| a.name == name)?;
+        let schema = schema::named("Place")?.attribute(name)?;
+        let Kind::Number(least, most) = schema.kind else {
+            return None;
+        };
+        let text = attribute.value.as_str().trim();
+        let read = length(text, Measure::Metres, super::super::UNIT);
+        let number = read.or_else(|| text.parse().ok());
+        match number.filter(|n: &f64| n.is_finite() && (least..=most).contains(n)) {
+            Some(number) => Some(number),
+            None => {
+                if !attribute.faulty {
+                    self.reporter.at(&attribute.value.whole(), |s| {
+                        say::not_a_number(s, name, text, None)
+                    });
+                }
+                None
+            }
+        }
+    }
+}
+
+/// Returns an attribute that stands in the place of another.
+fn named<'a>(name: &'a str, value: String, like: &Attribute<'a>) -> Attribute<'a> {
+    Attribute {
+        name,
+        value: Text::instead(value, like.value.whole()),
+        ..like.clone()
+    }
+}
+
+/// Returns the attributes of a `Place` with those of the place that its site found.
+fn standing<'a>(
+    own: &[Attribute<'a>],
+    kind: &Attribute<'a>,
+    stood: &Stood,
+) -> Vec<Attribute<'a>> {
+    let azimuth = match stood.walls {
+        Some(_) => 180.0,
+        None => stood.azimuth,
+    };
+    let numbers = [
+        ("x", stood.at.x),
+        ("y", stood.at.y),
+        ("z", stood.z),
+        ("azimuth", azimuth),
+    ];
+    let kept = own.iter().filter(|a| {
+        let place = numbers.iter().any(|(name, _)| *name == a.name);
+        !place && a.name != "at" && a.name != "seed"
+    });
+    let mut attributes: Vec<Attribute<'a>> = kept.cloned().collect();
+    attributes.extend(numbers.map(|(name, number)| named(name, (number + 0.0).to_string(), kind)));
+    if stood.centred {
+        attributes.push(named("at", "centre".to_owned(), kind));
+    }
+    attributes
+}

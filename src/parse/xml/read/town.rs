@@ -1,0 +1,300 @@
+//! A town: its layers, tables and tiles; and the houses that its rules make of a feature.
+
+use crate::ast::town::{
+    Field, FieldType, Layer, Made, Rule, SiteWalls, Stood, Table, Tiles, Town,
+};
+use crate::ast::{Frame, House, Outline, Stand, Value};
+use crate::diagnostic::messages::{town, xml as say};
+use crate::diagnostic::noun;
+use crate::parse::schema;
+use crate::parse::schema::{Schema, Tag};
+use crate::parse::xml::read::houses::Around;
+use crate::parse::xml::read::{AllowedChild, Attributes, Reader};
+use crate::parse::xml::tree::{Child, Element};
+use crate::source::{Span, Spanned};
+use std::collections::BTreeMap;
+
+impl<'t> Reader<'t, '_> {
+    /// Reads a town.
+    pub(in crate::parse::xml) fn town(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+        fronts: Vec<Spanned<String>>,
+    ) -> Town {
+        let of = self.attributes(schema, element);
+        let origin = self.point(&of, "origin");
+        let mut town = Town {
+            span: self.start(element),
+            name: self.text(&of, "name"),
+            crs: self.text(&of, "crs"),
+            seed: self.whole_number(&of, "seed").map_or(0, |seed| seed.value),
+            origin,
+            fronts,
+            ..Town::default()
+        };
+        for node in self.children(element, schema.content()) {
+            let AllowedChild::Element(schema, child) = node else {
+                continue;
+            };
+            match schema.tag {
+                Tag::Layer => town.layers.extend(self.layer(schema, child)),
+                Tag::Table => town.tables.extend(self.table(schema, child)),
+                Tag::For => town.rules.extend(self.rule(child)),
+                Tag::Tiles => town.tiles = self.tiles(schema, child),
+                _ => {}
+            }
+        }
+        self.check_town(&town);
+        town
+    }
+
+    fn layer(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Option<Layer> {
+        let of = self.attributes(schema, element);
+        let mut fields = vec![];
+        for node in self.children(element, schema.content()) {
+            if let AllowedChild::Element(schema, child) = node {
+                fields.extend(self.field(schema, child));
+            }
+        }
+        Some(Layer {
+            span: self.start(element),
+            name: self.text(&of, "name")?,
+            src: self.text(&of, "src")?,
+            layer: self.text(&of, "layer"),
+            encoding: self.text(&of, "encoding"),
+            crs: self.text(&of, "crs"),
+            key: self.text(&of, "key"),
+            filter: self.text(&of, "where"),
+            evidence: self.text(&of, "evidence"),
+            fields,
+        })
+    }
+
+    fn field(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Option<Field> {
+        let of = self.attributes(schema, element);
+        let name = self.text(&of, "name")?;
+        let kind = self.choice(&of, "type", &FieldType::WORDS).map(|k| k.value);
+        let default = self.text(&of, "default");
+        let map = self.text(&of, "map").map_or(String::new(), |map| map.value);
+        let pairs = map.split(',').filter_map(|pair| pair.split_once('='));
+        let pairs = pairs.map(|(from, to)| (from.trim().to_owned(), to.trim().to_owned()));
+        let default = default.and_then(|default| self.default_of(&default, kind));
+        Some(Field {
+            span: self.start(element),
+            from: self.text(&of, "from").unwrap_or_else(|| name.clone()),
+            name,
+            kind,
+            default,
+            map: pairs.collect(),
+        })
+    }
+
+    /// Returns the default of a field, which must be of its type.
+    fn default_of(&mut self, text: &Spanned<String>, kind: Option<FieldType>) -> Option<Value> {
+        let value = Value::read(&text.value);
+        let (fits, wanted) = match kind {
+            Some(FieldType::Number) => (
+                matches!(value, Value::Number(_)),
+                noun("a number", "数値"),
+            ),
+            Some(FieldType::Truth) => (
+                matches!(value, Value::Truth(_)),
+                noun("`yes` or `no`", "`yes` か `no` "),
+            ),
+            Some(FieldType::Text) => return Some(Value::Text(text.value.clone())),
+            None => return Some(value),
+        };
+        if !fits {
+            let wanted = wanted.into();
+            self.reporter
+                .push(|| town::not_of_type(text.span, &text.value, &wanted));
+        }
+        fits.then_some(value)
+    }
+
+    fn table(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Option<Table> {
+        let of = self.attributes(schema, element);
+        self.no_children(element);
+        Some(Table {
+            span: self.start(element),
+            name: self.text(&of, "name")?,
+            src: self.text(&of, "src")?,
+            key: self.text(&of, "key")?,
+        })
+    }
+
+    /// Reads a `for`, whose other attributes are evaluated at each feature.
+    fn rule(&mut self, element: &'t Element<'t>) -> Option<Rule> {
+        let schema = schema::named("for")?;
+        let of = self.attributes(schema, element);
+        Some(Rule {
+            span: self.start(element),
+            each: self.text(&of, "each")?,
+        })
+    }
+
+    fn tiles(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Tiles {
+        let of = self.attributes(schema, element);
+        self.no_children(element);
+        let usual = Tiles::default();
+        let size = self.number(&of, "size").map_or(usual.size, |size| size.value);
+        let mut detail = vec![];
+        if let Some(levels) = self.text(&of, "detail") {
+            let words = levels.value.split([',', ' ']).map(str::trim);
+            for word in words.filter(|word| !word.is_empty()) {
+                match word.parse::<u8>() {
+                    Ok(level @ 0..=3) => detail.push(level),
+                    _ => self.reporter.push(|| {
+                        let known = ["0", "1", "2", "3"];
+                        say::not_a_choice(levels.span, "detail", word, &known, None)
+                    }),
+                }
+            }
+            detail.dedup();
+        }
+        Tiles {
+            size,
+            by: self.text(&of, "by"),
+            detail: if detail.is_empty() { usual.detail } else { detail },
+        }
+    }
+
+    /// Reports names that are given twice, and layers that are not there.
+    fn check_town(&mut self, town_read: &Town) {
+        let mut seen: BTreeMap<&str, Span> = BTreeMap::new();
+        let layers = town_read.layers.iter().map(|l| &l.name);
+        let tables = town_read.tables.iter().map(|t| &t.name);
+        for name in layers.chain(tables) {
+            if let Some(first) = seen.insert(&name.value, name.span) {
+                self.reporter
+                    .push(|| town::same_name(name.span, &name.value, first));
+            }
+        }
+        if town_read.layers.is_empty() {
+            self.reporter.push(|| town::no_layers(town_read.span));
+        }
+        let known: Vec<String> = town_read.layers.iter().map(|l| l.name.value.clone()).collect();
+        for rule in &town_read.rules {
+            if !known.contains(&rule.each.value) {
+                let near = self
+                    .suggest
+                    .among(&rule.each.value, known.iter().map(|n| &**n));
+                self.reporter
+                    .push(|| town::unknown_layer(rule.each.span, &rule.each.value, near, &known));
+            }
+        }
+    }
+
+    /// Reads what a rule made of a feature: the content of an element.
+    pub(in crate::parse::xml) fn made(
+        &mut self,
+        index: usize,
+        stood: &mut BTreeMap<usize, Stood>,
+        given: &mut BTreeMap<usize, Vec<(String, Value)>>,
+    ) -> Vec<Made> {
+        let element = &self.tree.elements[index];
+        let mut all = vec![];
+        for child in &element.children {
+            let Child::Element(index) = child else {
+                continue;
+            };
+            let mut only = vec![];
+            let child = &self.tree.elements[*index];
+            self.element(child, Some("for"), &schema::FOR, &mut only);
+            let Some(AllowedChild::Element(schema, child)) = only.pop() else {
+                continue;
+            };
+            let of_child = |name: &str| {
+                let found = child.attributes.iter().find(|a| a.name == name);
+                found.map_or(String::new(), |a| a.value.as_str().trim().to_owned())
+            };
+            match schema.tag {
+                Tag::Skip => {
+                    self.attributes(schema, child);
+                    all.push(Made::Skip {
+                        span: self.start(child),
+                        because: of_child("because"),
+                    });
+                }
+                Tag::Place | Tag::House => {
+                    let Some(stood) = stood.remove(index) else {
+                        continue;
+                    };
+                    let (kind, evidence) = match schema.tag {
+                        Tag::Place => (of_child("type"), of_child("evidence")),
+                        _ => Default::default(),
+                    };
+                    all.push(Made::Houses {
+                        span: self.start(child),
+                        kind,
+                        evidence,
+                        houses: self.houses_at(schema, child, &stood),
+                        parameters: given.remove(index).unwrap_or_default(),
+                        stood,
+                    });
+                }
+                _ => {}
+            }
+        }
+        self.text_in_for(element);
+        all
+    }
+
+    fn text_in_for(&mut self, element: &'t Element<'t>) {
+        for child in &element.children {
+            if let Child::Text(text) = child {
+                self.misplaced(&text.whole(), text.as_str(), "for");
+            }
+        }
+    }
+
+    fn houses_at(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+        stood: &Stood,
+    ) -> Vec<House> {
+        let mut houses = vec![];
+        if schema.tag == Tag::Place {
+            self.placed(schema, element, Around::default(), &mut houses);
+        } else {
+            let frame = Frame {
+                origin: [stood.at.x, stood.at.y, stood.z],
+                turn: stood.azimuth - 180.0,
+            };
+            let house = self.house(schema, element);
+            houses.push(Around::of(frame).put(house));
+        }
+        if let (Some(walls), [house]) = (&stood.walls, &mut *houses) {
+            let attributes: Attributes<'t> = self.attributes(schema, element);
+            let span = self.start(attributes.element);
+            house.outline = Some(Box::new(outline(walls, span)));
+        }
+        houses
+    }
+}
+
+/// Returns the outline of a feature, as if it were written at `span`.
+fn outline(walls: &SiteWalls, span: Span) -> Outline {
+    let points = |ring: &[glam::DVec2]| {
+        let points = ring.iter().map(|p| Spanned::new(*p, span)).collect();
+        Spanned::new(points, span)
+    };
+    let numbers = |list: &[u32]| Some(Spanned::new(list.iter().map(|n| (*n, *n)).collect(), span));
+    let hole = |ring: &Vec<glam::DVec2>| crate::ast::Hole {
+        span,
+        points: points(ring),
+    };
+    Outline {
+        span,
+        points: points(&walls.ring),
+        square: None,
+        join: None,
+        front: Some(Spanned::new(walls.front, span)),
+        street: numbers(&walls.street),
+        neighbour: numbers(&walls.neighbour),
+        stand: Stand::Surveyed(0.0),
+        holes: walls.holes.iter().map(hole).collect(),
+    }
+}
