@@ -1,0 +1,162 @@
+//! Streets: lines with widths, or the sides of road and block polygons.
+
+use super::grid::{Bounds, Grid, wider};
+use super::shape::{Segment, angle, sides};
+use glam::DVec2;
+
+/// Streets farther away than this do not count, metres.
+pub const FAR: f64 = 30.0;
+/// A ring turns by this at the end of a street, degrees.
+const LEG: f64 = 30.0;
+/// Distances below this count as touching, metres.
+const TOUCH: f64 = 0.05;
+/// Half the width of the widest street.
+const WIDEST: f64 = 60.0;
+
+/// A straight piece of a street.
+#[derive(Clone, Copy, Debug)]
+pub struct Piece {
+    /// The line from which its side is measured.
+    pub line: Segment,
+    /// The distance of its side from that line, metres.
+    pub half: f64,
+    /// The number of the street.
+    pub street: u32,
+    /// The width of the street, metres; 0 if it is not known.
+    pub width: f64,
+}
+
+/// All streets of a town.
+#[derive(Debug, Default)]
+pub struct Streets {
+    pieces: Vec<Piece>,
+    grid: Grid,
+    reach: f64,
+}
+
+/// The nearest point of a street.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest {
+    /// The distance of its side, metres; 0 if the place lies in it.
+    pub distance: f64,
+    /// The point.
+    pub point: DVec2,
+    /// The direction of the street there.
+    pub along: DVec2,
+    /// The number of the street.
+    pub street: u32,
+    /// Its width; 0 if it is not known.
+    pub width: f64,
+}
+
+/// Collects streets.
+#[derive(Debug, Default)]
+pub struct StreetsBuilder {
+    pieces: Vec<Piece>,
+    count: u32,
+}
+
+impl StreetsBuilder {
+    /// Adds a line of this width, metres.
+    pub fn line(&mut self, points: &[DVec2], width: f64) {
+        let half = (width / 2.0).clamp(0.0, WIDEST);
+        for ends in points.windows(2) {
+            self.push(Segment::new(ends[0], ends[1]), half, width);
+        }
+        self.count += 1;
+    }
+
+    /// Adds the sides of a road or block polygon, a street for each of its legs.
+    pub fn ring(&mut self, ring: &[DVec2]) {
+        let all: Vec<Segment> = sides(ring).filter(|s| s.length() > 0.0).collect();
+        let Some(last) = all.last() else {
+            return;
+        };
+        let mut before = last.direction();
+        for side in &all {
+            if angle(before, side.direction()) > LEG {
+                self.count += 1;
+            }
+            before = side.direction();
+            self.push(*side, 0.0, 0.0);
+        }
+        self.count += 1;
+    }
+
+    fn push(&mut self, line: Segment, half: f64, width: f64) {
+        self.pieces.push(Piece {
+            line,
+            half,
+            street: self.count,
+            width,
+        });
+    }
+
+    /// Returns the streets.
+    pub fn finish(self) -> Streets {
+        let reach = self.pieces.iter().map(|p| p.half).fold(0.0, f64::max);
+        let boxes = self.pieces.iter().map(|p| p.line.bounds()).collect();
+        Streets {
+            grid: Grid::new(boxes),
+            pieces: self.pieces,
+            reach,
+        }
+    }
+}
+
+impl Streets {
+    /// Returns true if there are none.
+    pub fn is_empty(&self) -> bool {
+        self.pieces.is_empty()
+    }
+
+    /// Returns the pieces whose sides may be within `far` of a box.
+    pub fn near(&self, bounds: Bounds, far: f64) -> Vec<Piece> {
+        let found = self.grid.near(wider(bounds, far + self.reach));
+        found.iter().map(|n| self.pieces[*n as usize]).collect()
+    }
+}
+
+/// Returns the nearest point of some pieces to a place.
+pub fn nearest<'p>(pieces: impl IntoIterator<Item = &'p Piece>, to: DVec2) -> Option<Nearest> {
+    let found = pieces.into_iter().map(|piece| {
+        let point = piece.line.nearest(to);
+        Nearest {
+            distance: (point.distance(to) - piece.half).max(0.0),
+            point,
+            along: piece.line.direction(),
+            street: piece.street,
+            width: piece.width,
+        }
+    });
+    found.reduce(|best, next| match next.distance < best.distance {
+        true => next,
+        false => best,
+    })
+}
+
+impl Nearest {
+    /// Returns the angle between a normal at a place and the way from there to the street, degrees. Where the street
+    /// touches or overlaps the place, its own normal takes the place of the way.
+    pub fn faced(&self, normal: DVec2, from: DVec2) -> f64 {
+        let way = self.point - from;
+        if self.distance > TOUCH && way.length() > TOUCH {
+            return angle(normal, way);
+        }
+        let off = angle(normal, self.along);
+        (90.0 - off).abs()
+    }
+}
+
+/// Returns the width of a street of a class of OpenStreetMap, metres; `None` for ways that are no streets.
+pub fn class_width(class: &str) -> Option<f64> {
+    Some(match class.strip_suffix("_link").unwrap_or(class) {
+        "trunk" => 28.0,
+        "primary" | "secondary" => 23.0,
+        "tertiary" => 15.0,
+        "unclassified" | "road" => 6.0,
+        "residential" | "living_street" | "pedestrian" => 4.0,
+        "service" => 2.5,
+        _ => return None,
+    })
+}
