@@ -1,0 +1,311 @@
+//! The layers of a town: features of its maps in the frame of the town, with the fields that rules ask for.
+
+use super::grid::{Bounds, bounds};
+use super::shape::{area, centroid, cleaned};
+use crate::ast::town::{FieldType, Known, Layer};
+use crate::ast::{self, Value};
+use crate::map::{self, Crs, Datums, Fault, Geometry, Options, Transform};
+use crate::source::World;
+use glam::DVec2;
+use std::collections::BTreeMap;
+
+/// A feature in the frame of the town.
+#[derive(Clone, Debug)]
+pub struct Lot {
+    /// Its name in the layer.
+    pub key: Box<str>,
+    /// Its geometry.
+    pub shape: Shape,
+    /// Its fields, by column, ascending.
+    fields: Vec<(usize, map::Value)>,
+    /// The mean height of its points, metres.
+    pub z: f64,
+    /// The number of parts of its geometry that are left out, since a house has one outline.
+    pub parts_left: usize,
+}
+
+/// The geometry of a feature.
+#[derive(Clone, Debug)]
+pub enum Shape {
+    /// A ring, counter-clockwise, with holes.
+    Area(Vec<DVec2>, Vec<Vec<DVec2>>),
+    /// Lines.
+    Lines(Vec<Vec<DVec2>>),
+    /// A point.
+    Point(DVec2),
+}
+
+impl Shape {
+    /// Returns the centroid.
+    pub fn centre(&self) -> DVec2 {
+        match self {
+            Shape::Area(ring, _) => centroid(ring),
+            Shape::Lines(lines) => {
+                let mut weighted = (DVec2::ZERO, 0.0);
+                for ends in lines.iter().flat_map(|line| line.windows(2)) {
+                    let length = ends[0].distance(ends[1]);
+                    weighted.0 += ends[0].midpoint(ends[1]) * length;
+                    weighted.1 += length;
+                }
+                match weighted.1 > 0.0 {
+                    true => weighted.0 / weighted.1,
+                    false => lines.iter().flatten().next().copied().unwrap_or_default(),
+                }
+            }
+            Shape::Point(point) => *point,
+        }
+    }
+
+    /// Returns the ring of an area.
+    pub fn ring(&self) -> Option<&[DVec2]> {
+        match self {
+            Shape::Area(ring, _) => Some(ring),
+            Shape::Lines(_) | Shape::Point(_) => None,
+        }
+    }
+
+    /// Returns the box around it.
+    pub fn bounds(&self) -> Bounds {
+        let found = match self {
+            Shape::Area(ring, _) => bounds(ring.iter().copied()),
+            Shape::Lines(lines) => bounds(lines.iter().flatten().copied()),
+            Shape::Point(point) => Some([*point; 2]),
+        };
+        found.unwrap_or_default()
+    }
+}
+
+/// A layer that has been read.
+#[derive(Debug)]
+pub struct Lots {
+    /// As written.
+    pub layer: Layer,
+    /// In the order of the file.
+    pub lots: Vec<Lot>,
+    /// Columns of the file by name.
+    columns: BTreeMap<Box<str>, usize>,
+    /// What could not be read, and what was mended.
+    pub faults: Vec<Fault>,
+    /// The number of features that could not be read.
+    pub unread: usize,
+}
+
+/// Features in the coordinates of their file.
+pub struct Raw {
+    features: Vec<map::Feature>,
+    crs: Crs,
+    lots: Lots,
+}
+
+/// The frame of a town.
+#[derive(Clone, Debug)]
+pub struct TownFrame {
+    /// The plane.
+    pub crs: Crs,
+    /// Metres east and north in it that are 0 0 of the model.
+    pub origin: DVec2,
+}
+
+/// Reads the features of a map, a path that the world has found.
+///
+/// # Errors
+/// If it cannot be read at all.
+pub fn read(world: &dyn World, path: &str, layer: &Layer) -> Result<Raw, Fault> {
+    let text = |t: &Option<crate::source::Spanned<String>>| t.as_ref().map(|t| t.value.as_str().into());
+    let named = layer.crs.as_ref().and_then(|crs| Crs::from_name(&crs.value));
+    let options = Options {
+        layer: text(&layer.layer),
+        encoding: text(&layer.encoding),
+        crs: named.clone(),
+        ..Options::default()
+    };
+    let mut reader = map::open(world, path, &options)?;
+    let (mut features, mut faults, mut unread) = (vec![], vec![], 0);
+    while let Some(next) = reader.next() {
+        match next {
+            Ok(feature) => features.push(feature),
+            Err(fault) => {
+                unread += 1;
+                faults.push(fault);
+            }
+        }
+        faults.extend(reader.remarks());
+    }
+    faults.extend(reader.remarks());
+    let known = reader.layer();
+    let columns = known.columns.list().iter().enumerate();
+    let columns = columns.map(|(n, column)| (column.name.clone(), n)).collect();
+    Ok(Raw {
+        features,
+        crs: known.crs.clone().or(named).unwrap_or_else(Crs::wgs84),
+        lots: Lots {
+            layer: layer.clone(),
+            lots: vec![],
+            columns,
+            faults,
+            unread,
+        },
+    })
+}
+
+impl Raw {
+    /// Returns the box of all points and the system that they are in.
+    pub fn extent(&self) -> Option<(Bounds, &Crs)> {
+        let points = self.features.iter().flat_map(|f| f.geometry.points());
+        Some((bounds(points)?, &self.crs))
+    }
+
+    /// Puts the features into the frame of the town.
+    ///
+    /// # Errors
+    /// If the systems cannot be converted.
+    pub fn placed(self, frame: &TownFrame) -> Result<Lots, map::Mismatch> {
+        let transform = Transform::new(&self.crs, &frame.crs, Datums::Exact)?;
+        let mut lots = self.lots;
+        let key = lots.layer.key.as_ref().and_then(|k| lots.columns.get(&*k.value).copied());
+        for mut feature in self.features {
+            let mut inside = true;
+            for chain in feature.geometry.chains_mut() {
+                for point in &mut chain.points {
+                    match transform.apply(*point) {
+                        Some(placed) => *point = placed - frame.origin,
+                        None => inside = false,
+                    }
+                }
+            }
+            let named = key.and_then(|column| feature.field(column)).and_then(as_text);
+            let lot = Lot {
+                key: named.map_or_else(|| feature.key(), String::into_boxed_str),
+                z: height(&feature.geometry),
+                parts_left: parts(&feature.geometry) - 1,
+                shape: match inside {
+                    true => shape(feature.geometry),
+                    false => {
+                        lots.unread += 1;
+                        continue;
+                    }
+                },
+                fields: feature.fields,
+            };
+            lots.lots.push(lot);
+        }
+        Ok(lots)
+    }
+}
+
+fn parts(geometry: &Geometry) -> usize {
+    match geometry {
+        Geometry::Areas(areas) => areas.len().max(1),
+        Geometry::Lines(_) | Geometry::Points(_) => 1,
+    }
+}
+
+fn height(geometry: &Geometry) -> f64 {
+    let heights = geometry.chains().flat_map(|chain| &chain.heights);
+    let (sum, count) = heights.fold((0.0, 0usize), |(sum, n), z| (sum + z, n + 1));
+    if count > 0 { sum / count as f64 } else { 0.0 }
+}
+
+/// Returns the geometry that a house can stand on: of several areas the largest.
+fn shape(geometry: Geometry) -> Shape {
+    match geometry {
+        Geometry::Points(chain) => Shape::Point(chain.points.first().copied().unwrap_or_default()),
+        Geometry::Lines(lines) => Shape::Lines(lines.into_iter().map(|l| l.points).collect()),
+        Geometry::Areas(areas) => {
+            let size = |a: &map::Area| area(&a.outline.points, &[]);
+            let largest = areas.into_iter().reduce(|best, next| {
+                if size(&next) > size(&best) { next } else { best }
+            });
+            let largest = largest.unwrap_or_default();
+            let ring = cleaned(&largest.outline.points);
+            let holes = largest.holes.iter().map(|h| cleaned(&h.points));
+            Shape::Area(ring, holes.filter(|h| h.len() > 2).collect())
+        }
+    }
+}
+
+fn as_text(value: &map::Value) -> Option<String> {
+    match value {
+        map::Value::Null => None,
+        map::Value::Bool(truth) => Some(if *truth { "yes" } else { "no" }.to_owned()),
+        map::Value::Integer(n) => Some(n.to_string()),
+        map::Value::Number(n) => Some(n.to_string()),
+        map::Value::Text(text) => Some(text.to_string()),
+    }
+}
+
+impl Lots {
+    /// Returns the value of a field of a feature, after what the layer says of it.
+    pub fn field(&self, lot: &Lot, name: &str) -> Known {
+        let rule = self.layer.fields.iter().find(|f| f.name.value == name);
+        let from = rule.map_or(name, |rule| &rule.from.value);
+        let column = self.columns.get(from);
+        let found = column.and_then(|column| {
+            let at = lot.fields.binary_search_by_key(column, |f| f.0).ok()?;
+            as_text(&lot.fields[at].1).filter(|text| !text.trim().is_empty())
+        });
+        let Some(rule) = rule else {
+            return match (column, found) {
+                (None, _) => Known::Unknown,
+                (_, None) => Known::Missing,
+                (_, Some(text)) => Known::Value(Value::read(&text)),
+            };
+        };
+        let mapped = found.map(|text| {
+            let other = rule.map.iter().find(|(from, _)| *from == text.trim());
+            other.map_or(text, |(_, to)| to.clone())
+        });
+        let value = mapped.and_then(|text| typed(&text, rule.kind));
+        match value.or_else(|| rule.default.clone()) {
+            Some(value) => Known::Value(value),
+            None => Known::Missing,
+        }
+    }
+
+    /// Returns the names of all fields.
+    pub fn names(&self) -> Vec<String> {
+        let own = self.layer.fields.iter().map(|f| f.name.value.clone());
+        let words = self.columns.keys().map(|name| name.to_string());
+        own.chain(words.filter(|name| is_name(name))).collect()
+    }
+
+    /// Returns the number that a field gives.
+    pub fn number(&self, lot: &Lot, name: &str) -> Option<f64> {
+        match self.field(lot, name) {
+            Known::Value(ast::Value::Number(number)) => Some(number),
+            _ => None,
+        }
+    }
+
+    /// Returns the text that a field gives.
+    pub fn word(&self, lot: &Lot, name: &str) -> Option<String> {
+        match self.field(lot, name) {
+            Known::Value(value) => Some(value.to_string()),
+            Known::Missing | Known::Unknown => None,
+        }
+    }
+}
+
+fn is_name(name: &str) -> bool {
+    let first = name.chars().next().is_some_and(|c| c.is_alphabetic() || c == '_');
+    first && name.chars().all(|c| c.is_alphanumeric() || c == '_')
+}
+
+/// Returns a text as a value of a type; `None` if it is none.
+fn typed(text: &str, kind: Option<FieldType>) -> Option<Value> {
+    let read = Value::read(text);
+    match (kind, &read) {
+        (Some(FieldType::Text), _) => Some(Value::Text(text.to_owned())),
+        (Some(FieldType::Number), Value::Number(_)) | (Some(FieldType::Truth), Value::Truth(_)) => {
+            Some(read)
+        }
+        // "12.5 m" and "3階" are numbers for whoever reads them.
+        (Some(FieldType::Number), _) => {
+            let end = text.trim().find(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
+            let number = text.trim()[..end.unwrap_or(text.trim().len())].parse().ok();
+            number.map(Value::Number)
+        }
+        (Some(FieldType::Truth), _) => None,
+        (None, _) => Some(read),
+    }
+}
