@@ -1,0 +1,201 @@
+//! A town with its maps: all features in one frame, with the streets and an index of outlines.
+
+use super::frontage::first_front;
+use super::grid::{Grid, wider};
+use super::layer::{Lot, Lots, Shape, TownFrame};
+use super::neighbour::{Neighbours, TOUCHING};
+use super::shape::Segment;
+use super::street::{FAR, Piece, Streets, StreetsBuilder, class_width};
+use super::table::Rows;
+use crate::ast::town::Town;
+use glam::DVec2;
+use std::collections::BTreeMap;
+
+/// How far the houses are looked at that stand between a house and its street, metres.
+const AROUND: f64 = 40.0;
+
+/// A town with its maps.
+#[derive(Debug)]
+pub struct Plan {
+    /// As written.
+    pub town: Town,
+    /// Its frame.
+    pub frame: TownFrame,
+    /// Its layers.
+    pub layers: Vec<Lots>,
+    /// Its tables.
+    pub tables: Vec<Rows>,
+    /// The streets of each layer of streets, by name; the empty name stands for all that count by default.
+    streets: BTreeMap<String, Streets>,
+    /// Outlines on which houses may stand: layer and feature.
+    outlines: Vec<(usize, usize)>,
+    index: Grid,
+}
+
+/// The number of a feature: its layer, and its place in it.
+pub type LotId = (usize, usize);
+
+impl Plan {
+    /// Prepares a town.
+    pub fn new(town: Town, frame: TownFrame, layers: Vec<Lots>, tables: Vec<Rows>) -> Plan {
+        let housed = |n: usize| {
+            let name = &layers[n].layer.name.value;
+            town.rules.iter().any(|rule| rule.each.value == *name)
+        };
+        let mut streets = BTreeMap::new();
+        let mut all = StreetsBuilder::default();
+        let fronts: Vec<&str> = town.fronts.iter().map(|f| &*f.value).collect();
+        for layer in &layers {
+            let name = &layer.layer.name.value;
+            let named = fronts.contains(&&**name);
+            let counts = match layers.iter().any(|l| fronts.contains(&&*l.layer.name.value)) {
+                true => named,
+                false => has_streets(layer),
+            };
+            if counts {
+                add_streets(&mut all, layer);
+            }
+            let mut own = StreetsBuilder::default();
+            add_streets(&mut own, layer);
+            streets.insert(name.clone(), own.finish());
+        }
+        streets.insert(String::new(), all.finish());
+        let mut outlines = vec![];
+        for (number, layer) in layers.iter().enumerate().filter(|(n, _)| housed(*n)) {
+            let rings = layer.lots.iter().enumerate();
+            let rings = rings.filter(|(_, lot)| lot.shape.ring().is_some());
+            outlines.extend(rings.map(|(lot, _)| (number, lot)));
+        }
+        let boxes = outlines.iter().map(|(l, n)| layers[*l].lots[*n].shape.bounds());
+        Plan {
+            index: Grid::new(boxes.collect()),
+            town,
+            frame,
+            tables,
+            streets,
+            outlines,
+            layers,
+        }
+    }
+
+    /// Returns true if no layer counts as streets.
+    pub fn has_no_streets(&self) -> bool {
+        self.streets.get("").is_none_or(Streets::is_empty)
+    }
+
+    /// Returns a feature.
+    pub fn lot(&self, (layer, lot): LotId) -> &Lot {
+        &self.layers[layer].lots[lot]
+    }
+
+    /// Returns all features of layers that rules name, in the order of the file.
+    pub fn lots(&self) -> Vec<LotId> {
+        let ruled = |n: &usize| {
+            let name = &self.layers[*n].layer.name.value;
+            self.town.rules.iter().any(|rule| rule.each.value == *name)
+        };
+        let layers = (0..self.layers.len()).filter(ruled);
+        layers.flat_map(|n| (0..self.layers[n].lots.len()).map(move |lot| (n, lot))).collect()
+    }
+
+    /// Returns the pieces of streets within reach of a feature; of one layer, if it is named.
+    pub fn pieces(&self, lot: &Lot, layer: &str) -> Vec<Piece> {
+        let streets = self.streets.get(layer).or(self.streets.get(""));
+        streets.map_or(vec![], |s| s.near(lot.shape.bounds(), FAR))
+    }
+
+    /// Returns the outlines within a distance of a feature, itself left out.
+    pub fn around(&self, id: LotId, far: f64) -> Vec<LotId> {
+        let bounds = wider(self.lot(id).shape.bounds(), far);
+        let found = self.index.near(bounds).into_iter();
+        let found = found.map(|n| self.outlines[n as usize]);
+        found.filter(|other| *other != id).collect()
+    }
+
+    /// Returns the neighbours of a feature, as far as they may stand before its street.
+    pub fn neighbours(&self, id: LotId) -> Neighbours<'_> {
+        let rings = self.around(id, AROUND).into_iter();
+        Neighbours {
+            rings: rings.filter_map(|other| self.lot(other).shape.ring()).collect(),
+        }
+    }
+
+    /// Returns the fronts, by distance alone, of the outlines that touch a feature.
+    pub fn row(&self, id: LotId, layer: &str) -> Vec<Segment> {
+        let Some(own) = self.lot(id).shape.ring() else {
+            return vec![];
+        };
+        let touching = self.around(id, TOUCHING).into_iter().filter(|other| {
+            let ring = self.lot(*other).shape.ring().unwrap_or_default();
+            super::shape::sides(own).any(|s| {
+                super::shape::sides(ring).any(|t| s.distance(t) <= TOUCHING)
+            })
+        });
+        let front = |other: LotId| {
+            let lot = self.lot(other);
+            let pieces = self.pieces(lot, layer);
+            first_front(lot.shape.ring()?, &pieces, &self.neighbours(other))
+        };
+        touching.filter_map(front).collect()
+    }
+
+    /// Returns the key of the polygon, in a layer without houses, that a place lies in: its block.
+    pub fn block(&self, p: DVec2) -> Option<&str> {
+        let housed = |l: &&Lots| {
+            let name = &l.layer.name.value;
+            !self.town.rules.iter().any(|rule| rule.each.value == *name)
+        };
+        let lots = self.layers.iter().filter(housed).flat_map(|l| &l.lots);
+        let inside = |lot: &&Lot| match &lot.shape {
+            Shape::Area(ring, _) => {
+                let [low, high] = lot.shape.bounds();
+                low.cmple(p).all() && p.cmple(high).all() && super::shape::contains(ring, p)
+            }
+            Shape::Lines(_) | Shape::Point(_) => false,
+        };
+        lots.into_iter().find(inside).map(|lot| &*lot.key)
+    }
+}
+
+/// Names of layers that are streets.
+const NAMES: &[&str] = &[
+    "road", "roads", "street", "streets", "highway", "highways", "block", "blocks", "道", "道路",
+    "通り", "街区",
+];
+
+/// Returns true for a layer that counts as streets where no `front` names one.
+fn has_streets(layer: &Lots) -> bool {
+    let lines = layer.lots.iter().any(|lot| matches!(lot.shape, Shape::Lines(_)));
+    let classed = || layer.lots.iter().any(|lot| layer.word(lot, "highway").is_some());
+    NAMES.contains(&&*layer.layer.name.value) || lines && classed()
+}
+
+/// Adds the streets of a layer.
+fn add_streets(streets: &mut StreetsBuilder, layer: &Lots) {
+    for lot in &layer.lots {
+        match &lot.shape {
+            Shape::Area(ring, _) => streets.ring(ring),
+            Shape::Lines(lines) => {
+                if let Some(width) = width(layer, lot) {
+                    lines.iter().for_each(|line| streets.line(line, width));
+                }
+            }
+            Shape::Point(_) => {}
+        }
+    }
+}
+
+/// Returns the width of a line, metres: its own, else that of its class; `None` if it is no street.
+fn width(layer: &Lots, lot: &Lot) -> Option<f64> {
+    let class = layer.word(lot, "highway").or_else(|| layer.word(lot, "class"));
+    let own = layer.number(lot, "width").filter(|w| *w > 0.0);
+    let by_class = class.as_deref().map(class_width);
+    match (own, by_class, &layer.layer.filter) {
+        // A `where` that names footways means them.
+        (own, Some(None), Some(_)) => Some(own.unwrap_or(2.0)),
+        (_, Some(None), None) => None,
+        (Some(own), ..) => Some(own),
+        (None, Some(width), _) => width,
+        (None, None, _) => Some(4.0),
+    }
+}
