@@ -20,6 +20,7 @@ mod parts;
 #[cfg(feature = "view")]
 mod render;
 mod textures;
+mod town;
 #[cfg(feature = "view")]
 mod view;
 pub use crate::diagnostic::{Language, Text};
@@ -132,6 +133,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Build(build::Build),
+    Town(town::Town),
     Check(check::Check),
     Dump(dump::Dump),
     New(new::New),
@@ -160,6 +162,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     let outcome = match cli.command {
         Command::Build(c) => c.run(language),
+        Command::Town(c) => c.run(language),
         Command::Check(c) => c.run(language),
         Command::Dump(c) => c.run(language),
         Command::New(c) => c.run(language),

@@ -20,14 +20,14 @@ mod variants;
 
 pub use crate::expand::{HouseContext, HouseId};
 pub use convert::convert;
-pub use house::{HouseBuilder, house};
+pub use house::{FeatureHouse, HouseBuilder, house};
 #[cfg(feature = "models")]
 pub use models::{Compiled, Inspected, compile, compile_bytes, flaws, inspect, pictures, scene};
 #[cfg(feature = "cli")]
 pub(crate) use parts::BESIDE as PARTS_BESIDE;
 pub use parts::catalog;
 #[cfg(feature = "models")]
-pub use stream::{Sink, Streamed, stream};
+pub use stream::{Sink, Streamed, stream, stream_town};
 
 use crate::ast::{Document, NamedView, Parameter};
 use crate::building::Building;
@@ -144,6 +144,14 @@ fn spare_expressions(sources: &[&Source], included: &[Source], out: &mut Diagnos
         let computed = there.contains('{') || there.is_empty() && before.ends_with('}');
         !computed || edit.text.is_empty() || edit.text.contains('{')
     });
+}
+
+/// Reports towns among documents whose houses are asked for.
+#[cfg(feature = "models")]
+fn refuse_towns(documents: &[Document], out: &mut Diagnostics) {
+    for town in documents.iter().filter_map(|d| d.town.as_ref()) {
+        out.push(crate::diagnostic::messages::town::is_town(town.span));
+    }
 }
 
 /// Runs and times one stage.

@@ -121,6 +121,9 @@ pub mod print;
 pub mod backend;
 #[doc(hidden)]
 pub mod driver;
+#[cfg(all(feature = "maps", feature = "models"))]
+#[doc(hidden)]
+pub mod town;
 #[cfg(any(feature = "lsp", feature = "view"))]
 #[doc(hidden)]
 pub mod ide;

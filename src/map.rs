@@ -23,7 +23,7 @@ mod rings;
 mod shapefile;
 mod xml;
 
-pub use crs::{Crs, Datum, Datums, Mismatch, Transform};
+pub use crs::{Crs, Datum, Datums, Mismatch, Projection, Transform};
 pub use fault::{Fault, Kind, Which};
 pub use feature::{
     Area, Chain, Column, ColumnType, Columns, Feature, Geometry, Layer, Place, Value,

@@ -31,6 +31,7 @@ const ORDER: &[(&str, Part)] = &[
     ("print", Verb),
     ("backend", Verb),
     ("driver", Shell),
+    ("town", Shell),
     ("facade", Shell),
     ("ide", Shell),
     ("report", Shell),

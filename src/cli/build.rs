@@ -2,7 +2,7 @@
 
 mod bake;
 mod statistics;
-mod town;
+pub(in crate::cli) mod town;
 mod variants;
 pub(in crate::cli) mod watch;
 

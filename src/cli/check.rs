@@ -8,6 +8,7 @@ use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
 use crate::report::{Format, Report};
 use crate::text;
+use crate::town::{self, TownInput};
 use clap::Args;
 use std::io::{self, Write};
 
@@ -39,11 +40,19 @@ impl Check {
         let sources = inputs.accepted();
         let world = self.input_args.world(&self.input_args.inputs);
         let checked = driver::inspect(&sources, &world, &options, &mut out);
+        let mut houses = checked.houses;
+        for source in &sources {
+            let input = TownInput {
+                source,
+                world: &world,
+                options: &options,
+            };
+            houses += town::check(input, &mut out).unwrap_or_default();
+        }
         let list = out.into_sorted();
         let format = Format::from(self.format);
         let (failed, files) = (inputs.failed(), inputs.sources.len());
         if format == Format::Human && list.is_empty() {
-            let houses = checked.houses;
             let files = counted(files, FILE);
             let houses = counted(houses, HOUSE);
             let clean = text!([files, houses]

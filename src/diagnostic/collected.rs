@@ -90,6 +90,28 @@ impl Diagnostics {
         self.list.push(diagnostic);
     }
 
+    /// Returns the first error.
+    pub fn first_error(&self) -> Option<&Diagnostic> {
+        self.list.iter().find(|d| d.severity == Severity::Error)
+    }
+
+    /// Returns the diagnostics of a house that stands on a feature of a map: there is no text that could be changed at their
+    /// place. Notes are left out, and errors are warnings, since the rest of the town is built.
+    #[must_use]
+    pub fn of_feature(self, origin: &Origin) -> Diagnostics {
+        let mut moved = Diagnostics::new();
+        for mut diagnostic in self.list {
+            if diagnostic.severity > Severity::Note {
+                diagnostic.severity = Severity::Warning;
+                diagnostic.origin = origin.clone();
+                diagnostic.fixes.clear();
+                diagnostic.labels.clear();
+                moved.push(diagnostic);
+            }
+        }
+        moved
+    }
+
     /// Adds all diagnostics of another collection.
     pub fn append(&mut self, other: Diagnostics) {
         for diagnostic in other.list {

@@ -6,7 +6,8 @@ use super::{Options, Read};
 use crate::ast::{self, Document};
 use crate::building::{Building, Built};
 use crate::catalog::Catalog;
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::town::plain_body;
+use crate::diagnostic::{Diagnostics, Origin};
 use crate::expand::{self, Expander, HouseContext, HouseId};
 use crate::fit;
 use crate::lower;
@@ -101,13 +102,36 @@ const CHUNK: usize = 16;
 /// Expands the houses of documents batch by batch, and drops the syntax of each when it is expanded.
 pub(super) struct Expansion<'a> {
     expander: Expander<'a>,
-    houses: Box<dyn Iterator<Item = (ast::House, HouseId, HouseContext<'a>)> + Send + 'a>,
+    houses: Box<dyn Iterator<Item = NextHouse<'a>> + Send + 'a>,
+}
+
+/// A house to be expanded; with the feature that it stands on, in a town.
+type NextHouse<'a> = (ast::House, HouseId, HouseContext<'a>, Option<OfFeature>);
+
+/// A house of a town.
+#[derive(Debug)]
+pub struct FeatureHouse {
+    /// The house.
+    pub house: ast::House,
+    /// The feature on which it stands.
+    pub origin: Origin,
+    /// Its name in the model.
+    pub name: String,
+    /// What stands in its place if it has errors.
+    pub plain: Option<Box<ast::House>>,
+}
+
+/// The feature on which a house stands, its name, and what stands in its place if it has errors.
+struct OfFeature {
+    origin: Origin,
+    name: String,
+    plain: Option<Box<ast::House>>,
 }
 
 /// Expanded houses with what was found in them; `None` for one that would exceed a limit.
 #[derive(Default)]
 pub(super) struct Batch {
-    pub(super) houses: Vec<(Option<program::House>, Diagnostics)>,
+    pub(super) houses: Vec<(Option<program::House>, Diagnostics, Option<Origin>)>,
     /// The number of their wall lines, and of the parts in them.
     lines: usize,
     parts: usize,
@@ -136,8 +160,35 @@ impl<'a> Expansion<'a> {
                     scope: catalog.known_in(number, index),
                     variant,
                 };
-                (house, HouseId(index as u64), context)
+                (house, HouseId(index as u64), context, None)
             })
+        });
+        Expansion {
+            expander: Expander::new(catalog, world, options),
+            houses: Box::new(houses),
+        }
+    }
+
+    /// Expands the houses of a town. Draws are keyed by seeds of their own, not by their number.
+    pub(super) fn of_town(
+        houses: impl Iterator<Item = FeatureHouse> + Send + 'a,
+        catalog: &'a Catalog,
+        source: &'a Source,
+        world: &'a dyn World,
+        options: &'a expand::Options,
+    ) -> Expansion<'a> {
+        let houses = houses.map(move |made| {
+            let context = HouseContext {
+                source,
+                scope: catalog.known_in(0, 0),
+                variant: None,
+            };
+            let of = OfFeature {
+                origin: made.origin,
+                name: made.name,
+                plain: made.plain,
+            };
+            (made.house, HouseId(0), context, Some(of))
         });
         Expansion {
             expander: Expander::new(catalog, world, options),
@@ -150,11 +201,28 @@ impl<'a> Expansion<'a> {
         let before = self.expander.images().len();
         let mut batch = Batch::default();
         while !batch.is_full(most)
-            && let Some((house, id, context)) = self.houses.next()
+            && let Some((house, id, context, feature)) = self.houses.next()
         {
             let mut found = Diagnostics::new();
-            let house = self.expander.house(&house, id, context, &mut found);
-            batch.push(house, found);
+            let mut made = self.expander.house(&house, id, context, &mut found);
+            let Some(feature) = feature else {
+                batch.push(made, found, None);
+                continue;
+            };
+            if let Some(first) = found.first_error() {
+                let kind = house.name.map_or(String::new(), |name| name.value);
+                let message = plain_body(feature.origin.clone(), &kind, &first.message);
+                found = Diagnostics::new();
+                let mut ignored = Diagnostics::new();
+                let plain = feature.plain.as_deref();
+                made = plain.and_then(|h| self.expander.house(h, id, context, &mut ignored));
+                found.push(message);
+            }
+            if let Some(house) = &mut made {
+                house.name = feature.name;
+            }
+            let found = found.of_feature(&feature.origin);
+            batch.push(made, found, Some(feature.origin));
         }
         batch.images = before..self.expander.images().len();
         (!batch.houses.is_empty()).then_some(batch)
@@ -172,14 +240,19 @@ impl<'a> Expansion<'a> {
 }
 
 impl Batch {
-    fn push(&mut self, house: Option<program::House>, found: Diagnostics) {
+    fn push(
+        &mut self,
+        house: Option<program::House>,
+        found: Diagnostics,
+        origin: Option<Origin>,
+    ) {
         let storeys = house.iter().flat_map(|house| &house.storeys);
         let loops = storeys.flat_map(|storey| &storey.loops);
         for line in loops.flat_map(|walk| &walk.lines) {
             self.lines += 1;
             self.parts += line.units.len();
         }
-        self.houses.push((house, found));
+        self.houses.push((house, found, origin));
     }
 
     fn is_full(&self, most: usize) -> bool {
@@ -196,11 +269,14 @@ impl Batch {
         let chunks = self.houses.into_par_iter().chunks(CHUNK).enumerate();
         let chunks = chunks.map(|(number, chunk)| {
             let mut cache = roofs.map(KeptRoofs::cache).unwrap_or_default();
-            let finished = chunk.into_iter().map(|(house, mut found)| {
+            let finished = chunk.into_iter().map(|(house, mut found, origin)| {
                 let placed = house
                     .as_ref()
                     .and_then(|house| Some((house.placed?, house.span)));
                 let built = house.map(|house| finish(house, catalog, &mut cache, &mut found));
+                if let Some(origin) = origin {
+                    return (built, found.of_feature(&origin));
+                }
                 // What is wrong with a type of the library is mended where it is placed.
                 match placed {
                     Some((by, span)) if by.library => (built, found.moved(span.file, by.span)),

@@ -1,6 +1,6 @@
 //! The model of a run: its scene, its images, and the shapes that back ends leave out.
 
-use super::{Options, arrange, beside, documents, house, spare_expressions, timed, variants};
+use super::{Options, arrange, beside, documents, house, refuse_towns, spare_expressions, timed, variants};
 use crate::backend::images::{Library, PictureError};
 use crate::backend::{gltf, sound};
 use crate::building::{Building, Built};
@@ -118,6 +118,7 @@ pub fn compile(
         Some(count) => variants::documents(sources, world, options, count, out),
         None => {
             let mut read = documents(sources, world, options, out);
+            refuse_towns(&read.documents, out);
             beside::put(&mut read, sources, world, options, out);
             read
         }

@@ -1,10 +1,10 @@
 //! A run that hands its houses on as they are made and keeps none: a town of any size takes the memory of some hundred
 //! houses and of its source.
 
-use super::house::{BATCH, Batch, Expansion};
+use super::house::{BATCH, Batch, Expansion, FeatureHouse};
 use super::models::{not_shown, use_by};
 use super::overlaps::{Ground, Grounds};
-use super::{Options, beside, documents, spare_expressions, timed};
+use super::{Options, Read, beside, documents, refuse_towns, spare_expressions, timed};
 use crate::backend::images::Library;
 use crate::backend::sound;
 use crate::building::Built;
@@ -63,19 +63,91 @@ pub fn stream(
     let mut times = vec![];
     let read = timed(&mut times, "parse", || {
         let mut read = documents(sources, world, options, out);
+        refuse_towns(&read.documents, out);
         beside::put(&mut read, sources, world, options, out);
         read
     });
-    let catalog = &*read.catalog;
+    let Read {
+        documents,
+        included,
+        catalog,
+    } = read;
+    let expansion = Expansion::new(documents, &catalog, sources, world, &options.expand);
+    let run = (sources, world, options);
+    let made = run_houses(run, expansion, &catalog, &included, true, (out, sink), &mut times)?;
+    Ok(made.with(included, catalog, times))
+}
+
+/// As [`stream`], of the houses of a town, whose file has been read.
+///
+/// # Errors
+/// Those of `sink`.
+pub fn stream_town(
+    (source, read): (&Source, Read),
+    houses: impl Iterator<Item = FeatureHouse> + Send,
+    world: &dyn World,
+    options: &Options,
+    out: &mut Diagnostics,
+    sink: &mut Sink<'_>,
+) -> io::Result<Streamed> {
+    let mut times = vec![];
+    let (included, catalog) = (read.included, read.catalog);
+    let expansion = Expansion::of_town(houses, &catalog, source, world, &options.expand);
+    let sources = [source];
+    let run = (&sources[..], world, options);
+    let made = run_houses(run, expansion, &catalog, &included, false, (out, sink), &mut times)?;
+    Ok(made.with(included, catalog, times))
+}
+
+/// What a run leaves behind.
+struct Left {
+    materials: Vec<Material>,
+    library: Library,
+    grown: Vec<f32>,
+    pictures: Vec<String>,
+    houses: usize,
+    stats: Stats,
+}
+
+impl Left {
+    fn with(
+        self,
+        included: Vec<Source>,
+        catalog: Cow<'static, Catalog>,
+        times: Vec<(&'static str, Duration)>,
+    ) -> Streamed {
+        Streamed {
+            included,
+            catalog,
+            materials: self.materials,
+            library: self.library,
+            grown: self.grown,
+            pictures: self.pictures,
+            houses: self.houses,
+            stats: self.stats,
+            times,
+        }
+    }
+}
+
+/// Makes the houses of an expansion; `apart` = they must not stand in each other.
+fn run_houses(
+    (sources, world, options): (&[&Source], &dyn World, &Options),
+    mut expansion: Expansion<'_>,
+    catalog: &Catalog,
+    included: &[Source],
+    apart: bool,
+    (out, sink): (&mut Diagnostics, &mut Sink<'_>),
+    times: &mut Vec<(&'static str, Duration)>,
+) -> io::Result<Left> {
     let tessellator = Tessellator::new(catalog, options.shapes());
-    let mut expansion = Expansion::new(read.documents, catalog, sources, world, &options.expand);
     let mut town = Town {
         world,
         options,
         scene: SceneBuilder::new(options.detail),
         library: Library::default(),
         counter: Counter::default(),
-        grounds: Grounds::new(true),
+        grounds: Grounds::new(apart),
         houses: 0,
         together: BATCH / 4,
         first: Span::default(),
@@ -83,7 +155,7 @@ pub fn stream(
         out,
         sink,
     };
-    timed(&mut times, "houses", || {
+    timed(times, "houses", || {
         town.build(&mut expansion, &tessellator, catalog)
     })?;
     let Town {
@@ -94,21 +166,20 @@ pub fn stream(
         houses,
         ..
     } = town;
-    grounds.report(sources.iter().copied().chain(&read.included), out);
+    if apart {
+        grounds.report(sources.iter().copied().chain(included), out);
+    }
     let (materials, baked, grown) = scene.into_images();
     library.bake(&baked);
     let pictures = expansion.into_images();
-    spare_expressions(sources, &read.included, out);
-    Ok(Streamed {
-        included: read.included,
-        catalog: read.catalog,
+    spare_expressions(sources, included, out);
+    Ok(Left {
         materials,
         library,
         grown,
         pictures: pictures.into_iter().map(|p| p.path).collect(),
         houses,
         stats: counter.stats(),
-        times,
     })
 }
 

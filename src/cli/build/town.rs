@@ -33,10 +33,7 @@ impl Build {
         let world = self.input_args.world(&job.inputs);
         let options = self.options(job.seed, &inputs, &mut out)?;
         let folder = spool_folder(&job.output);
-        let new = || -> io::Result<Box<dyn Spool>> {
-            let spool: SpooledTempFile = spooled_tempfile_in(IN_MEMORY, &folder);
-            Ok(Box::new(spool))
-        };
+        let new = || spool(&folder);
         let failed = |error| Failure::at(job.output.display(), error);
         let mut writer = Writer::new(&new).map_err(failed)?;
         let accepted = inputs.accepted();
@@ -94,8 +91,14 @@ impl Build {
     }
 }
 
+/// Returns a list or array of a model that is written as it grows.
+pub(in crate::cli) fn spool(folder: &Path) -> io::Result<Box<dyn Spool>> {
+    let spool: SpooledTempFile = spooled_tempfile_in(IN_MEMORY, folder);
+    Ok(Box::new(spool))
+}
+
 /// Returns the folder of spools: that of the output, where there is room for the model.
-fn spool_folder(output: &Path) -> PathBuf {
+pub(in crate::cli) fn spool_folder(output: &Path) -> PathBuf {
     let folder = folder_of(output);
     match output.as_os_str() == STDIN || !folder.is_dir() {
         true => std::env::temp_dir(),

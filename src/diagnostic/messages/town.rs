@@ -67,10 +67,7 @@ pub fn not_in_table(
     let found = Diagnostic::error(1104, span, message)
         .help(text!([all] "there are {all}", "あるもの: {all}"));
     match near {
-        Some(near) if argument != 1 => {
-            let fixed = format!("'{near}'");
-            offer(found, span, Some(&*fixed).filter(|_| false))
-        }
+        Some(near) if argument != 1 => offer(found, span, Some(near)),
         _ => found,
     }
 }
@@ -206,5 +203,47 @@ pub fn no_layers(town: Span) -> Diagnostic {
     Diagnostic::error(1114, town, message).help(text!(
         "add a map: `<Layer name=\"houses\" src=\"buildings.geojson\"/>`",
         "地図を加えてください: `<Layer name=\"houses\" src=\"buildings.geojson\"/>`"
+    ))
+}
+
+/// A map that cannot be read.
+#[cold]
+pub fn no_map(span: Span, path: &str, why: &Text) -> Diagnostic {
+    let path = quote(path);
+    let message = text!([path, why]
+        "the map {path} cannot be read: {why}",
+        "地図 {path} を読めません: {why}"
+    );
+    Diagnostic::error(1115, span, message).help(text!(
+        "check the name of the file, and what the layer says of it",
+        "ファイル名と、レイヤーの属性を確かめてください"
+    ))
+}
+
+/// Features of a map that cannot be read.
+#[cold]
+pub fn unread(span: Span, path: &str, count: usize) -> Diagnostic {
+    let path = quote(path);
+    let message = text!([path, count]
+        "{count} features of {path} cannot be read and are left out",
+        "{path} の {count} 件の地物を読めず、省きました"
+    );
+    Diagnostic::warning(1116, span, message).help(text!(
+        "the report of the town lists each of them",
+        "町の報告書にすべて載っています"
+    ))
+}
+
+/// A reference system that is not known.
+#[cold]
+pub fn unknown_crs(span: Span, name: &str) -> Diagnostic {
+    let name = quote(name);
+    let message = text!([name]
+        "the reference system {name} is not known",
+        "座標系 {name} がわかりません"
+    );
+    Diagnostic::error(1117, span, message).help(text!(
+        "write a plane zone of Japan such as `EPSG:6674`, a UTM zone, or `local` for metres as they are",
+        "`EPSG:6674` のような平面直角座標系、UTM、そのままのメートルなら `local` と書いてください"
     ))
 }

@@ -422,6 +422,20 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
         ],
     },
     CommandHelp {
+        path: "town",
+        about: "町のファイルに書いた地図のレイヤーから町を作る",
+        more: "OUT はモデル (.glb) か、`town.glb` を書くフォルダーです。モデルの横に、地物ごとに一行の `decisions.csv` と `report.json` を書きます。省くと書いていない地物に建物が無ければ、終了コードは 1 です。",
+        examples: "\
+例:
+  hsd town kyoto.hsd -o kyoto/       kyoto/town.glb、kyoto/decisions.csv、kyoto/report.json を書く
+  hsd town kyoto.hsd -o kyoto.glb --param year=1928",
+        arguments: &[
+            ("output", "モデルをこのファイルかフォルダーに書く", ""),
+            ("quiet", "指摘だけを表示する", ""),
+        ],
+        values: &[],
+    },
+    CommandHelp {
         path: "lsp",
         about: "エディターと通信する言語サーバーを起動する",
         more: "Language Server Protocol により、標準入力と標準出力で診断、補完、ホバーなどを提供します。エディターが起動します。設定方法は README にあります。",

@@ -1,0 +1,223 @@
+//! The table of decisions: a line a feature, and what the report says of all.
+
+use super::layer::Lot;
+use super::shape::{Segment, azimuth};
+use super::site::{Decision, LotSite};
+use crate::ast::Value;
+use crate::diagnostic::{Code, Language, Severity, Text};
+use serde::Serialize;
+use std::fmt::Write;
+use std::sync::Arc;
+
+/// What became of a feature.
+#[derive(Clone, Debug)]
+pub enum Outcome {
+    /// A house at least stands on it.
+    Built,
+    /// The author wants nothing here: the reason.
+    Skipped(String),
+    /// No house can stand here.
+    Refused(Text),
+    /// No rule takes it.
+    NoRule,
+    /// Its rules make nothing.
+    Nothing,
+}
+
+/// What was decided about a feature.
+#[derive(Clone, Debug)]
+pub struct Record {
+    /// Its layer.
+    pub layer: Arc<str>,
+    /// Its key.
+    pub key: Box<str>,
+    /// The number of the rule, from 1; 0 for none.
+    pub rule: usize,
+    /// The type of its house.
+    pub kind: String,
+    /// Where the house comes from.
+    pub evidence: String,
+    /// What became of it.
+    pub outcome: Outcome,
+    /// The number of its houses.
+    pub houses: usize,
+    /// The parameters of the house.
+    pub parameters: Vec<(String, Value)>,
+    /// The gravest problem while it was evaluated.
+    pub problem: Option<(Severity, Code)>,
+    /// The number of parts of its geometry that are left out.
+    pub parts_left: usize,
+    place: [f64; 2],
+    access: &'static str,
+    corner: bool,
+    measures: String,
+    decision: Option<Decision>,
+}
+
+/// The first line of the table.
+pub const HEAD: &str = "key,layer,rule,type,x,y,facing,front_x1,front_y1,front_x2,front_y2,width,depth,access,corner,iou,iou_full,what,why,parameters,measures\n";
+
+impl Record {
+    /// Begins the record of a feature.
+    pub fn new(layer: &Arc<str>, lot: &Lot, site: &LotSite<'_>) -> Record {
+        let at = lot.shape.centre();
+        let frontage = site.frontage();
+        let mut measures = String::new();
+        for name in ["area", "vertices", "orthogonal", "street", "left", "right"] {
+            if let crate::ast::town::Known::Value(value) = crate::ast::town::Site::value(site, name) {
+                let _ = write!(measures, "{name}={} ", short(&value));
+            }
+        }
+        Record {
+            layer: layer.clone(),
+            key: lot.key.clone(),
+            rule: 0,
+            kind: String::new(),
+            evidence: String::new(),
+            outcome: Outcome::NoRule,
+            houses: 0,
+            parameters: vec![],
+            problem: None,
+            parts_left: lot.parts_left,
+            place: [at.x, at.y],
+            access: frontage.map_or("", |f| f.access.word()),
+            corner: frontage.is_some_and(|f| f.corner),
+            measures,
+            decision: None,
+        }
+    }
+
+    /// Records where its house stands.
+    pub fn decide(&mut self, decisions: &[Decision]) {
+        self.decision = decisions.last().cloned();
+    }
+
+    /// Returns true if nothing is missing that the author wanted.
+    pub fn is_wanted(&self) -> bool {
+        matches!(self.outcome, Outcome::Built | Outcome::Skipped(_))
+    }
+
+    /// Writes its line of the table.
+    pub fn line(&self, out: &mut String) {
+        let number = |n: f64| format!("{:.3}", n + 0.0);
+        let of = |f: &dyn Fn(&Decision) -> Option<f64>| {
+            self.decision.as_ref().and_then(f).map(number).unwrap_or_default()
+        };
+        let front = |f: fn(Segment) -> f64| of(&|d| Some(f(d.front)));
+        let (what, why) = self.what();
+        let parameters: Vec<String> = self
+            .parameters
+            .iter()
+            .map(|(name, value)| format!("{name}={}", short(value)))
+            .collect();
+        let cells = [
+            self.key.to_string(),
+            self.layer.to_string(),
+            self.rule.to_string(),
+            self.kind.clone(),
+            number(self.place[0]),
+            number(self.place[1]),
+            front(|f| azimuth(f.normal())),
+            front(|f| f.from.x),
+            front(|f| f.from.y),
+            front(|f| f.to.x),
+            front(|f| f.to.y),
+            front(Segment::length),
+            of(&|d| Some(d.depth)),
+            self.access.to_owned(),
+            if self.corner { "yes" } else { "no" }.to_owned(),
+            of(&|d| d.iou),
+            of(&|d| d.iou_full),
+            what.to_owned(),
+            why,
+            parameters.join(" "),
+            self.measures.trim_end().to_owned(),
+        ];
+        let cells: Vec<String> = cells.iter().map(|cell| quoted(cell)).collect();
+        out.push_str(&cells.join(","));
+        out.push('\n');
+    }
+
+    /// Returns what became of it and why.
+    pub fn what(&self) -> (&'static str, String) {
+        match &self.outcome {
+            Outcome::Built => {
+                let on = self.decision.as_ref().map_or("built", |d| d.on.word());
+                let code = self.problem.map_or(String::new(), |(_, code)| code.to_string());
+                (on, code)
+            }
+            Outcome::Skipped(because) => ("skipped", because.clone()),
+            Outcome::Refused(why) => ("refused", why.in_language(Language::English).to_string()),
+            Outcome::NoRule => ("no rule", String::new()),
+            Outcome::Nothing => {
+                let code = self.problem.map_or(String::new(), |(_, code)| code.to_string());
+                ("nothing", code)
+            }
+        }
+    }
+}
+
+/// Returns a value with at most three decimals.
+fn short(value: &Value) -> String {
+    match value {
+        Value::Number(n) => Value::Number((n * 1000.0).round() / 1000.0).to_string(),
+        other => other.to_string(),
+    }
+}
+
+fn quoted(cell: &str) -> String {
+    match cell.contains([',', '"', '\n']) {
+        true => format!("\"{}\"", cell.replace('"', "\"\"")),
+        false => cell.to_owned(),
+    }
+}
+
+/// What became of a town: every feature is built or listed.
+#[derive(Debug, Default, Serialize)]
+pub struct TownReport {
+    /// The number of features of the layers that rules name.
+    pub features: usize,
+    /// Those on which something stands.
+    pub built: usize,
+    /// The others.
+    pub skipped: Vec<SkippedFeature>,
+    /// Features that were changed before something was built on them.
+    pub corrected: Vec<SkippedFeature>,
+}
+
+/// A feature in a report.
+#[derive(Debug, Serialize)]
+pub struct SkippedFeature {
+    /// Its layer.
+    pub layer: String,
+    /// Its key.
+    pub key: String,
+    /// The code of a diagnostic, or a word.
+    pub code: String,
+    /// The reason.
+    pub reason: String,
+}
+
+impl TownReport {
+    /// Adds a feature.
+    pub fn add(&mut self, record: &Record, parts_left: usize) {
+        self.features += 1;
+        let of = |code: &str, reason: String| SkippedFeature {
+            layer: record.layer.to_string(),
+            key: record.key.to_string(),
+            code: code.to_owned(),
+            reason,
+        };
+        if parts_left > 0 {
+            let reason = format!("{parts_left} smaller parts left out");
+            self.corrected.push(of("parts", reason));
+        }
+        match record.outcome {
+            Outcome::Built => self.built += 1,
+            _ => {
+                let (what, why) = record.what();
+                self.skipped.push(of(what, why));
+            }
+        }
+    }
+}

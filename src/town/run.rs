@@ -1,0 +1,366 @@
+//! Evaluates a town: reads its maps, then makes the houses of its features, a chunk of features at a time. What is made of a
+//! feature depends on the town file, the feature and what stands round it; chunks only save time.
+
+use super::decision::{Outcome, Record};
+use super::layer::{self, TownFrame};
+use super::over;
+use super::plan::{LotId, Plan};
+use super::site::LotSite;
+use super::table::{NoTable, Rows};
+use crate::ast::town::{Made, Stood, Town};
+use crate::ast::{House, Item, Outline, Stand, Storey};
+use crate::diagnostic::messages::town as say;
+use crate::diagnostic::{Diagnostics, Origin};
+use crate::driver::{FeatureHouse, Options};
+use crate::map::{Crs, Datums, Projection, Transform};
+use crate::parse;
+use crate::parse::xml::{self, FeatureMade, FeatureOf, MissingFields, Trees};
+use crate::source::{Source, SourceCache, Spanned, World};
+use crate::templates::{EXAMPLES, TYPES};
+use crate::text;
+use glam::DVec2;
+use std::sync::Arc;
+
+/// The number of features that are evaluated together.
+const CHUNK: usize = 128;
+/// The origin of a town lies on whole kilometres.
+const KILOMETRE: f64 = 1000.0;
+
+/// What a town is made from.
+#[derive(Clone, Copy)]
+pub struct TownInput<'a> {
+    /// The town file.
+    pub source: &'a Source,
+    /// Where its maps are.
+    pub world: &'a dyn World,
+    /// The options of the run.
+    pub options: &'a Options,
+}
+
+/// Reads the maps and tables of a town; `None` if its layers cannot be read.
+pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<Plan> {
+    let mut raw = vec![];
+    for layer in &town.layers {
+        let read = path(input, &layer.src).map_err(|why| say::no_map(layer.src.span, &layer.src.value, &why));
+        let read = read.and_then(|path| {
+            layer::read(input.world, &path, layer).map_err(|fault| {
+                let why = format!("{:?}", fault.kind).into();
+                say::no_map(layer.src.span, &layer.src.value, &why)
+            })
+        });
+        match read {
+            Ok(layer) => raw.push(layer),
+            Err(message) => out.push(message),
+        }
+    }
+    let mut tables = vec![];
+    for table in &town.tables {
+        match read_table(input, table) {
+            Ok(rows) => tables.push(rows),
+            Err(why) => out.push(say::no_table(table.src.span, &table.src.value, &why)),
+        }
+    }
+    if raw.len() < town.layers.len() {
+        return None;
+    }
+    let frame = frame(town, raw.first()?, out)?;
+    let mut layers = vec![];
+    for (raw, written) in raw.into_iter().zip(&town.layers) {
+        match raw.placed(&frame) {
+            Ok(lots) => {
+                if lots.unread > 0 {
+                    out.push(say::unread(written.src.span, &written.src.value, lots.unread));
+                }
+                layers.push(lots);
+            }
+            Err(why) => {
+                let why = format!("{why:?}").into();
+                out.push(say::no_map(written.src.span, &written.src.value, &why));
+            }
+        }
+    }
+    (layers.len() == town.layers.len()).then(|| Plan::new(town.clone(), frame, layers, tables))
+}
+
+fn path(input: TownInput<'_>, href: &Spanned<String>) -> Result<String, crate::diagnostic::Text> {
+    let found = input.world.text(input.source.name(), &href.value);
+    found.map_err(|_| {
+        text!(
+            "there is no such file below the folder of the town",
+            "町のファイルのフォルダーより下に、そのファイルがありません"
+        )
+    })
+}
+
+fn read_table(
+    input: TownInput<'_>,
+    table: &crate::ast::town::Table,
+) -> Result<Rows, crate::diagnostic::Text> {
+    let path = path(input, &table.src)?;
+    let most = input.options.expand.limits.bytes;
+    let bytes = input.world.text_bytes(&path, most).map_err(|e| e.to_string())?;
+    let read = Source::new(input.source.id(), &path, &bytes);
+    Rows::read(&table.name.value, &table.key.value, read.text()).map_err(|why| match why {
+        NoTable::Empty => text!("it has no rows", "行がありません"),
+        NoTable::NoKey => {
+            let key = &table.key.value;
+            text!([key] "it has no column `{key}`", "`{key}` の列がありません")
+        }
+        NoTable::Uneven(line) => text!([line]
+            "line {line} has another number of cells than the first",
+            "{line} 行目の列の数が最初の行と違います"
+        ),
+    })
+}
+
+/// Finds the plane and the origin of a town.
+fn frame(town: &Town, first: &layer::Raw, out: &mut Diagnostics) -> Option<TownFrame> {
+    let local = Crs::local();
+    let (bounds, crs) = first.extent().unwrap_or(([DVec2::ZERO; 2], &local));
+    let centre = bounds[0].midpoint(bounds[1]);
+    let plane = match &town.crs {
+        Some(name) => match Crs::from_name(&name.value) {
+            Some(crs) => crs,
+            None => {
+                out.push(say::unknown_crs(name.span, &name.value));
+                return None;
+            }
+        },
+        None => match crs.projection {
+            Projection::TransverseMercator(_) | Projection::Local => crs.clone(),
+            Projection::Degrees | Projection::WebMercator => {
+                let degrees = Transform::new(crs, &Crs::wgs84(), Datums::Exact).ok();
+                let at = degrees.and_then(|t| t.apply(centre)).unwrap_or(centre);
+                Crs::zone_at(at, &crs.datum)
+            }
+        },
+    };
+    let origin = match &town.origin {
+        Some(origin) => DVec2::from(origin.value),
+        None => {
+            let transform = Transform::new(crs, &plane, Datums::Exact).ok();
+            let at = transform.and_then(|t| t.apply(centre)).unwrap_or_default();
+            (at / KILOMETRE).round() * KILOMETRE
+        }
+    };
+    Some(TownFrame { crs: plane, origin })
+}
+
+/// What is made of a chunk of features.
+pub struct Chunk {
+    /// The houses, in the order of the features.
+    pub houses: Vec<FeatureHouse>,
+    /// A line for each feature.
+    pub records: Vec<Record>,
+    /// What was found.
+    pub found: Diagnostics,
+    /// How many features lacked fields.
+    pub missing: MissingFields,
+    /// Types and files that were read.
+    pub included: Vec<Source>,
+}
+
+/// The houses of a town, chunk by chunk.
+pub struct TownHouses<'a> {
+    input: TownInput<'a>,
+    plan: &'a Plan,
+    lots: Vec<LotId>,
+    next: usize,
+}
+
+impl<'a> TownHouses<'a> {
+    /// Begins a town.
+    pub fn new(input: TownInput<'a>, plan: &'a Plan) -> TownHouses<'a> {
+        TownHouses {
+            input,
+            plan,
+            lots: plan.lots(),
+            next: 0,
+        }
+    }
+
+    /// Returns the number of features.
+    pub fn len(&self) -> usize {
+        self.lots.len()
+    }
+
+    /// Returns true if no rule names a feature.
+    pub fn is_empty(&self) -> bool {
+        self.lots.is_empty()
+    }
+
+    /// Returns the chunks of features, each to be evaluated by itself.
+    pub fn chunks(&self) -> impl Iterator<Item = &[LotId]> {
+        self.lots.chunks(CHUNK)
+    }
+
+    /// Evaluates some features.
+    pub fn evaluate(&self, lots: &[LotId]) -> Chunk {
+        evaluate(self.input, self.plan, lots)
+    }
+}
+
+impl Iterator for TownHouses<'_> {
+    type Item = Chunk;
+
+    fn next(&mut self) -> Option<Chunk> {
+        let end = (self.next + CHUNK).min(self.lots.len());
+        let lots = &self.lots[self.next..end];
+        self.next = end;
+        (!lots.is_empty()).then(|| evaluate(self.input, self.plan, lots))
+    }
+}
+
+fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
+    let limits = &input.options.expand.limits;
+    let first = input.source.id().0 as usize + 1;
+    let cache = SourceCache::new(first, limits.includes, limits.included_bytes);
+    // In a fixed order, so that a file has the same number in every chunk.
+    for template in TYPES.iter().chain(EXAMPLES) {
+        let _ = cache.add_own(&template.source_name(), template.text().as_bytes());
+    }
+    let setting = parse::ReadContext {
+        limits: *limits,
+        parameters: &input.options.parameters,
+        seed: input.options.expand.seed,
+        world: input.world,
+        cache: &cache,
+        values: None,
+    };
+    let sites: Vec<LotSite<'_>> = lots.iter().map(|id| LotSite::new(plan, *id)).collect();
+    let features: Vec<FeatureOf<'_>> = sites
+        .iter()
+        .zip(lots)
+        .map(|(site, (layer, _))| FeatureOf {
+            layer: &plan.layers[*layer].layer.name.value,
+            site,
+        })
+        .collect();
+    let mut found = Diagnostics::new();
+    let mut trees = Trees::default();
+    let (made, missing) = xml::features(input.source, setting, &mut trees, &features, &mut found);
+    drop(trees);
+    let (mut houses, mut records) = (vec![], vec![]);
+    for ((made, site), id) in made.into_iter().zip(&sites).zip(lots) {
+        records.push(record(plan, *id, site, made, &mut houses, &mut found));
+    }
+    drop(features);
+    drop(sites);
+    Chunk {
+        houses,
+        records,
+        found,
+        missing,
+        included: cache.into_sources(),
+    }
+}
+
+/// Turns what the rules made of a feature into houses, and records it.
+fn record(
+    plan: &Plan,
+    id: LotId,
+    site: &LotSite<'_>,
+    made: FeatureMade,
+    houses: &mut Vec<FeatureHouse>,
+    found: &mut Diagnostics,
+) -> Record {
+    let layer: Arc<str> = plan.layers[id.0].layer.name.value.as_str().into();
+    let lot = plan.lot(id);
+    let mut record = Record::new(&layer, lot, site);
+    record.problem = made.problem;
+    record.outcome = match made.rules {
+        0 => Outcome::NoRule,
+        _ => Outcome::Nothing,
+    };
+    let origin = Origin::Feature {
+        layer: layer.clone(),
+        key: (&*lot.key).into(),
+    };
+    let decisions = site.decisions.borrow();
+    if let Some(why) = decisions.iter().find_map(|d| d.refused.clone()) {
+        found.push(say::refused(origin.clone(), &why));
+        record.outcome = Outcome::Refused(why);
+    }
+    for made in made.made {
+        record.rule = made.rule + 1;
+        match made.made {
+            Made::Skip { because, .. } => record.outcome = Outcome::Skipped(because),
+            Made::Houses {
+                kind,
+                evidence,
+                houses: own,
+                parameters,
+                stood,
+                ..
+            } => {
+                record.outcome = Outcome::Built;
+                record.kind = kind;
+                record.evidence = evidence;
+                record.parameters = parameters;
+                for house in own {
+                    let number = record.houses;
+                    record.houses += 1;
+                    let name = match number {
+                        0 => format!("{layer} {}", lot.key),
+                        n => format!("{layer} {} {}", lot.key, n + 1),
+                    };
+                    houses.push(FeatureHouse {
+                        plain: plain(&house, &stood, lot.shape.ring()),
+                        house: over_outline(house, &stood),
+                        origin: origin.clone(),
+                        name,
+                    });
+                }
+            }
+        }
+    }
+    record.decide(&decisions);
+    record
+}
+
+/// Fits the rows of a house to the outline that it stands on, if it is written as rows.
+fn over_outline(mut house: House, stood: &Stood) -> House {
+    if stood.walls.is_some() && !over::has_walls(&house) {
+        let walls = stood.walls.as_ref();
+        let front = walls.map_or(stood.frontage, |w| {
+            let at = w.front as usize - 1;
+            w.ring[at].distance(w.ring[(at + 1) % w.ring.len()])
+        });
+        over::rewrite(&mut house, front);
+    }
+    house
+}
+
+/// Returns the plain body that stands in for a house with errors: two storeys of plain walls on the outline.
+fn plain(house: &House, stood: &Stood, ring: Option<&[DVec2]>) -> Option<Box<House>> {
+    let span = house.span;
+    let ring = ring?;
+    let points = ring.iter().map(|p| Spanned::new(*p - stood.at, span));
+    let storey = || {
+        Item::One(Storey {
+            span,
+            ..Storey::default()
+        })
+    };
+    let mut plain = House {
+        span,
+        storeys: vec![storey(), storey()],
+        outline: Some(Box::new(Outline {
+            span,
+            points: Spanned::new(points.collect(), span),
+            square: None,
+            join: None,
+            front: None,
+            street: None,
+            neighbour: None,
+            stand: Stand::Surveyed(0.0),
+            holes: vec![],
+        })),
+        ..House::default()
+    };
+    let at = |value: f64| Some(Spanned::new(value, span));
+    plain.settings.x = at(stood.at.x);
+    plain.settings.y = at(stood.at.y);
+    plain.settings.z = at(stood.z);
+    Some(Box::new(plain))
+}
