@@ -62,6 +62,7 @@ mod streams;
 mod tea_shop_pictures;
 mod tessellate;
 mod textures;
+mod towns;
 mod tutorial;
 mod twins;
 mod types;

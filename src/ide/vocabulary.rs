@@ -346,6 +346,27 @@ pub(super) const FUNCTIONS: &Table = &[
         ),
     ),
     ("sqrt", noun("sqrt(a): the square root", "sqrt(a): 平方根")),
+    (
+        "if",
+        noun(
+            "if(test, a, b): a where the test holds, else b",
+            "if(条件, a, b): 条件が成り立てば a、そうでなければ b",
+        ),
+    ),
+    (
+        "draw",
+        noun(
+            "draw(a, b): in a `for`, a random number from a to b that belongs to the place",
+            "draw(a, b): `for` の中で、場所に固有の a から b の乱数",
+        ),
+    ),
+    (
+        "look",
+        noun(
+            "look(table, key, column): in a `for`, a cell of a table",
+            "look(表, キー, 列): `for` の中で、表の値",
+        ),
+    ),
 ];
 
 /// Returns the values of a parameter as a line shows them.

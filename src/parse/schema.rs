@@ -329,6 +329,12 @@ pub fn named(name: &str) -> Option<&'static Schema> {
     ELEMENTS.iter().find(|e| e.name == name)
 }
 
+/// Returns true for an attribute of a `Place` that sets, or may set, a parameter of the type: `front` does unless it names a
+/// layer of streets.
+pub fn is_parameter_of_place(name: &str) -> bool {
+    name == "front" || named("Place").is_some_and(|place| place.attribute(name).is_none())
+}
+
 /// Returns the canonical name of an attribute.
 pub(in crate::parse) fn canonical(attribute: &str) -> &str {
     match attribute {

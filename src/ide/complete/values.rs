@@ -69,7 +69,7 @@ fn proposals(
             surfaces(inner)
         }
         ("use", parameter) => argument(request, tag, parameter, inner),
-        ("Place", name) if schema::named(element).is_some_and(|s| s.attribute(name).is_none()) => {
+        ("Place", name) if schema::is_parameter_of_place(name) => {
             of_type(request, tag)
                 .iter()
                 .filter(|p| p.name == name)

@@ -56,7 +56,7 @@ fn name(element: &Element, attribute: &Attribute, list: &mut List<'_>) {
     match word(element) {
         "define" if attribute.word != "name" => list.declare(range, TokenKind::Parameter),
         "use" if attribute.word != "name" => list.add(range, TokenKind::Parameter),
-        "Place" if attribute.attribute_schema.is_none() => {
+        "Place" if schema::is_parameter_of_place(&attribute.word) => {
             list.add(range, TokenKind::Parameter);
         }
         _ => {

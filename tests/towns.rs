@@ -1,0 +1,342 @@
+//! Towns: rules evaluated at features, where houses stand, what is reported. Real maps are read where the folder of real
+//! data is at hand; `HSD_DATA=FOLDER cargo test --release towns -- --include-ignored` reads it from elsewhere.
+
+use crate::support::root;
+use glam::{DVec2, dvec2};
+use hsd::driver::Options;
+use hsd::glam;
+use hsd::town::plan::Plan;
+use hsd::town::stream::TownStream;
+use hsd::town::{TownInput, run};
+use hsd::{Diagnostics, FileId, FolderWorld, Source};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A town that has been evaluated.
+struct Built {
+    rows: Vec<BTreeMap<String, String>>,
+    features: usize,
+    built: usize,
+    skipped: usize,
+    houses: usize,
+    csv: String,
+    found: Vec<String>,
+}
+
+/// Evaluates a town beside maps of these names and texts.
+fn town(text: &str, files: &[(&str, &str)]) -> Built {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, text) in files {
+        fs::write(folder.path().join(name), text).expect("is written");
+    }
+    in_folder(text, folder.path(), |_| {})
+}
+
+fn in_folder(text: &str, folder: &Path, look: impl FnOnce(&Plan)) -> Built {
+    let name = folder.join("town.hsd");
+    let source = Source::new(FileId(0), name.to_string_lossy(), text.as_bytes());
+    let world = FolderWorld::new(vec![], 1 << 20).with_roots(vec![folder.to_owned()]);
+    let (options, mut out) = (Options::default(), Diagnostics::new());
+    let read = hsd::driver::documents(&[&source], &world, &options, &mut out);
+    let written = read.documents.into_iter().find_map(|d| d.town);
+    let input = TownInput {
+        source: &source,
+        world: &world,
+        options: &options,
+    };
+    let plan = written.and_then(|town| run::plan(input, &town, &mut out));
+    let mut built = Built {
+        rows: vec![],
+        features: 0,
+        built: 0,
+        skipped: 0,
+        houses: 0,
+        csv: String::new(),
+        found: vec![],
+    };
+    if let Some(plan) = plan {
+        let mut houses = TownStream::new(input, &plan);
+        built.houses = houses.by_ref().count();
+        let (ledger, _) = houses.finish(&mut out);
+        built.rows = rows(&ledger.decisions);
+        built.csv = ledger.decisions;
+        built.features = ledger.report.features;
+        built.built = ledger.report.built;
+        built.skipped = ledger.report.skipped.len();
+        look(&plan);
+    }
+    built.found = out.into_sorted().iter().map(|d| d.code.to_string()).collect();
+    built
+}
+
+fn rows(csv: &str) -> Vec<BTreeMap<String, String>> {
+    let mut lines = csv.lines();
+    let head = cells(lines.next().unwrap_or_default());
+    lines.map(|line| head.iter().cloned().zip(cells(line)).collect()).collect()
+}
+
+fn cells(line: &str) -> Vec<String> {
+    let (mut all, mut quoted) = (vec![String::new()], false);
+    for c in line.chars() {
+        match c {
+            '"' => quoted = !quoted,
+            ',' if !quoted => all.push(String::new()),
+            c => all.last_mut().expect("one at least").push(c),
+        }
+    }
+    all
+}
+
+fn number(row: &BTreeMap<String, String>, name: &str) -> f64 {
+    row[name].parse().unwrap_or_else(|_| panic!("{name} of {row:?}"))
+}
+
+/// A map in metres of rectangles: key, west, south, width, depth.
+fn map(houses: &[(&str, f64, f64, f64, f64)]) -> String {
+    let features: Vec<String> = houses
+        .iter()
+        .map(|(key, x, y, w, d)| {
+            let (e, n) = (x + w, y + d);
+            format!(
+                r#"{{"type":"Feature","properties":{{"key":"{key}","levels":{}}},"geometry":{{"type":"Polygon","coordinates":[[[{x},{y}],[{e},{y}],[{e},{n}],[{x},{n}],[{x},{y}]]]}}}}"#,
+                key.len()
+            )
+        })
+        .collect();
+    format!(r#"{{"type":"FeatureCollection","features":[{}]}}"#, features.join(","))
+}
+
+const ROAD: &str = r#"{"type":"FeatureCollection","features":[{"type":"Feature","properties":{"width":4},"geometry":{"type":"LineString","coordinates":[[-50,-3],[50,-3]]}}]}"#;
+
+fn rules(rules: &str) -> String {
+    format!(
+        r#"<Town seed="1"><Layer name="houses" src="houses.geojson" crs="local" key="key"/><Layer name="roads" src="roads.geojson" crs="local"/>{rules}</Town>"#
+    )
+}
+
+fn small(text: &str, houses: &[(&str, f64, f64, f64, f64)]) -> Built {
+    let map = map(houses);
+    town(&rules(text), &[("houses.geojson", &map), ("roads.geojson", ROAD)])
+}
+
+const ROW: &[(&str, f64, f64, f64, f64)] = &[
+    ("a", 0.0, 0.0, 5.4, 9.0),
+    ("bb", 5.4, 0.0, 4.6, 8.0),
+    ("ccc", 10.0, 0.0, 7.0, 12.0),
+    ("shed", 3.0, 14.0, 2.0, 2.0),
+];
+
+#[test]
+fn houses_front_their_street_and_every_feature_is_listed() {
+    let found = small(
+        r#"<for each="houses" test="{area &lt; 9}"><Skip because="a shed"/></for>
+           <for each="houses" test="{area >= 9}"><Place type="so-nikai"/></for>"#,
+        ROW,
+    );
+    assert_eq!(found.found, [""; 0], "nothing is wrong");
+    assert_eq!((found.features, found.built, found.skipped, found.houses), (4, 3, 1, 3));
+    for row in &found.rows[..3] {
+        assert_eq!(number(row, "facing"), 180.0, "{row:?}");
+        assert_eq!(row["what"], "plot");
+        assert!(number(row, "depth") <= 8.0, "capped (000-58)");
+        assert_eq!(row["access"], "street");
+    }
+    assert_eq!(number(&found.rows[0], "width"), 5.4);
+    assert_eq!((&*found.rows[3]["what"], &*found.rows[3]["why"]), ("skipped", "a shed"));
+}
+
+#[test]
+fn measures_and_fields_are_names_and_parameters_follow_them() {
+    let found = small(
+        r#"<for each="houses" test="{levels = 1 and frontage > 5 and left = 0 or key = 'bb'}"><Place type="chu-nikai" upper="{if(levels = 2, 6, 5)}"/></for>"#,
+        ROW,
+    );
+    let built: Vec<&str> = found.rows.iter().filter(|r| r["what"] == "plot").map(|r| &*r["key"]).collect();
+    assert_eq!(built, ["bb"], "a has no neighbour on its left");
+    let parameters = &found.rows[1]["parameters"];
+    for wanted in ["frontage=4.6", "depth=8", "upper=6"] {
+        assert!(parameters.contains(wanted), "{parameters}");
+    }
+    assert_eq!(found.found, ["HSD1107"], "the rest meets no rule");
+}
+
+#[test]
+fn draws_belong_to_places_not_to_the_order_of_features() {
+    let text = r#"<for each="houses"><random><choice weight="1"><Place type="so-nikai" ground="{9 + round(draw(8)) / 4}"/></choice><choice weight="1"><Place type="kanban"/></choice><choice weight="1"><Place type="chu-nikai"/></choice></random></for>"#;
+    let many: Vec<(String, f64)> = (0..40).map(|n| (format!("h{n}"), f64::from(n) * 5.0)).collect();
+    let forth: Vec<_> = many.iter().map(|(k, x)| (&**k, *x, 0.0, 5.0, 8.0)).collect();
+    let back: Vec<_> = forth.iter().rev().copied().collect();
+    let by_key = |built: Built| -> BTreeMap<String, (String, String)> {
+        let rows = built.rows.into_iter();
+        rows.map(|r| (r["key"].clone(), (r["type"].clone(), r["parameters"].clone()))).collect()
+    };
+    let (one, two) = (by_key(small(text, &forth)), by_key(small(text, &back)));
+    assert_eq!(one, two);
+    let kinds: std::collections::BTreeSet<&String> = one.values().map(|(kind, _)| kind).collect();
+    assert_eq!(kinds.len(), 3, "all choices are drawn");
+}
+
+#[test]
+fn threads_change_nothing() {
+    let text = r#"<for each="houses"><Place type="so-nikai"/></for>"#;
+    let many: Vec<(String, f64)> = (0..400).map(|n| (format!("h{n}"), f64::from(n) * 5.0)).collect();
+    let houses: Vec<_> = many.iter().map(|(k, x)| (&**k, *x, 0.0, 5.0, 8.0)).collect();
+    let run = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+        pool.install(|| small(text, &houses).csv)
+    };
+    assert_eq!(run(1), run(4));
+}
+
+#[test]
+fn mistakes_are_named() {
+    let cases = [
+        (r#"<for each="houses"><Place type="so-nikai" ground="{levls}"/></for>"#, "HSD0252"),
+        (r#"<for each="houses"><Place type="so-nikai" azimuth="90"/></for>"#, "HSD1105"),
+        (r#"<for each="houses"><Place type="so-nikai" on="plott"/></for>"#, "HSD0227"),
+        (r#"<for each="houses" test="{look('t', 1, 'x') = 1}"><Place type="so-nikai"/></for>"#, "HSD1104"),
+        (r#"<Table name="t" src="none.csv" key="k"/><for each="houses"><Place type="so-nikai"/></for>"#, "HSD1103"),
+    ];
+    for (text, code) in cases {
+        let found = small(text, ROW).found;
+        assert!(found.iter().any(|c| c == code), "{text}: {found:?}");
+    }
+    let text = rules(r#"<for each="houses"><Place type="so-nikai"/></for>"#);
+    let found = town(&text, &[("roads.geojson", ROAD)]).found;
+    assert_eq!(found, ["HSD1115"], "no map");
+    let found = town(&text.replace("<Town ", r#"<Town crs="EPSG:99999" "#), &[("houses.geojson", &map(ROW)), ("roads.geojson", ROAD)]).found;
+    assert_eq!(found, ["HSD1117"]);
+    let sparse = map(&ROW[..3]).replace(r#","levels":1"#, "");
+    let text = rules(r#"<for each="houses" test="{levels > 1}"><Place type="so-nikai"/></for><for each="houses"><Place type="so-nikai"/></for>"#);
+    let found = town(&text, &[("houses.geojson", &sparse), ("roads.geojson", ROAD)]).found;
+    assert_eq!(found, ["HSD1106"]);
+    let twice = map(ROW).replace(r#""key":"bb""#, r#""key":"a""#);
+    let found = town(&rules(r#"<for each="houses"><Place type="so-nikai"/></for>"#), &[("houses.geojson", &twice), ("roads.geojson", ROAD)]).found;
+    assert!(found.contains(&"HSD1112".to_owned()), "{found:?}");
+    let alone = r#"<Town><Layer name="houses" src="houses.geojson" crs="local"/><for each="houses"><Place type="so-nikai"/></for></Town>"#;
+    let found = town(alone, &[("houses.geojson", &map(ROW))]).found;
+    assert!(found.contains(&"HSD1110".to_owned()), "{found:?}");
+}
+
+#[test]
+fn what_cannot_stand_is_refused_with_its_reason() {
+    let narrow = small(
+        r#"<for each="houses"><Place type="so-nikai" on="plot"/></for>"#,
+        &[("n", 0.0, 0.0, 2.0, 9.0)],
+    );
+    assert_eq!(narrow.found, ["HSD1108"]);
+    assert_eq!((&*narrow.rows[0]["what"], narrow.skipped), ("refused", 1));
+}
+
+#[test]
+fn the_block_of_the_examples_is_built() {
+    let folder = PathBuf::from("examples/towns");
+    let text = fs::read_to_string(folder.join("block.hsd")).expect("is there");
+    let found = in_folder(&text, &folder, |_| {});
+    assert_eq!(found.found, [""; 0]);
+    assert_eq!((found.features, found.skipped), (17, 1), "all but the shed");
+    let row = |key: &str| found.rows.iter().find(|r| r["key"] == key).expect("is there");
+    assert_eq!(number(row("n2"), "facing").rem_euclid(360.0), 0.0, "the north side looks north");
+    assert_eq!(row("w1")["what"], "outline", "an L");
+    assert_eq!(row("e1")["access"], "street");
+}
+
+/// Of Kyoto's houses that see a street, those whose front looks at the nearest one they see from the edge nearest to it.
+/// The oracle samples outlines and tests sight lines by itself; it shares only the street layer with the placing.
+#[test]
+#[cfg_attr(not(shared_data), ignore = "reads ../shared/data, which is not here")]
+fn fronts_of_kyoto_look_at_the_street() {
+    let data = std::env::var_os("HSD_DATA").map(PathBuf::from);
+    let data = data.unwrap_or_else(|| root().join("../shared/data"));
+    let folder = data.join("osm_kyoto_route18");
+    let text = r#"<Town seed="1998"><Layer name="houses" src="buildings.geojson"/><Layer name="roads" src="roads.geojson"/><for each="houses"><Place type="so-nikai"/></for></Town>"#;
+    let (mut rings, mut streets) = (vec![], vec![]);
+    let found = in_folder(text, &folder, |plan| {
+        rings = plan.layers[0].lots.iter().filter_map(|l| Some(l.shape.ring()?.to_vec())).collect();
+        for lot in &plan.layers[1].lots {
+            let class = plan.layers[1].word(lot, "highway").unwrap_or_default();
+            let half = match &*class {
+                "trunk" | "trunk_link" => 14.0,
+                "primary" | "secondary" => 11.5,
+                "tertiary" => 7.5,
+                "unclassified" => 3.0,
+                "residential" => 2.0,
+                "service" => 1.25,
+                _ => continue,
+            };
+            if let hsd::town::layer::Shape::Lines(lines) = &lot.shape {
+                for ends in lines.iter().flat_map(|l| l.windows(2)) {
+                    streets.push((ends[0], ends[1], half));
+                }
+            }
+        }
+    });
+    assert_eq!(found.features, found.built + found.skipped);
+    assert_eq!(found.features, rings.len());
+    let (mut seen, mut right) = (0, 0);
+    for (number_of, row) in found.rows.iter().enumerate() {
+        if row["what"] != "plot" && row["what"] != "outline" {
+            continue;
+        }
+        let Some(way) = nearest_seen(&rings, number_of, &streets) else {
+            continue;
+        };
+        let facing = number(row, "facing").to_radians();
+        let off = dvec2(facing.sin(), facing.cos()).angle_to(way).abs().to_degrees();
+        seen += 1;
+        right += usize::from(off <= 30.0);
+    }
+    let share = 100.0 * right as f64 / seen as f64;
+    println!("{right} of {seen} street houses face it: {share:.1} %");
+    assert!(seen > 1200 && share >= 92.0, "{right} of {seen}: {share:.1} %");
+}
+
+/// Returns the way from an outline to the nearest street that is seen from it, within 30 m.
+fn nearest_seen(rings: &[Vec<DVec2>], own: usize, streets: &[(DVec2, DVec2, f64)]) -> Option<DVec2> {
+    let ring = &rings[own];
+    let near: Vec<&Vec<DVec2>> = rings
+        .iter()
+        .enumerate()
+        .filter(|(n, r)| *n != own && r[0].distance(ring[0]) < 120.0)
+        .map(|(_, r)| r)
+        .collect();
+    let close = |s: &&(DVec2, DVec2, f64)| foot(s.0, s.1, ring[0]).distance(ring[0]) < 100.0;
+    let streets: Vec<_> = streets.iter().filter(close).collect();
+    let mut best: Option<(f64, DVec2)> = None;
+    for n in 0..ring.len() {
+        let (p, q) = (ring[n], ring[(n + 1) % ring.len()]);
+        let outward = dvec2(q.y - p.y, p.x - q.x).normalize_or_zero();
+        let steps = (p.distance(q) / 0.5).ceil().max(1.0) as usize;
+        for step in 0..steps {
+            let eye = p.lerp(q, (step as f64 + 0.5) / steps as f64);
+            for (a, b, half) in &streets {
+                let at = foot(*a, *b, eye);
+                let (way, gap) = (at - eye, (at.distance(eye) - half).max(0.0));
+                if gap > 30.0 || way.dot(outward) <= 0.0 || best.is_some_and(|(least, _)| gap >= least) {
+                    continue;
+                }
+                let end = eye + way.normalize_or_zero() * gap;
+                if !near.iter().any(|r| crosses(r, eye + outward * 0.05, end)) {
+                    best = Some((gap, way));
+                }
+            }
+        }
+    }
+    best.map(|(_, way)| way)
+}
+
+fn foot(a: DVec2, b: DVec2, p: DVec2) -> DVec2 {
+    let way = b - a;
+    let square = way.length_squared();
+    let share = if square > 0.0 { (p - a).dot(way) / square } else { 0.0 };
+    a + way * share.clamp(0.0, 1.0)
+}
+
+fn crosses(ring: &[DVec2], from: DVec2, to: DVec2) -> bool {
+    let side = |a: DVec2, b: DVec2, p: DVec2| (b - a).perp_dot(p - a);
+    (0..ring.len()).any(|n| {
+        let (p, q) = (ring[n], ring[(n + 1) % ring.len()]);
+        side(p, q, from) * side(p, q, to) < 0.0 && side(from, to, p) * side(from, to, q) < 0.0
+    })
+}
