@@ -74,6 +74,7 @@ pub fn features<'a>(
                     tree,
                     reporter,
                     suggest: Suggest::new(),
+                    views: vec![],
                 };
                 reader.made(index, state.0, state.1)
             });
