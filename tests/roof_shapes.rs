@@ -2,6 +2,7 @@
 
 mod boards;
 mod common;
+mod corridors;
 mod fixtures;
 mod flat;
 mod junctions;
