@@ -8,6 +8,7 @@ mod arrange;
 #[cfg(feature = "models")]
 mod beside;
 mod convert;
+mod gaps;
 mod house;
 #[cfg(feature = "models")]
 mod models;

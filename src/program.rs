@@ -104,6 +104,9 @@ pub struct Roofs {
     pub by_use: Option<Span>,
     /// Written roofs.
     pub lines: Vec<RoofLine>,
+    /// True if a note says already that the outline slants, so that one hip roof covers it.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub slant_told: bool,
 }
 
 impl Usual for Roofs {

@@ -48,6 +48,7 @@ mod places;
 mod readme;
 mod real_outlines;
 mod real_roofs;
+mod real_tags;
 mod report;
 mod robust;
 mod roof_gallery;

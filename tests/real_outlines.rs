@@ -38,7 +38,7 @@ fn points(ring: &[DVec2]) -> String {
 }
 
 /// The house of an outline, one storey high.
-fn text_of(plan: &Plan) -> String {
+pub(crate) fn text_of(plan: &Plan) -> String {
     let mut text = format!(
         "<House>\n  <Outline points=\"{}\">\n",
         points(&plan.outline)

@@ -1,6 +1,7 @@
 //! `hsd render`: renders images for documents with the page of the preview in a headless browser.
 
 mod browser;
+mod progress;
 mod shots;
 mod standing;
 
@@ -12,7 +13,7 @@ use crate::building::Built;
 use crate::cli::files::input::Inputs;
 use crate::cli::files::output;
 use crate::cli::files::output::Files;
-use crate::diagnostic::{Diagnostic, Diagnostics, Language, Text};
+use crate::diagnostic::{Diagnostic, Diagnostics, Language};
 use crate::driver;
 use crate::report::{Format, Report};
 use crate::source::Source;
@@ -22,6 +23,7 @@ use crate::view::{self, Preview, PreviewOptions, Screenshot};
 use browser::Browser;
 use clap::{Args, ValueEnum};
 use percent_encoding::{NON_ALPHANUMERIC, utf8_percent_encode};
+use progress::Progress;
 use shots::{Scenery, Shot, ViewParser};
 use standing::Camera;
 use std::io::{self, Write};
@@ -163,44 +165,6 @@ struct Run<'a> {
     shots: &'a [Shot],
     screenshots: &'a Receiver<Screenshot>,
     running: browser::Running,
-}
-
-/// How far a run has come.
-struct Progress {
-    begun: Instant,
-    done: usize,
-    total: usize,
-}
-
-impl Progress {
-    fn new(total: usize) -> Progress {
-        Progress {
-            begun: Instant::now(),
-            done: 0,
-            total,
-        }
-    }
-
-    /// Tells that a picture is written; of many also how many there are, and how long the others will take.
-    fn message(&self, path: &Path) -> Text {
-        let (path, elapsed) = (path.display(), self.begun.elapsed());
-        let (done, total, ms) = (self.done, self.total, elapsed.as_millis());
-        if total == 1 {
-            return text!([path, ms] "wrote {path} in {ms} ms", "{path} を書きました ({ms} ms)");
-        }
-        let left = (total - done.min(total)) as f64 * elapsed.as_secs_f64() / done.max(1) as f64;
-        let left = left.ceil();
-        match done < total {
-            true => text!([path, done, total, left]
-                "wrote {path} ({done} of {total}, about {left} s left)",
-                "{path} を書きました ({done}/{total}、残り約 {left} 秒)"
-            ),
-            false => text!([path, total, ms]
-                "wrote {path} ({total} of {total}, {ms} ms in all)",
-                "{path} を書きました ({total}/{total}、合計 {ms} ms)"
-            ),
-        }
-    }
 }
 
 /// The output of a run.

@@ -1,8 +1,9 @@
-//! Houses that stand in each other: compared by the ground storeys of all houses of a run, in their order.
+//! Houses that stand in each other, or leave a gap: compared by the ground storeys of all houses of a run, in their order.
 
-use crate::building::House;
+use super::gaps::{self, Gap, PASSAGE, WallEnd};
+use crate::building::{House, Ring};
 use crate::diagnostic::Diagnostics;
-use crate::diagnostic::messages::plan::in_each_other;
+use crate::diagnostic::messages::plan::{gap_in_wall, in_each_other};
 use crate::geometry::overlap::Area;
 use crate::source::{Source, Span};
 use glam::DVec2;
@@ -46,6 +47,10 @@ pub(super) struct Ground {
     heights: [f64; 2],
     /// Its outlines, each with true if it is a court.
     rings: Box<[(Box<[DVec2]>, bool)]>,
+    /// Walls that enclose nothing.
+    open: Box<[Box<[DVec2]>]>,
+    /// The ends of walls and of a corridor.
+    ends: Box<[WallEnd]>,
 }
 
 impl Ground {
@@ -53,8 +58,10 @@ impl Ground {
     pub(super) fn of(house: &House) -> Option<Ground> {
         let storey = house.storeys.first()?;
         let z = house.origin[2];
-        let closed = storey.rings.iter().filter(|r| r.closed && !r.inner);
+        let all: Vec<&Ring> = storey.rings.iter().filter(|r| !r.inner).collect();
+        let (closed, open): (Vec<&Ring>, Vec<&Ring>) = all.iter().partition(|r| r.closed);
         let rings: Box<[(Box<[DVec2]>, bool)]> = closed
+            .iter()
             .map(|r| {
                 (
                     r.walls.iter().map(|w| house.world(w.from)).collect(),
@@ -62,7 +69,14 @@ impl Ground {
                 )
             })
             .collect();
-        let corners = || rings.iter().flat_map(|(ring, _)| ring.iter().copied());
+        let line = |r: &&Ring| -> Box<[DVec2]> {
+            let first = r.walls.first().map(|w| w.from);
+            let places = first.into_iter().chain(r.walls.iter().map(|w| w.to));
+            places.map(|p| house.world(p)).collect()
+        };
+        let open: Box<[Box<[DVec2]>]> = open.iter().map(line).collect();
+        let closed = rings.iter().flat_map(|(ring, _)| ring.iter());
+        let corners = || closed.clone().chain(open.iter().flatten()).copied();
         let low = corners().reduce(DVec2::min)?;
         let high = corners().reduce(DVec2::max)?;
         let top = house.storeys.iter().map(|s| s.z1).fold(0.0, f64::max);
@@ -72,8 +86,20 @@ impl Ground {
             low,
             high,
             heights: [z, z + top],
+            ends: gaps::ends(house, &all),
             rings,
+            open,
         })
+    }
+
+    /// Returns its walls.
+    pub(super) fn walls(&self) -> impl Iterator<Item = [DVec2; 2]> {
+        let rings = self.rings.iter().flat_map(|(ring, _)| {
+            let next = ring.iter().cycle().skip(1);
+            ring.iter().zip(next).map(|(p, q)| [*p, *q])
+        });
+        let open = self.open.iter();
+        rings.chain(open.flat_map(|line| line.windows(2).map(|w| [w[0], w[1]])))
     }
 
     fn area(&self) -> Area {
@@ -97,12 +123,21 @@ impl Ground {
             && !apart(self.heights, other.heights)
     }
 
-    fn cells(&self) -> Option<impl Iterator<Item = (i64, i64)>> {
-        let cell = |p: DVec2| ((p.x / CELL).floor() as i64, (p.y / CELL).floor() as i64);
-        let ((x0, y0), (x1, y1)) = (cell(self.low), cell(self.high));
+    fn cells(&self) -> Option<impl Iterator<Item = (i64, i64)> + use<>> {
+        let [(x0, y0), (x1, y1)] = [cell(self.low), cell(self.high)];
         let few = (x1 - x0 + 1).saturating_mul(y1 - y0 + 1) <= CELLS;
-        few.then(|| (x0..=x1).flat_map(move |x| (y0..=y1).map(move |y| (x, y))))
+        few.then(|| cells_at(self.low, self.high))
     }
+}
+
+fn cell(p: DVec2) -> (i64, i64) {
+    ((p.x / CELL).floor() as i64, (p.y / CELL).floor() as i64)
+}
+
+/// Returns the cells of a rectangle.
+fn cells_at(low: DVec2, high: DVec2) -> impl Iterator<Item = (i64, i64)> {
+    let ((x0, y0), (x1, y1)) = (cell(low), cell(high));
+    (x0..=x1).flat_map(move |x| (y0..=y1).map(move |y| (x, y)))
 }
 
 impl Grounds {
@@ -168,6 +203,35 @@ impl Grounds {
                 None => large.push(number as u32),
             }
         }
+        for (number, ground) in self.list.iter().enumerate() {
+            for end in &ground.ends {
+                let near = cells_at(end.at - PASSAGE, end.at + PASSAGE);
+                let near = near.filter_map(|cell| cells.get(&cell)).flatten();
+                let near = near.chain(&large).copied().take(PAIRS);
+                if let Some(gap) = self.gap(number as u32, *end, near) {
+                    let other = &self.list[gap.other as usize];
+                    let heads = [ground.span, other.span].map(head);
+                    let names = [&*ground.name, &*other.name];
+                    out.push(gap_in_wall(heads, names, gap.length));
+                }
+            }
+        }
+    }
+
+    /// Returns the gap after the end of a wall; of two ends that face each other only the later house has one.
+    fn gap(&self, own: u32, end: WallEnd, near: impl Iterator<Item = u32>) -> Option<Gap> {
+        let ground = &self.list[own as usize];
+        let others = near.filter(|other| *other != own);
+        let others = others.map(|other| (other, &self.list[other as usize]));
+        let beside = others.filter(|(_, other)| {
+            let [low, high] = [0, 1].map(|k| (ground.heights[k], other.heights[k]));
+            (self.together || ground.span.file == other.span.file)
+                && high.0.min(high.1) - low.0.max(low.1) > LOW
+        });
+        let gap = end.gap(beside.map(|(number, other)| (number, other.walls())))?;
+        let facing = self.list[gap.other as usize].ends.iter();
+        let twice = gap.other > own && facing.clone().any(|e| e.is_at(gap.to));
+        (!twice).then_some(gap)
     }
 }
 

@@ -45,6 +45,8 @@ pub(super) struct Surveyed {
     azimuth: f64,
     /// True once a storey has the door of the house.
     has_door: bool,
+    /// True if a note says why it is not square.
+    told: bool,
 }
 
 /// A walk round a house or a courtyard.
@@ -143,9 +145,10 @@ impl Pass<'_, '_> {
             }
         }
         self.check_numbers(outline, house, written[0].1.sides());
-        let (turn, rings) = self.square(outline, &written, cleaned);
+        let (turn, rings, told) = self.square(outline, &written, cleaned);
         let front = front(outline, &written[0].1, &rings[0], turn);
-        Some(walk(outline.stand, &written, rings, turn, front, unit))
+        let surveyed = walk(outline.stand, &written, rings, turn, front, unit);
+        Some(Surveyed { told, ..surveyed })
     }
 
     /// Removes what is no corner; nothing if no area is left.
@@ -209,13 +212,14 @@ impl Pass<'_, '_> {
         }
     }
 
-    /// Squares and joins rings as far as the outline allows; returns the direction of their axes too.
+    /// Squares and joins rings as far as the outline allows; returns the direction of their axes, and whether a note says
+    /// why there is none.
     fn square(
         &mut self,
         outline: &Outline,
         written: &[(Span, Written<'_>)],
         rings: Vec<Ring>,
-    ) -> (Option<f64>, Vec<Ring>) {
+    ) -> (Option<f64>, Vec<Ring>, bool) {
         let given = outline.square.map_or(SQUARE, |most| most.value);
         let most = given.max(EXACT);
         let span = outline.points.span;
@@ -226,7 +230,7 @@ impl Pass<'_, '_> {
                 if squared.moved > EXACT || joined > EXACT {
                     self.out.push(say::squared(span, squared.moved, joined));
                 }
-                return (Some(squared.turn), squared.rings);
+                return (Some(squared.turn), squared.rings, false);
             }
             Err(reason) => reason,
         };
@@ -236,7 +240,8 @@ impl Pass<'_, '_> {
             (written.span(side), side + 1)
         };
         // Sides that cross as surveyed are reported once they are walls.
-        if given > 0.0 && outline::are_simple(&rings) {
+        let told = given > 0.0 && outline::are_simple(&rings);
+        if told {
             self.out.push(match reason {
                 Crooked::Slants(ring, side, angle) => {
                     let (span, number) = place(ring, side);
@@ -249,7 +254,7 @@ impl Pass<'_, '_> {
                 Crooked::Crosses => say::would_cross(span),
             });
         }
-        (None, rings)
+        (None, rings, told)
     }
 
     /// Returns the walks of a storey that stands on the outline.
@@ -298,11 +303,15 @@ impl Surveyed {
             corner: DVec2::ZERO,
             azimuth: 180.0,
             has_door: false,
+            told: false,
         }
     }
 
     /// Puts a house where its outline was surveyed.
     pub(super) fn stand(&self, house: &mut House) {
+        if self.told {
+            house.roofs.slant_told = true;
+        }
         let Stand::Surveyed(turn) = self.stand else {
             return;
         };
@@ -447,5 +456,6 @@ fn walk(
         corner: dvec2(libm::cos(turn), libm::sin(turn)).rotate(from),
         azimuth: (azimuth * 1e9).round() / 1e9,
         has_door: false,
+        told: false,
     }
 }

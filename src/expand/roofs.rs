@@ -19,6 +19,7 @@ pub(super) fn roofs(roofs: &ast::Roofs) -> Roofs {
         style: roofs.style.clone(),
         by_use: roofs.by_use,
         lines: roofs.lines.clone(),
+        slant_told: false,
     }
 }
 

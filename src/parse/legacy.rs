@@ -109,6 +109,12 @@ pub fn parse_lines(
     document
 }
 
+/// Returns true for a line that would begin a courtyard at a place: `@ 4 6`.
+fn is_court(text: &str) -> bool {
+    let place = text.trim_start().strip_prefix('@').map(str::trim_start);
+    place.is_some_and(|p| p.starts_with(|c: char| c.is_ascii_digit() || c == '-'))
+}
+
 /// The names of the sections in messages.
 const WALLS: Noun = noun("walls", "壁");
 const ROOFS: Noun = noun("roofs", "屋根");
@@ -137,6 +143,8 @@ struct Draft {
     apart: bool,
     /// The end of the header's lines, in the text of the source.
     header_end: Option<usize>,
+    /// True in the lines of a courtyard, which this form has not; up to the next blank line.
+    court: bool,
 }
 
 impl Draft {
@@ -183,6 +191,7 @@ impl<'a> Reader<'a> {
         }
         if raw.trim_start().is_empty() {
             self.house.header.gap = self.house.header.begun();
+            self.house.court = false;
             self.house.blank_line(at..end.end);
             return LineKind::Blank;
         }
@@ -234,6 +243,15 @@ impl<'a> Reader<'a> {
     }
 
     fn content(&mut self, line: &SourceLine<'_>, end: usize) -> LineKind {
+        if self.house.walls.begun() && is_court(&line.text) && !self.house.court {
+            self.house.court = true;
+            let span = line.whole(self.reporter.source);
+            self.reporter.say(say::no_courts(span));
+        }
+        if self.house.court {
+            (self.house.blank, self.house.apart) = (None, false);
+            return LineKind::Wall;
+        }
         let section = self.section_of(line, end);
         let house = &mut self.house;
         let span = line.whole(self.reporter.source);

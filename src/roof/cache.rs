@@ -267,10 +267,11 @@ impl Key {
             style,
             by_use: _,
             lines,
+            slant_told,
         } = &**roofs;
         let mut words = Words(Vec::with_capacity(64));
         words.number(*unit);
-        words.flags(&[*street, wished.is_some()]);
+        words.flags(&[*street, wished.is_some(), *slant_told]);
         words.0.extend([*mode as u64, *method as u64]);
         words.style(style);
         words.0.push(lines.len() as u64);

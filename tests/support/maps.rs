@@ -36,6 +36,15 @@ pub struct Plan {
     pub name: String,
     pub outline: Vec<DVec2>,
     pub courts: Vec<Vec<DVec2>>,
+    /// The properties of its feature: the tags of OpenStreetMap.
+    pub tags: Value,
+}
+
+impl Plan {
+    /// A tag, if it has it.
+    pub fn tag(&self, name: &str) -> Option<&str> {
+        self.tags[name].as_str()
+    }
 }
 
 /// All polygons of a map, in metres round the first corner of each.
@@ -75,6 +84,7 @@ pub fn plans(map: &Path) -> Vec<Plan> {
                 ),
                 outline,
                 courts: rings.collect(),
+                tags: feature["properties"].clone(),
             });
         }
     }

@@ -434,12 +434,7 @@ pub(crate) fn too_large(line: Span, largest: f64) -> Diagnostic {
 #[cold]
 pub fn in_each_other(spans: [Span; 2], names: [&str; 2], shared: f64) -> Diagnostic {
     let shared = (shared * 10.0).round() / 10.0;
-    let called = |name: &str, en, ja: &str| match name {
-        "" => (String::from(en), ja.to_owned()),
-        name => (quote(name), format!(" {} ", quote(name))),
-    };
-    let (one, own) = called(names[0], "this house", "この建物");
-    let (other, there) = called(names[1], "another one", "別の建物");
+    let [(one, own), (other, there)] = called(names);
     let own = own.trim_start();
     let message = text!([one, own, other, there, shared]
         "{one} and {other} stand in each other over {shared} m2",
@@ -453,6 +448,38 @@ pub fn in_each_other(spans: [Span; 2], names: [&str; 2], shared: f64) -> Diagnos
         true => found,
         false => found.label(spans[1], text!("the other one", "もう一方の建物")),
     }
+}
+
+/// A wall or corridor that ends a little before another house; the gap in metres.
+#[cold]
+pub fn gap_in_wall(spans: [Span; 2], names: [&str; 2], gap: f64) -> Diagnostic {
+    let gap = (gap * 100.0).round() / 100.0;
+    let [(one, own), (other, there)] = called(names);
+    let own = own.trim_start();
+    let message = text!([one, own, other, there, gap]
+        "{one} ends {gap} m before {other}: there is a gap in the wall",
+        "{own}は{there}の {gap} m 手前で終わり、隙間が空いています"
+    );
+    let found = Diagnostic::note(437, spans[0], message).help(text!(
+        "lengthen it, or move one of them (`x`, `y` in metres), until they touch; a gap of a metre or more is a passage",
+        "延ばすか、どちらかの `x` と `y` (m) を変えて接するようにしてください。1 m 以上空ければ通路とみなします"
+    ));
+    match spans[0] == spans[1] {
+        true => found,
+        false => found.label(spans[1], text!("the other one", "もう一方の建物")),
+    }
+}
+
+/// Returns how two houses are called in both languages.
+fn called(names: [&str; 2]) -> [(String, String); 2] {
+    let called = |name: &str, en, ja: &str| match name {
+        "" => (String::from(en), ja.to_owned()),
+        name => (quote(name), format!(" {} ", quote(name))),
+    };
+    [
+        called(names[0], "this house", "この建物"),
+        called(names[1], "another one", "別の建物"),
+    ]
 }
 
 /// A ring that was squared: its largest angle to a right one, degrees, and the farthest move of a corner, metres.

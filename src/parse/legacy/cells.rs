@@ -20,6 +20,16 @@ pub(super) fn pieces(
     turn: Option<usize>,
     reporter: &mut Reporter<'_>,
 ) -> (Vec<Item<Piece>>, bool) {
+    if let Some((width, code)) = free_width(&line.text[range.clone()]) {
+        let span = line.span(
+            reporter.source,
+            range.start + width.start..range.start + width.end,
+        );
+        let number = &line.text[range.clone()][width];
+        reporter.say(say::no_widths(span, number, code));
+        let span = line.span(reporter.source, range);
+        return (vec![Item::One(Piece::Error(span))], false);
+    }
     range.start += leading_shift(line, range.clone(), reporter);
     let text = &line.text[range.clone()];
     let mut pieces = Vec::with_capacity(text.len() / CELL + 1);
@@ -54,6 +64,34 @@ pub(super) fn columns(text: &str) -> usize {
     } else {
         text.chars().count()
     }
+}
+
+/// Returns the place of a width that an author gives to a part, `KKS 1.5` or `KKS=2`, and the code before it. No code has a
+/// number with a decimal point.
+fn free_width(text: &str) -> Option<(Range<usize>, &str)> {
+    let digit = |at: usize| text.as_bytes().get(at).is_some_and(u8::is_ascii_digit);
+    let (mark, sign) = text
+        .match_indices(['.', '=', '*', ':'])
+        .find(|(at, sign)| {
+            let before = match *sign {
+                "." => digit(at.wrapping_sub(1)),
+                _ => at
+                    .checked_sub(1)
+                    .is_some_and(|b| text.as_bytes()[b].is_ascii_uppercase()),
+            };
+            before && digit(at + 1)
+        })?;
+    let number = |c: char| c.is_ascii_digit() || c == '.';
+    let start = match sign {
+        "." => text[..mark].trim_end_matches(number).len(),
+        _ => mark + 1,
+    };
+    let end = text.len() - text[start..].trim_start_matches(number).len();
+    let before = text[..start].trim_end_matches([' ', '=', '*', ':']);
+    let code = before
+        .trim_end_matches(|c: char| c.is_ascii_uppercase())
+        .len();
+    Some((start..end, &before[code..]))
 }
 
 fn five(input: &str) -> IResult<&str, &str> {

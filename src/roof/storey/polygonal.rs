@@ -120,7 +120,7 @@ impl Polygonal<'_, '_> {
         match roofs.style.shape {
             Some(s) if matches!(s.value, RoofShape::Hip | RoofShape::Pyramid) => {}
             Some(s) => out.push(say::hipped_only(s.span, s.value.letters())),
-            None if roofs.method == RoofMethod::Skeleton => {}
+            None if roofs.method == RoofMethod::Skeleton || roofs.slant_told => {}
             None => {
                 let wall = self.slanting_wall().map(|w| w.span);
                 let number = level.storey.number;

@@ -420,3 +420,30 @@ pub fn empty_storey(span: Span, line: Span, storey: usize) -> Diagnostic {
         ))
         .fix(text!("Delete the `^`", "`^` を削除する"), line, "")
 }
+
+/// A courtyard: the legacy form has none.
+#[cold]
+pub fn no_courts(line: Span) -> Diagnostic {
+    let message = text!(
+        "the legacy form has no courtyards; the walls up to the next blank line are left out",
+        "旧形式では中庭を書けません。次の空行までの壁は読みません"
+    );
+    Diagnostic::error(153, line, message).help(text!(
+        "convert the file with `hsd fmt --to xml`, and write the courtyard as a `Loop hole=\"yes\" start=\"a b\"` in its storey",
+        "`hsd fmt --to xml` で XML に直し、階の中に `Loop hole=\"yes\" start=\"a b\"` として書いてください"
+    ))
+}
+
+/// A width of a part's own: the legacy form has none.
+#[cold]
+pub fn no_widths(span: Span, number: &str, code: &str) -> Diagnostic {
+    let code = if code.is_empty() { "KSK" } else { code };
+    let message = text!([number]
+        "{number} is no code: parts of the legacy form have the widths of the catalogue",
+        "{number} はコードではありません。旧形式の部材の幅は部材表で決まっています"
+    );
+    Diagnostic::error(154, span, message).help(text!([code, number]
+        "choose parts that add up to the length, or convert the file with `hsd fmt --to xml` and write `<Part code=\"{code}\" width=\"{number}\"/>` there",
+        "合わせて長さになる部材を選ぶか、`hsd fmt --to xml` で XML に直して `<Part code=\"{code}\" width=\"{number}\"/>` と書いてください"
+    ))
+}
