@@ -19,15 +19,18 @@ mod geojson;
 mod input;
 mod moj;
 mod osm;
+mod report;
 mod rings;
 mod shapefile;
 mod xml;
 
-pub use crs::{Crs, Datum, Datums, Mismatch, Projection, Transform};
+pub use crs::{Crs, Datum, Datums, Mismatch, Outside, Transform};
 pub use fault::{Fault, Kind, Which};
 pub use feature::{
     Area, Chain, Column, ColumnType, Columns, Feature, Geometry, Layer, Place, Value,
 };
+
+pub use report::{Faults, diagnostic};
 
 use crate::source::World;
 use format::Format;

@@ -1,11 +1,16 @@
 //! Maps as they are: the readers of `map`, on small files of our own and, where it is there, on the data beside the
 //! repository.
 
-use crate::support::root;
+use hsd::FolderWorld;
 use hsd::map::{self, Fault, Feature, Options};
-use hsd::{FolderWorld, glam::DVec2};
+use hsd::source::{PictureFile, Stream, World};
+use std::io;
 use std::path::Path;
 
+mod crs;
+mod damage;
+mod faults;
+mod hamlet;
 mod real;
 
 /// What a map holds.
@@ -28,7 +33,10 @@ impl Read {
 fn read_in(folder: &Path, name: &str, options: &Options) -> Result<Read, Fault> {
     let world = FolderWorld::new(vec![], 0).with_roots(vec![folder.to_owned()]);
     let path = folder.join(name);
-    let mut reader = map::open(&world, path.to_str().unwrap(), options)?;
+    Ok(read(map::open(&world, path.to_str().unwrap(), options)?))
+}
+
+fn read(mut reader: Box<dyn map::Reader>) -> Read {
     let mut read = Read {
         features: vec![],
         lost: vec![],
@@ -48,35 +56,30 @@ fn read_in(folder: &Path, name: &str, options: &Options) -> Result<Read, Fault> 
     let names = layer.columns.list().iter().map(|c| c.name.to_string());
     read.columns = names.collect();
     read.crs = layer.crs.clone();
-    Ok(read)
+    read
 }
 
-/// The middle of the bounds of a feature.
-fn middle(feature: &Feature) -> DVec2 {
-    let first = feature.geometry.points().next().unwrap();
-    let bounds = feature
-        .geometry
-        .points()
-        .fold((first, first), |(low, high), p| (low.min(p), high.max(p)));
-    (bounds.0 + bounds.1) / 2.0
-}
+/// Reads a map of bytes at hand; files beside it are named too.
+fn read_bytes(files: &[(&str, Vec<u8>)], options: &Options) -> Result<Read, Fault> {
+    struct Memory(Vec<(String, Vec<u8>)>);
+    impl World for Memory {
+        fn picture(&self, _: &str) -> Option<PictureFile> {
+            None
+        }
 
-#[test]
-fn the_hamlet_is_read_from_geojson() {
-    let read = read_in(
-        &root().join("tests/data"),
-        "houses.geojson",
-        &Options::default(),
-    );
-    let read = read.unwrap();
-    assert_eq!(read.counts(), (5, 0));
-    assert!(read.remarks.is_empty(), "{:?}", read.remarks);
-    let street = read_in(
-        &root().join("tests/data"),
-        "street.geojson",
-        &Options::default(),
-    );
-    assert_eq!(street.unwrap().counts(), (2, 0));
-    let first = middle(&read.features[0]);
-    assert!((first - DVec2::new(135.75, 35.0)).length() < 1.0, "{first}");
+        fn picture_bytes(&self, path: &str) -> io::Result<Vec<u8>> {
+            Err(io::Error::new(io::ErrorKind::NotFound, path))
+        }
+
+        fn open(&self, path: &str) -> io::Result<Box<dyn Stream>> {
+            let found = self.0.iter().find(|(name, _)| name == path);
+            let (_, bytes) = found.ok_or(io::ErrorKind::NotFound)?;
+            Ok(Box::new(io::Cursor::new(bytes.clone())))
+        }
+    }
+    let named = files
+        .iter()
+        .map(|(name, bytes)| ((*name).to_owned(), bytes.clone()));
+    let world = Memory(named.collect());
+    Ok(read(map::open(&world, files[0].0, options)?))
 }

@@ -6,6 +6,8 @@ pub mod file;
 pub mod fittings;
 pub mod legacy;
 pub mod limits;
+#[cfg(feature = "maps")]
+pub mod maps;
 pub mod outline;
 pub mod parts;
 pub mod pictures;

@@ -191,7 +191,7 @@ impl GeoJson {
                     self.state = State::Features;
                     Ok(None)
                 }
-                Object::Feature(raw, from) => Ok(self.decode(&raw, from)),
+                Object::Feature(raw, from) => Ok(Some(self.decode(&raw, from))),
             },
             Some(_) => Err(Bad::Unexpected),
         }
@@ -215,7 +215,7 @@ impl GeoJson {
         }
         let (mut raw, from) = (vec![], self.scanner.at());
         match self.scanner.value(&mut raw, self.feature_bytes) {
-            Ok(()) => Ok(self.decode(&raw, from)),
+            Ok(()) => Ok(Some(self.decode(&raw, from))),
             Err(bad @ (Bad::Ends | Bad::TooLarge)) => match self.reread(&raw) {
                 true => {
                     let what = "it has no end".into();
@@ -266,8 +266,8 @@ impl GeoJson {
         }
     }
 
-    /// Makes a feature of its text. Returns `None` for an empty collection, which is no feature.
-    fn decode(&mut self, raw: &[u8], from: u64) -> Option<Result<Feature, Fault>> {
+    /// Makes a feature of its text.
+    fn decode(&mut self, raw: &[u8], from: u64) -> Result<Feature, Fault> {
         let mut flaws = vec![];
         let decoded = decode::feature(raw, &mut self.layer.columns, &mut flaws);
         let Decoded {
@@ -275,13 +275,12 @@ impl GeoJson {
             fields,
             geometry,
         } = match decoded {
-            Ok(Some(decoded)) => decoded,
-            Ok(None) => return None,
+            Ok(decoded) => decoded,
             Err(what) => {
                 if scan::feature_in(&raw[1..]).is_some() && !self.reread(raw) {
                     self.state = State::Over;
                 }
-                return Some(Err(self.lost(from, None, Kind::Malformed { what })));
+                return Err(self.lost(from, None, Kind::Malformed { what }));
             }
         };
         for Flaw { field, kind } in flaws {
@@ -290,17 +289,17 @@ impl GeoJson {
         }
         let geometry = match geometry {
             Ok(geometry) => geometry,
-            Err(kind) => return Some(Err(self.lost(from, id, kind))),
+            Err(kind) => return Err(self.lost(from, id, kind)),
         };
         let number = self.number;
         self.number += 1;
-        Some(Ok(Feature {
+        Ok(Feature {
             number,
             id,
             geometry,
             fields,
             place: Place::Byte(from),
-        }))
+        })
     }
 }
 

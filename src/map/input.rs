@@ -97,6 +97,13 @@ pub(super) fn encoding_named(name: &str) -> Option<&'static Encoding> {
     match name.to_ascii_lowercase().as_str() {
         "cp932" | "932" | "ms932" | "sjis" | "shift-jis" => Some(encoding_rs::SHIFT_JIS),
         "65001" | "utf8" => Some(encoding_rs::UTF_8),
+        "936" | "cp936" => Some(encoding_rs::GBK),
+        "949" | "cp949" => Some(encoding_rs::EUC_KR),
+        "950" | "cp950" => Some(encoding_rs::BIG5),
+        "88591" => Some(encoding_rs::WINDOWS_1252),
+        page if page.len() == 4 && page.starts_with("125") => {
+            Encoding::for_label(format!("windows-{page}").as_bytes())
+        }
         _ => Encoding::for_label(name.as_bytes()),
     }
 }

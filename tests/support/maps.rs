@@ -7,10 +7,18 @@ use std::path::{Path, PathBuf};
 
 const METRES_PER_DEGREE: f64 = 111_320.0;
 
+/// The folder of the data beside the repository, or beside the folder that holds its worktrees.
+pub fn data() -> PathBuf {
+    let beside = root().join("../shared/data");
+    match beside.is_dir() {
+        true => beside,
+        false => root().join("../../shared/data"),
+    }
+}
+
 /// The maps of the folders in `../shared/data`.
 pub fn maps() -> Vec<PathBuf> {
-    let folder = root().join("../shared/data");
-    list(&folder)
+    list(&data())
         .into_iter()
         .flat_map(|set| maps_in(&set))
         .collect()

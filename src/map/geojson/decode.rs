@@ -23,7 +23,7 @@ pub(super) struct Flaw {
     pub(super) kind: Kind,
 }
 
-/// Reads a feature or a bare geometry; `None` for a collection without features.
+/// Reads a feature or a bare geometry.
 ///
 /// # Errors
 /// If it is no JSON, or no feature.
@@ -31,7 +31,7 @@ pub(super) fn feature(
     raw: &[u8],
     columns: &mut Columns,
     flaws: &mut Vec<Flaw>,
-) -> Result<Option<Decoded>, Box<str>> {
+) -> Result<Decoded, Box<str>> {
     let read = |raw: &[u8], columns: &mut Columns, flaws: &mut Vec<Flaw>| {
         let mut from = serde_json::Deserializer::from_slice(raw);
         let member = ObjectSeed { columns, flaws }.deserialize(&mut from)?;
@@ -123,7 +123,7 @@ enum Member {
 }
 
 impl Object {
-    fn into_decoded(self) -> Result<Option<Decoded>, Box<str>> {
+    fn into_decoded(self) -> Result<Decoded, Box<str>> {
         let Object {
             of,
             id,
@@ -134,21 +134,21 @@ impl Object {
         match of.as_deref() {
             Some("Feature") => {
                 let geometry = geometry.ok_or(Kind::NoGeometry).and_then(Shape::geometry);
-                Ok(Some(Decoded {
+                Ok(Decoded {
                     id,
                     fields,
                     geometry,
-                }))
+                })
             }
-            Some("FeatureCollection") => Ok(None),
+            Some("FeatureCollection") => Err("the collection has no list of features".into()),
             Some(of) => {
                 own.of = of.into();
                 let geometry = own.geometry();
-                Ok(Some(Decoded {
+                Ok(Decoded {
                     id: None,
                     fields,
                     geometry,
-                }))
+                })
             }
             None => Err("it has no `type`".into()),
         }

@@ -1,0 +1,107 @@
+//! Reference systems: names, WKT, conversions.
+
+use hsd::glam::dvec2;
+use hsd::map::{Crs, Datum, Datums, Mismatch, Outside, Transform};
+
+#[test]
+fn one_system_has_many_names() {
+    let six = Crs::from_epsg(6674);
+    assert!(six.is_some());
+    for name in [
+        "EPSG:6674",
+        "6674",
+        "urn:ogc:def:crs:EPSG::6674",
+        "urn:ogc:def:crs:EPSG:9.8:6674",
+        "http://www.opengis.net/def/crs/EPSG/0/6674",
+        r#"PROJCS["JGD_2011_Japan_Zone_6",GEOGCS["GCS_JGD_2011",DATUM["D_JGD_2011",SPHEROID["GRS_1980",6378137.0,298.257222101]],PRIMEM["Greenwich",0.0],UNIT["Degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],PARAMETER["False_Easting",0.0],PARAMETER["False_Northing",0.0],PARAMETER["Central_Meridian",136.0],PARAMETER["Scale_Factor",0.9999],PARAMETER["Latitude_Of_Origin",36.0],UNIT["Meter",1.0]]"#,
+        r#"PROJCRS["JGD2011 / Japan Plane Rectangular CS VI",BASEGEOGCRS["JGD2011",DATUM["Japanese Geodetic Datum 2011",ELLIPSOID["GRS 1980",6378137,298.257222101]]],CONVERSION["x",METHOD["Transverse Mercator"]],ID["EPSG",6674]]"#,
+    ] {
+        assert_eq!(Crs::from_name(name), six, "{name}");
+    }
+    for name in [
+        "",
+        "EPSG:",
+        "EPSG:99999999999",
+        "urn:x",
+        "PROJCS[",
+        "GEOGCS[\"a\"]",
+        "[[[[",
+    ] {
+        assert_eq!(Crs::from_name(name), None, "{name}");
+    }
+    assert_eq!(
+        Crs::from_name("urn:ogc:def:crs:OGC:1.3:CRS84"),
+        Some(Crs::wgs84())
+    );
+    let utm = Crs::from_epsg(32653).unwrap();
+    assert_eq!(utm.datum, Datum::Wgs84);
+}
+
+#[test]
+fn places_agree_with_proj() {
+    // PROJ 9 by pyproj.
+    let cases = [
+        (6669, dvec2(129.9, 32.7), dvec2(37_503.65695, -33_196.48582)),
+        (
+            6674,
+            dvec2(135.75, 35.0),
+            dvec2(-22_819.78519, -110_910.11809),
+        ),
+        (
+            6677,
+            dvec2(139.7627436, 35.7286161),
+            dvec2(-6385.72732, -30_106.49618),
+        ),
+        (32653, dvec2(135.0, 35.0), dvec2(500_000.0, 3_873_043.06453)),
+        (
+            32723,
+            dvec2(-43.2, -22.9),
+            dvec2(684_623.67326, 7_466_421.40067),
+        ),
+        (
+            3857,
+            dvec2(135.75, 35.0),
+            dvec2(15_111_620.87519, 4_163_881.14406),
+        ),
+    ];
+    for (code, lon_lat, expected) in cases {
+        let to = Crs::from_epsg(code).unwrap();
+        let there = Transform::new(&Crs::wgs84(), &to, Datums::Exact).unwrap();
+        let back = Transform::new(&to, &Crs::wgs84(), Datums::Exact).unwrap();
+        let found = there.apply(lon_lat).unwrap();
+        assert!(found.distance(expected) < 1e-4, "{code}: {found}");
+        let again = back.apply(found).unwrap();
+        assert!(again.distance(lon_lat) < 1e-9, "{code}: {again}");
+    }
+}
+
+#[test]
+fn old_datums_are_converted_only_where_asked() {
+    let (old, new) = (
+        Crs::from_epsg(30166).unwrap(),
+        Crs::from_epsg(6674).unwrap(),
+    );
+    let refused = Transform::new(&old, &new, Datums::Exact).err();
+    assert_eq!(refused, Some(Mismatch::Datum));
+    let shifted = Transform::new(&old, &new, Datums::ThreeParameters).unwrap();
+    let by = shifted.apply(dvec2(0.0, 0.0)).unwrap();
+    assert!((300.0..600.0).contains(&by.length()), "{by}");
+    let local = Transform::new(&Crs::local(), &new, Datums::Exact).err();
+    assert_eq!(local, Some(Mismatch::Local));
+    assert!(Transform::new(&Crs::local(), &Crs::local(), Datums::Exact).is_ok());
+}
+
+#[test]
+fn coordinates_outside_their_system_are_known() {
+    let (degrees, metres) = (Crs::wgs84(), Crs::from_epsg(6674).unwrap());
+    assert_eq!(degrees.refuses(dvec2(135.0, 35.0)), None);
+    assert_eq!(degrees.refuses(dvec2(35.0, 135.0)), Some(Outside::Swapped));
+    assert_eq!(
+        degrees.refuses(dvec2(-22_800.0, -108_300.0)),
+        Some(Outside::Metres)
+    );
+    assert_eq!(metres.refuses(dvec2(-22_800.0, -108_300.0)), None);
+    assert_eq!(metres.refuses(dvec2(135.75, 35.0)), Some(Outside::Degrees));
+    assert_eq!(metres.refuses(dvec2(35.0, 135.75)), Some(Outside::Degrees));
+    assert_eq!(metres.refuses(dvec2(9e9, 0.0)), Some(Outside::Far));
+}
