@@ -15,7 +15,6 @@ pub mod names;
 pub mod plan;
 mod sections;
 pub mod selection;
-mod standing;
 pub mod stroke;
 pub mod symbols;
 pub mod tokens;

@@ -37,7 +37,7 @@ use crate::building::{self, EdgeKind, HouseRoofs};
 use crate::catalog::Catalog;
 use crate::diagnostic::Language;
 use crate::geometry::SHAKU;
-use crate::ide::standing::{Standing, SurveyedOutline, outlines, standing};
+use crate::ide::stroke::sheet::standing::{Standing, SurveyedOutline, outlines, standing};
 use crate::ide::stroke::sheet::{Reason, Sheet, SheetRow, name};
 use crate::program::{self, Content};
 use crate::source::Span;

@@ -51,7 +51,6 @@
 mod apply;
 mod draft;
 mod find;
-mod ground;
 mod houses;
 mod legacy;
 mod outline;
@@ -274,13 +273,13 @@ fn worked_out(sheet: &Sheet<'_>, stroke: &Stroke) -> Result<Vec<Edit>, Text> {
             height,
         } => storeys::set_height(sheet, *house, *storey, *height),
         Stroke::RemoveHouse { house } => houses::remove(sheet, *house),
-        Stroke::MovePlace { place, to } => ground::move_to(sheet, *place, *to),
-        Stroke::TurnPlace { place, to } => ground::turn_to(sheet, *place, *to),
-        Stroke::DrawOutline { points, height } => ground::draw(sheet, points, *height),
+        Stroke::MovePlace { place, to } => houses::ground::move_to(sheet, *place, *to),
+        Stroke::TurnPlace { place, to } => houses::ground::turn_to(sheet, *place, *to),
+        Stroke::DrawOutline { points, height } => houses::ground::draw(sheet, points, *height),
         Stroke::MoveCorner {
             outline,
             corner,
             to,
-        } => ground::move_corner(sheet, *outline, *corner, *to),
+        } => houses::ground::move_corner(sheet, *outline, *corner, *to),
     }
 }

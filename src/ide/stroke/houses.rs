@@ -1,5 +1,7 @@
 //! Strokes that add and remove houses.
 
+pub(super) mod ground;
+
 use super::change::tidy;
 use super::find::{self, Written};
 use super::outline::{self, Walk};
@@ -138,12 +140,7 @@ fn element(sheet: &Sheet<'_>, site: &Site, walk: &Walk, height: f64) -> Result<V
 }
 
 /// Inserts a house after the last one below a root; a single root house becomes one of several.
-pub(super) fn behind(
-    sheet: &Sheet<'_>,
-    root: &Element,
-    house: &str,
-    end: &str,
-) -> Result<Vec<Edit>, Text> {
+fn behind(sheet: &Sheet<'_>, root: &Element, house: &str, end: &str) -> Result<Vec<Edit>, Text> {
     let put = |at: usize, text: String| Edit {
         range: at..at,
         text,

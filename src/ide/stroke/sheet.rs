@@ -6,6 +6,7 @@
 
 mod cells;
 mod reason;
+pub(in crate::ide) mod standing;
 
 pub(in crate::ide) use reason::Reason;
 

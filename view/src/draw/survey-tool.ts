@@ -42,7 +42,7 @@ export class SurveyTool {
     for (const [outline, { corners, fixed, ...frame }] of (this.#plan.state?.plan.outlines ?? []).entries()) {
       for (const [corner, at] of fixed ? [] : corners.entries()) {
         const [x, y] = fromFrame(frame, at);
-        const handle = s('line', { class: 'corner', x1: x, y1: y, x2: x, y2: y, tabindex: 0, role: 'button', 'aria-label': strings.cornerOf(corner + 1, outline + 1) });
+        const handle = s('line', { class: 'corner', x1: x, y1: y, x2: x + 1e-3, y2: y, tabindex: 0, role: 'button', 'aria-label': strings.cornerOf(corner + 1, outline + 1) });
         this.#corners.set(handle, { outline, corner });
         this.handles.append(handle);
         if (this.#focus === `${outline} ${corner}`) setTimeout(() => handle.focus());

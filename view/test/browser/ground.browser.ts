@@ -164,6 +164,7 @@ test('Escape gives up an outline, and a form without outlines says how to get th
   await page.locator('.run[tabindex="0"]').first().focus();
   await page.keyboard.press('ArrowRight');
   assert.match(await status() ?? '', /first line of the house/);
+  await page.locator('.files button').filter({ hasText: 'town' }).click();
 });
 
 test('no requests to other hosts, no errors', () => preview.assertClean());

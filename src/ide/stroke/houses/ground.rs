@@ -1,15 +1,15 @@
 //! Strokes that move and turn what stands on the ground as a whole, and those that draw and change surveyed outlines.
 
-use super::change::tidy;
-use super::houses::behind;
-use super::storeys::checked;
-use super::xml::plain;
-use super::{legacy, refuse};
+use super::behind;
 use crate::diagnostic::Text;
 use crate::geometry::area2;
 use crate::ide::format::Edit;
-use crate::ide::standing::{Standing, outlines, standing};
+use crate::ide::stroke::change::tidy;
 use crate::ide::stroke::sheet::Sheet;
+use crate::ide::stroke::sheet::standing::{Standing, outlines, standing};
+use crate::ide::stroke::storeys::checked;
+use crate::ide::stroke::xml::plain;
+use crate::ide::stroke::{legacy, refuse};
 use crate::parse::syntax::Element;
 use glam::{DVec2, dvec2};
 
@@ -25,7 +25,11 @@ const MOST: usize = 1000;
 const HEIGHT: f64 = 9.5;
 
 /// Moves a group or a house to a place in its frame, metres east and north.
-pub(super) fn move_to(sheet: &Sheet<'_>, index: usize, to: [f64; 2]) -> Result<Vec<Edit>, Text> {
+pub(in crate::ide::stroke) fn move_to(
+    sheet: &Sheet<'_>,
+    index: usize,
+    to: [f64; 2],
+) -> Result<Vec<Edit>, Text> {
     let own = own(sheet, index)?;
     if let Some(reason) = own.fixed {
         return Err(reason.text());
@@ -45,7 +49,11 @@ pub(super) fn move_to(sheet: &Sheet<'_>, index: usize, to: [f64; 2]) -> Result<V
 }
 
 /// Turns a group, or the front of a house, to a direction in its frame, degrees.
-pub(super) fn turn_to(sheet: &Sheet<'_>, index: usize, to: f64) -> Result<Vec<Edit>, Text> {
+pub(in crate::ide::stroke) fn turn_to(
+    sheet: &Sheet<'_>,
+    index: usize,
+    to: f64,
+) -> Result<Vec<Edit>, Text> {
     let own = own(sheet, index)?;
     if let Some(reason) = own.turn_fixed {
         return Err(reason.text());
@@ -72,7 +80,7 @@ pub(super) fn turn_to(sheet: &Sheet<'_>, index: usize, to: f64) -> Result<Vec<Ed
 }
 
 /// Moves a corner of an outline, metres in its frame.
-pub(super) fn move_corner(
+pub(in crate::ide::stroke) fn move_corner(
     sheet: &Sheet<'_>,
     outline: usize,
     corner: usize,
@@ -110,7 +118,7 @@ pub(super) fn move_corner(
 }
 
 /// Adds a house on an outline, metres east and north in the world.
-pub(super) fn draw(
+pub(in crate::ide::stroke) fn draw(
     sheet: &Sheet<'_>,
     points: &[[f64; 2]],
     height: Option<f64>,
