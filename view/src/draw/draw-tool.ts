@@ -79,6 +79,7 @@ export class DrawTool {
       this.#fill();
       this.#enable();
     };
+    plan.onScale = () => this.#survey.scale();
     plan.isDragging = () => this.#pointerId !== null;
     plan.sheet.moves = target => !this.on || this.tool === 'part' || this.tool !== 'outline' && this.tool !== 'survey' && !target.closest('.run');
     app.on('files', () => {

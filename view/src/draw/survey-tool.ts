@@ -10,6 +10,8 @@ import type { EditSession } from './session.ts';
 
 /** A press so close to the first corner closes the outline, CSS pixels. */
 const CLOSE = 14;
+/** Radius of a handle, CSS pixels. */
+const HANDLE = 8;
 
 /** A corner being moved. */
 interface Held { outline: number; corner: number; at: XY; drags: boolean }
@@ -42,7 +44,7 @@ export class SurveyTool {
     for (const [outline, { corners, fixed, ...frame }] of (this.#plan.state?.plan.outlines ?? []).entries()) {
       for (const [corner, at] of fixed ? [] : corners.entries()) {
         const [x, y] = fromFrame(frame, at);
-        const handle = s('line', { class: 'corner', x1: x, y1: y, x2: x + 1e-3, y2: y, tabindex: 0, role: 'button', 'aria-label': strings.cornerOf(corner + 1, outline + 1) });
+        const handle = s('circle', { class: 'corner', cx: x, cy: y, tabindex: 0, role: 'button', 'aria-label': strings.cornerOf(corner + 1, outline + 1) });
         this.#corners.set(handle, { outline, corner });
         this.handles.append(handle);
         if (this.#focus === `${outline} ${corner}`) setTimeout(() => handle.focus());
@@ -50,6 +52,12 @@ export class SurveyTool {
     }
     this.#focus = null;
     this.#plan.sheet.svg.append(this.handles);
+    this.scale();
+  }
+
+  /** Keeps the size of the handles on the screen. */
+  scale() {
+    for (const handle of this.#corners.keys()) handle.setAttribute('r', `${HANDLE * this.#plan.sheet.pixel}`);
   }
 
   down(event: PointerEvent): boolean {

@@ -22,6 +22,8 @@ export class PlanView {
   onUnitClick: (shape: SVGGElement) => boolean = () => false;
   /** Called after the plan is redrawn. */
   onRedraw: () => void = () => {};
+  /** Called when the sheet has another scale. */
+  onScale: () => void = () => {};
   /** True during a drag, while the plan must not be redrawn. */
   isDragging: () => boolean = () => false;
   /** The state shown. */
@@ -150,6 +152,7 @@ export class PlanView {
   #measure() {
     const pixel = this.sheet.pixel;
     placeLengths(this.drawn.lengths, pixel);
+    this.onScale();
     const target = pixel * 120;
     const step = 10 ** Math.floor(Math.log10(target)), length = [5, 2, 1].map(n => n * step).find(n => n <= target) ?? step;
     this.#scale.style.width = `${length / pixel}px`;
