@@ -4,6 +4,7 @@
 use crate::roof_shapes::common::*;
 use crate::roof_shapes::halls::{FOOTPRINTS, PITCHES, under};
 use crate::roof_shapes::random::{Draws, rings};
+use crate::support::volume;
 use glam::{DVec2, DVec3, dvec2};
 use hsd::ast::{RoofMethod, RoofShape};
 use hsd::building::{Building, Finish, HouseRoofs, Roof, Solid};
@@ -381,6 +382,46 @@ fn lean_roofs_are_the_massive_ones() {
         let (building, _) = build(house);
         let name = format!("plan {n}");
         wrong.extend(lean_wrongs(&name, &building, &mut draws));
+    }
+    assert_none(wrong);
+}
+
+/// Roofs over one rectangle, which are made in closed form: closed, outward, the same space and the same volume as by the
+/// general way. Eaves and verges of all widths, since where one is missing the form is another.
+#[test]
+fn lone_roofs_are_the_massive_ones() {
+    let mut draws = Draws(61);
+    let shapes = [
+        RoofShape::Gable,
+        RoofShape::Hip,
+        RoofShape::HipAndGable,
+        RoofShape::HalfHip,
+        RoofShape::BroadGable,
+        RoofShape::Pyramid,
+        RoofShape::LeanTo,
+    ];
+    let mut wrong = vec![];
+    for n in 0..20 * many() {
+        let size = |draws: &mut Draws| (4 + draws.below(60)) as f64 / 4.0;
+        let (a, b) = (size(&mut draws), size(&mut draws));
+        let mut house = house(vec![vec![ring(&[(0.0, 0.0), (a, 0.0), (a, b), (0.0, b)])]]);
+        house.roofs.style.shape = Some(spanned(shapes[(n % 7) as usize]));
+        house.roofs.style.pitch = Some(spanned(2.0 + draws.below(70) as f64 / 10.0));
+        if n % 5 == 0 {
+            house.roofs.method = RoofMethod::Skeleton;
+        }
+        let (building, _) = build(house);
+        let name = format!("{a} by {b}, {:?}", shapes[(n % 7) as usize]);
+        wrong.extend(lean_wrongs(&name, &building, &mut draws));
+        for group in groups(&building.houses[0].roofs.roofs) {
+            let space = |solids: Vec<Solid>| -> f64 { solids.iter().map(volume).sum() };
+            let both = [lean(group), massive(group)].map(|made| made.map(space));
+            if let [Some(lean), Some(massive)] = both
+                && (lean - massive).abs() > 1e-4 * massive
+            {
+                wrong.push(format!("{name}: {lean} m3 for {massive}"));
+            }
+        }
     }
     assert_none(wrong);
 }

@@ -5,18 +5,20 @@
 //! (`pieces`). Slabs and fillings share the corners of one plan (`plan`), their surfaces are added up there, and the
 //! faces that remain in one plane become one, which need not be convex (`faces`).
 //!
-//! Pieces that share space are cut first (`settled`). What is left over, which no plan has been seen to, goes the general
+//! A roof that meets no other needs none of this (`lone`). Pieces that share space are cut first (`settled`). What is left over, which no plan has been seen to, goes the general
 //! way.
 
 mod faces;
+mod lone;
 mod pieces;
 mod plan;
 mod settled;
 
 use crate::ast::RoofShape;
-use crate::building::{Finish, Roof, Solid};
+use crate::building::{Face, Finish, Roof, Solid};
 use crate::check::{has_area, is_plane};
 use crate::roof::solid::massive::closed;
+use crate::roof::solid::massive::lean::pieces::Piece;
 use crate::roof::solid::massive::merge::Polygon;
 use glam::{DVec2, DVec3};
 
@@ -31,18 +33,29 @@ pub fn lean(roofs: &[Roof]) -> Option<Vec<Solid>> {
     roofs.iter().find(|r| r.attic.filled)?;
     let mut solids = vec![];
     for part in apart(roofs) {
-        solids.extend(divided(&part).into_iter().filter(is_seen));
+        solids.extend(made(&part).into_iter().filter(is_seen));
     }
     Some(solids)
 }
 
+/// Returns the solids of some roofs: of a simple one in closed form, of others from their common plan.
+fn made(roofs: &[&Roof]) -> Vec<Solid> {
+    let pieces = pieces::pieces(roofs);
+    let alone = roofs.len() == 1;
+    let simple = alone.then(|| lone::lone(&pieces)).flatten();
+    match simple.filter(is_sound) {
+        Some(solid) => vec![solid],
+        None => divided(roofs, pieces),
+    }
+}
+
 /// Returns the solids of some roofs, of each half by itself if the whole would touch itself along an edge.
-fn divided(roofs: &[&Roof]) -> Vec<Solid> {
-    match direct(roofs) {
+fn divided(roofs: &[&Roof], pieces: Vec<Piece>) -> Vec<Solid> {
+    match direct(roofs, pieces) {
         Ok(solids) => solids,
         Err(Refused::Touching) if roofs.len() > 1 => {
             let (these, those) = roofs.split_at(roofs.len() / 2);
-            [divided(these), divided(those)].concat()
+            [made(these), made(those)].concat()
         }
         Err(_) => super::united(roofs),
     }
@@ -57,23 +70,27 @@ enum Refused {
 }
 
 /// Returns the solids of some roofs without the general union.
-fn direct(roofs: &[&Roof]) -> Result<Vec<Solid>, Refused> {
+fn direct(roofs: &[&Roof], pieces: Vec<Piece>) -> Result<Vec<Solid>, Refused> {
     // Verges of half-hips that meet other roofs end in the middle of slopes.
     if roofs.len() > 1 && roofs.iter().any(|r| r.shape == RoofShape::HalfHip) {
         return Err(Refused::Meeting);
     }
-    let (points, faces) = bounds(roofs).ok_or(Refused::Meeting)?;
+    let (points, faces) = bounds(pieces).ok_or(Refused::Meeting)?;
     let solids = closed::bounded(&points, faces).ok_or(Refused::Touching)?;
-    let sound = |s: &Solid| s.faces.iter().all(|f| has_area(s, f) && is_plane(s, f));
-    match solids.iter().all(sound) {
+    match solids.iter().all(is_sound) {
         true => Ok(solids),
         false => Err(Refused::Meeting),
     }
 }
 
-/// Returns the faces that bound some roofs, and their points.
-fn bounds(roofs: &[&Roof]) -> Option<(Vec<DVec3>, Vec<Polygon>)> {
-    let pieces = settled::settle(pieces::pieces(roofs))?;
+fn is_sound(solid: &Solid) -> bool {
+    let sound = |f: &Face| has_area(solid, f) && is_plane(solid, f);
+    solid.faces.iter().all(sound)
+}
+
+/// Returns the faces that bound some slopes, and their points.
+fn bounds(pieces: Vec<Piece>) -> Option<(Vec<DVec3>, Vec<Polygon>)> {
+    let pieces = settled::settle(pieces)?;
     let mut plan = plan::Plan::of(&pieces);
     for _ in 0..ROUNDS {
         plan.conform();

@@ -8,7 +8,7 @@ use crate::roof::solid::massive::lean::pieces::Piece;
 use glam::{DVec2, DVec3, dvec3};
 
 /// Corners nearer in plan are one, metres.
-const WELD: f64 = 2e-5;
+pub(super) const WELD: f64 = 2e-5;
 
 /// An outline by the numbers of its corners, each with true if the edge that starts there is a rim.
 type Ring = Vec<(u32, bool)>;
