@@ -1,7 +1,7 @@
 //! Outlines as surveyed: where the walls come to stand, what is squared and joined, what fills the sides
 //! (docs/contract.md 8).
 
-use crate::support::{Numbers, Run, compile};
+use crate::support::{Numbers, Run, assert_none, compile, flaws};
 use glam::{DVec2, dvec2};
 use hsd::ast::RoofShape;
 use hsd::building::{House, Ring};
@@ -441,4 +441,30 @@ fn roofs_follow_the_purpose_of_a_house() {
     // An L of a hall is no square, though its bounds are.
     let corner = "0 0, 9 0, 9 4, 4 4, 4 9, 0 9";
     assert_eq!(shape("hall", corner, "").0, Gable);
+}
+
+/// A nearly square hall keeps its pyramid behind a porch, which gets a small roof of its own.
+#[test]
+fn a_hall_keeps_its_pyramid_behind_its_porch() {
+    let text = r#"<House use="hall">
+  <Outline points="0 0, 6 0, 6 -2, 9 -2, 9 0, 15 0, 15 14.6, 0 14.6"/>
+</House>
+"#;
+    let run = compile("hall.hsd", text.as_bytes());
+    assert!(!run.has_errors(), "{}", run.short());
+    assert_none(&flaws(&run));
+    let roofs = &run.building.houses[0].roofs;
+    let [plan] = &roofs.plans[..] else {
+        panic!("one storey");
+    };
+    let [_, hall] = &plan.regions[..] else {
+        panic!("{:?}", plan.regions);
+    };
+    assert_eq!(hall.shape, hsd::ast::RoofShape::Pyramid);
+    let ridge = roofs
+        .roofs
+        .iter()
+        .flat_map(|r| r.surface.lines(hsd::building::EdgeKind::Ridge));
+    let longest = ridge.map(|[p, q]| (p - q).length()).fold(0.0, f64::max);
+    assert!(longest < 4.0, "a ridge of {longest} m");
 }

@@ -14,7 +14,7 @@ use crate::roof::frame::near_side;
 use crate::roof::join::assemble;
 use crate::roof::plan::level::{Level, Point, first_line, is_facade, levels};
 use crate::roof::plan::roles::regions_by;
-use crate::roof::plan::{MOST_CORNERS, report, street};
+use crate::roof::plan::{MOST_CORNERS, report, spans, street};
 use crate::roof::region::{Region, Ridge, Role};
 use crate::roof::shape::form::RoofDraft;
 use crate::roof::shape::look::Look;
@@ -29,7 +29,7 @@ use crate::roof::storey::skirt::Skirt;
 use crate::roof::storey::written::Written;
 use crate::roof::storey::{overhang, written};
 use crate::source::Span;
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 
 /// Houses with more roof lines get no fix that removes them if they bound no area.
 const MOST_TAKEN_OUT: usize = 16;
@@ -174,6 +174,7 @@ impl Storey<'_, '_> {
         let context = Context {
             unit: self.house.unit,
             style: &self.house.roofs.style,
+            corridors: self.house.roofs.method != RoofMethod::Kd,
             level,
             above: upper.filter(|u| plain(u)),
             upper: upper.filter(|u| plain(u)).map(|u| &u.plan),
@@ -256,7 +257,7 @@ impl Storey<'_, '_> {
             out.push(say::too_many_corners(span, number, corners, MOST_CORNERS));
             found = strips(&open);
         } else if !open.loops.is_empty() {
-            found = self.regions(context, &open, &trunks);
+            found = self.regions(context, &open, &trunks, out);
             if self.budget.is_news() {
                 out.push(say::too_much_search(first_wall(level), level.storey.number));
             }
@@ -349,7 +350,13 @@ impl Storey<'_, '_> {
         (open.corners() <= 2 * written + MOST_CORNERS).then_some(open)
     }
 
-    fn regions(&self, context: &Context<'_>, open: &Plan, trunks: &[Written]) -> Vec<Region> {
+    fn regions(
+        &self,
+        context: &Context<'_>,
+        open: &Plan,
+        trunks: &[Written],
+        out: &mut Diagnostics,
+    ) -> Vec<Region> {
         let method = match self.house.roofs.method {
             RoofMethod::Kd => {
                 let cells = partition_within(open, Method::Kd, self.budget);
@@ -365,9 +372,47 @@ impl Storey<'_, '_> {
             .then(|| first_line(context.level.storey))
             .flatten();
         let front = line.and_then(|line| street::street_front(open, line));
-        let cut = |open: &Plan| partition_within(open, method, self.budget);
+        let strips = RefCell::new(vec![]);
+        let most = self.widest_span(context.level);
+        let cut = |open: &Plan| {
+            let cells = partition_within(open, method, self.budget);
+            let (cells, divided) = spans::divided(cells, most);
+            strips.borrow_mut().extend(divided);
+            cells
+        };
         let beside: Vec<_> = trunks.iter().map(|t| t.beside).collect();
-        regions_by(open, context.upper, cut, front, STEPS, &beside)
+        let mut found = regions_by(open, context.upper, cut, front, STEPS, &beside);
+        let strips = strips.into_inner();
+        if !strips.is_empty() {
+            stand_alone(&mut found, &strips);
+            let storey = context.level.storey;
+            out.push(say::several_ridges(
+                first_wall(context.level),
+                storey.number,
+            ));
+        }
+        found
+    }
+
+    /// Returns the widest span of one roof in steps; a shape that is asked for has no limit.
+    fn widest_span(&self, level: &Level<'_>) -> i64 {
+        match self.house.roofs.style.shape {
+            None if self.shape(level) == RoofShape::Gable => {
+                (spans::WIDEST / self.house.unit * STEPS as f64).round() as i64
+            }
+            _ => i64::MAX,
+        }
+    }
+}
+
+/// Makes the strips of a divided hall roofs of their own; they differ by a step at most, which is no reason to run into
+/// each other.
+fn stand_alone(regions: &mut [Region], strips: &[Cell]) {
+    for region in regions.iter_mut().filter(|r| strips.contains(&r.cell)) {
+        *region = Region {
+            against_wall: region.against_wall,
+            ..Region::main(region.cell)
+        };
     }
 }
 

@@ -5,6 +5,7 @@ pub mod outline;
 pub(in crate::roof) mod report;
 pub mod roles;
 pub(in crate::roof) mod sides;
+pub(in crate::roof) mod spans;
 pub mod street;
 pub(in crate::roof) mod tops;
 

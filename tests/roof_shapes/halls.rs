@@ -419,3 +419,37 @@ fn corners_rise_only_where_they_stand_free() {
     let level = eaves_height(0.5, 4.0, 3.0 * U, over).unwrap() + 0.12 * (1.25_f64).sqrt();
     close(eaves(6.0), H + level, "level eaves");
 }
+
+/// Plain halls wider than 15 ken get gables side by side; none stands higher than a slope of 17 m rises, and a shape
+/// that is asked for is one roof.
+#[test]
+fn wide_halls_have_several_ridges() {
+    // 66 by 44 U are 60 by 40 m; an odd width, and a wing at the end.
+    let wing = [
+        (0.0, 0.0),
+        (66.0, 0.0),
+        (66.0, 10.0),
+        (80.0, 10.0),
+        (80.0, 20.0),
+        (66.0, 20.0),
+        (66.0, 44.0),
+        (0.0, 44.0),
+    ];
+    for (corners, count) in [
+        (rect(0.0, 0.0, 66.0, 44.0), 2),
+        (rect(0.0, 0.0, 31.0, 80.0), 2),
+        (rect(0.0, 0.0, 66.0, 63.001), 3),
+        (wing.to_vec(), 3),
+    ] {
+        let (building, out) = build(house(vec![vec![ring(&corners)]]));
+        assert!(out.iter().any(|d| d.code.0 == 521));
+        assert_eq!(roofs(&building).len(), count);
+        let top = all_solids(&building).flat_map(|s| s.points.iter().map(|p| p.z));
+        assert!(top.fold(0.0, f64::max) < H + 9.5);
+    }
+    let mut one = house(vec![vec![ring(&rect(0.0, 0.0, 66.0, 44.0))]]);
+    one.roofs.style.shape = Some(spanned(RoofShape::Gable));
+    let (building, out) = build(one);
+    assert!(out.iter().all(|d| d.code.0 != 521));
+    assert_eq!(roofs(&building).len(), 1);
+}

@@ -368,6 +368,19 @@ pub fn whole_hip(wall: Span, storey: u32) -> Diagnostic {
     ))
 }
 
+/// A hall too wide for one gable.
+#[cold]
+pub fn several_ridges(wall: Span, storey: u32) -> Diagnostic {
+    let message = text!([storey]
+        "storey {storey} is wider than 15 ken (27 m), so it gets several gables side by side with valleys between them",
+        "{storey}階は幅が十五間(27 m)を超えるため、谷を挟んで切妻屋根を並べて架けます"
+    );
+    Diagnostic::note(521, wall, message).help(text!(
+        "for one roof over the whole width give it a shape, as in `<Roofs shape=\"KIR\"/>`",
+        "全体に一つの屋根を架けるには、`<Roofs shape=\"KIR\"/>` のように形を書いてください"
+    ))
+}
+
 /// A roof line inside the storey above; `height` is the place of its height.
 #[cold]
 pub fn under_storey(line: Span, storey: u32, upper: Span, height: Option<Span>) -> Diagnostic {

@@ -54,8 +54,10 @@ pub fn regions_by(
     unit: i64,
     beside: &[Beside],
 ) -> Vec<Region> {
-    if let (Some(cell), None, None, []) = (plan.as_cell(), upper, street_front, beside) {
-        return vec![Region::main(cell)];
+    if let (Some(_), None, None, []) = (plan.as_cell(), upper, street_front, beside)
+        && let [only] = cut(plan)[..]
+    {
+        return vec![Region::main(only)];
     }
     let open = upper.map(|u| plan.difference(u));
     let open = open.as_ref().unwrap_or(plan);

@@ -66,7 +66,8 @@ impl Automatic<'_, '_> {
             .into_iter()
             .filter(|s| self.ends_in_wing(n, *s));
         let length = self.context.metres(length) + width * corners.count() as f64;
-        let plain = self.looks[n].shape == RoofShape::Gable && self.context.style.shape.is_none();
+        let plain = self.context.corridors && self.context.style.shape.is_none();
+        let plain = plain && self.looks[n].shape == RoofShape::Gable;
         plain && width <= WIDEST && length >= SLENDER * width
     }
 

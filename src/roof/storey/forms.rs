@@ -23,6 +23,8 @@ pub(in crate::roof) struct Context<'h> {
     pub(in crate::roof) unit: f64,
     /// The options of the house.
     pub(in crate::roof) style: &'h RoofStyle,
+    /// True if corridors mitre at their corners.
+    pub(in crate::roof) corridors: bool,
     /// The storey.
     pub(in crate::roof) level: &'h Level<'h>,
     /// The storey above, if it is closed and at right angles.
