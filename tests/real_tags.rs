@@ -6,7 +6,7 @@
 
 use crate::real_outlines::text_of;
 use crate::support::maps::{Plan, maps, maps_in, plans};
-use crate::support::{Words, compile};
+use crate::support::compile;
 use glam::DVec2;
 use hsd::ast::{Purpose, RoofShape};
 use hsd::building::{Built, Roof};
