@@ -66,14 +66,20 @@ fn in_folder(text: &str, folder: &Path, look: impl FnOnce(&Plan)) -> Built {
         built.skipped = ledger.report.skipped.len();
         look(&plan);
     }
-    built.found = out.into_sorted().iter().map(|d| d.code.to_string()).collect();
+    built.found = out
+        .into_sorted()
+        .iter()
+        .map(|d| d.code.to_string())
+        .collect();
     built
 }
 
 fn rows(csv: &str) -> Vec<BTreeMap<String, String>> {
     let mut lines = csv.lines();
     let head = cells(lines.next().unwrap_or_default());
-    lines.map(|line| head.iter().cloned().zip(cells(line)).collect()).collect()
+    lines
+        .map(|line| head.iter().cloned().zip(cells(line)).collect())
+        .collect()
 }
 
 fn cells(line: &str) -> Vec<String> {
@@ -89,7 +95,9 @@ fn cells(line: &str) -> Vec<String> {
 }
 
 fn number(row: &BTreeMap<String, String>, name: &str) -> f64 {
-    row[name].parse().unwrap_or_else(|_| panic!("{name} of {row:?}"))
+    row[name]
+        .parse()
+        .unwrap_or_else(|_| panic!("{name} of {row:?}"))
 }
 
 /// A map in metres of rectangles: key, west, south, width, depth.
@@ -104,7 +112,10 @@ fn map(houses: &[(&str, f64, f64, f64, f64)]) -> String {
             )
         })
         .collect();
-    format!(r#"{{"type":"FeatureCollection","features":[{}]}}"#, features.join(","))
+    format!(
+        r#"{{"type":"FeatureCollection","features":[{}]}}"#,
+        features.join(",")
+    )
 }
 
 const ROAD: &str = r#"{"type":"FeatureCollection","features":[{"type":"Feature","properties":{"width":4},"geometry":{"type":"LineString","coordinates":[[-50,-3],[50,-3]]}}]}"#;
@@ -117,7 +128,10 @@ fn rules(rules: &str) -> String {
 
 fn small(text: &str, houses: &[(&str, f64, f64, f64, f64)]) -> Built {
     let map = map(houses);
-    town(&rules(text), &[("houses.geojson", &map), ("roads.geojson", ROAD)])
+    town(
+        &rules(text),
+        &[("houses.geojson", &map), ("roads.geojson", ROAD)],
+    )
 }
 
 const ROW: &[(&str, f64, f64, f64, f64)] = &[
@@ -135,7 +149,10 @@ fn houses_front_their_street_and_every_feature_is_listed() {
         ROW,
     );
     assert_eq!(found.found, [""; 0], "nothing is wrong");
-    assert_eq!((found.features, found.built, found.skipped, found.houses), (4, 3, 1, 3));
+    assert_eq!(
+        (found.features, found.built, found.skipped, found.houses),
+        (4, 3, 1, 3)
+    );
     for row in &found.rows[..3] {
         assert_eq!(number(row, "facing"), 180.0, "{row:?}");
         assert_eq!(row["what"], "plot");
@@ -143,7 +160,10 @@ fn houses_front_their_street_and_every_feature_is_listed() {
         assert_eq!(row["access"], "street");
     }
     assert_eq!(number(&found.rows[0], "width"), 5.4);
-    assert_eq!((&*found.rows[3]["what"], &*found.rows[3]["why"]), ("skipped", "a shed"));
+    assert_eq!(
+        (&*found.rows[3]["what"], &*found.rows[3]["why"]),
+        ("skipped", "a shed")
+    );
 }
 
 #[test]
@@ -152,7 +172,12 @@ fn measures_and_fields_are_names_and_parameters_follow_them() {
         r#"<for each="houses" test="{levels = 1 and frontage > 5 and left = 0 or key = 'bb'}"><Place type="chu-nikai" upper="{if(levels = 2, 6, 5)}"/></for>"#,
         ROW,
     );
-    let built: Vec<&str> = found.rows.iter().filter(|r| r["what"] == "plot").map(|r| &*r["key"]).collect();
+    let built: Vec<&str> = found
+        .rows
+        .iter()
+        .filter(|r| r["what"] == "plot")
+        .map(|r| &*r["key"])
+        .collect();
     assert_eq!(built, ["bb"], "a has no neighbour on its left");
     let parameters = &found.rows[1]["parameters"];
     for wanted in ["frontage=4.6", "depth=8", "upper=6"] {
@@ -164,12 +189,23 @@ fn measures_and_fields_are_names_and_parameters_follow_them() {
 #[test]
 fn draws_belong_to_places_not_to_the_order_of_features() {
     let text = r#"<for each="houses"><random><choice weight="1"><Place type="so-nikai" ground="{9 + round(draw(8)) / 4}"/></choice><choice weight="1"><Place type="kanban"/></choice><choice weight="1"><Place type="chu-nikai"/></choice></random></for>"#;
-    let many: Vec<(String, f64)> = (0..40).map(|n| (format!("h{n}"), f64::from(n) * 5.0)).collect();
-    let forth: Vec<_> = many.iter().map(|(k, x)| (&**k, *x, 0.0, 5.0, 8.0)).collect();
+    let many: Vec<(String, f64)> = (0..40)
+        .map(|n| (format!("h{n}"), f64::from(n) * 5.0))
+        .collect();
+    let forth: Vec<_> = many
+        .iter()
+        .map(|(k, x)| (&**k, *x, 0.0, 5.0, 8.0))
+        .collect();
     let back: Vec<_> = forth.iter().rev().copied().collect();
     let by_key = |built: Built| -> BTreeMap<String, (String, String)> {
         let rows = built.rows.into_iter();
-        rows.map(|r| (r["key"].clone(), (r["type"].clone(), r["parameters"].clone()))).collect()
+        rows.map(|r| {
+            (
+                r["key"].clone(),
+                (r["type"].clone(), r["parameters"].clone()),
+            )
+        })
+        .collect()
     };
     let (one, two) = (by_key(small(text, &forth)), by_key(small(text, &back)));
     assert_eq!(one, two);
@@ -180,10 +216,18 @@ fn draws_belong_to_places_not_to_the_order_of_features() {
 #[test]
 fn threads_change_nothing() {
     let text = r#"<for each="houses"><Place type="so-nikai"/></for>"#;
-    let many: Vec<(String, f64)> = (0..400).map(|n| (format!("h{n}"), f64::from(n) * 5.0)).collect();
-    let houses: Vec<_> = many.iter().map(|(k, x)| (&**k, *x, 0.0, 5.0, 8.0)).collect();
+    let many: Vec<(String, f64)> = (0..400)
+        .map(|n| (format!("h{n}"), f64::from(n) * 5.0))
+        .collect();
+    let houses: Vec<_> = many
+        .iter()
+        .map(|(k, x)| (&**k, *x, 0.0, 5.0, 8.0))
+        .collect();
     let run = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .expect("a pool");
         pool.install(|| small(text, &houses).csv)
     };
     assert_eq!(run(1), run(4));
@@ -192,11 +236,26 @@ fn threads_change_nothing() {
 #[test]
 fn mistakes_are_named() {
     let cases = [
-        (r#"<for each="houses"><Place type="so-nikai" ground="{levls}"/></for>"#, "HSD0252"),
-        (r#"<for each="houses"><Place type="so-nikai" azimuth="90"/></for>"#, "HSD1105"),
-        (r#"<for each="houses"><Place type="so-nikai" on="plott"/></for>"#, "HSD0227"),
-        (r#"<for each="houses" test="{look('t', 1, 'x') = 1}"><Place type="so-nikai"/></for>"#, "HSD1104"),
-        (r#"<Table name="t" src="none.csv" key="k"/><for each="houses"><Place type="so-nikai"/></for>"#, "HSD1103"),
+        (
+            r#"<for each="houses"><Place type="so-nikai" ground="{levls}"/></for>"#,
+            "HSD0252",
+        ),
+        (
+            r#"<for each="houses"><Place type="so-nikai" azimuth="90"/></for>"#,
+            "HSD1105",
+        ),
+        (
+            r#"<for each="houses"><Place type="so-nikai" on="plott"/></for>"#,
+            "HSD0227",
+        ),
+        (
+            r#"<for each="houses" test="{look('t', 1, 'x') = 1}"><Place type="so-nikai"/></for>"#,
+            "HSD1104",
+        ),
+        (
+            r#"<Table name="t" src="none.csv" key="k"/><for each="houses"><Place type="so-nikai"/></for>"#,
+            "HSD1103",
+        ),
     ];
     for (text, code) in cases {
         let found = small(text, ROW).found;
@@ -205,14 +264,28 @@ fn mistakes_are_named() {
     let text = rules(r#"<for each="houses"><Place type="so-nikai"/></for>"#);
     let found = town(&text, &[("roads.geojson", ROAD)]).found;
     assert_eq!(found, ["HSD1115"], "no map");
-    let found = town(&text.replace("<Town ", r#"<Town crs="EPSG:99999" "#), &[("houses.geojson", &map(ROW)), ("roads.geojson", ROAD)]).found;
+    let found = town(
+        &text.replace("<Town ", r#"<Town crs="EPSG:99999" "#),
+        &[("houses.geojson", &map(ROW)), ("roads.geojson", ROAD)],
+    )
+    .found;
     assert_eq!(found, ["HSD1117"]);
     let sparse = map(&ROW[..3]).replace(r#","levels":1"#, "");
-    let text = rules(r#"<for each="houses" test="{levels > 1}"><Place type="so-nikai"/></for><for each="houses"><Place type="so-nikai"/></for>"#);
-    let found = town(&text, &[("houses.geojson", &sparse), ("roads.geojson", ROAD)]).found;
+    let text = rules(
+        r#"<for each="houses" test="{levels > 1}"><Place type="so-nikai"/></for><for each="houses"><Place type="so-nikai"/></for>"#,
+    );
+    let found = town(
+        &text,
+        &[("houses.geojson", &sparse), ("roads.geojson", ROAD)],
+    )
+    .found;
     assert_eq!(found, ["HSD1106"]);
     let twice = map(ROW).replace(r#""key":"bb""#, r#""key":"a""#);
-    let found = town(&rules(r#"<for each="houses"><Place type="so-nikai"/></for>"#), &[("houses.geojson", &twice), ("roads.geojson", ROAD)]).found;
+    let found = town(
+        &rules(r#"<for each="houses"><Place type="so-nikai"/></for>"#),
+        &[("houses.geojson", &twice), ("roads.geojson", ROAD)],
+    )
+    .found;
     assert!(found.contains(&"HSD1112".to_owned()), "{found:?}");
     let alone = r#"<Town><Layer name="houses" src="houses.geojson" crs="local"/><for each="houses"><Place type="so-nikai"/></for></Town>"#;
     let found = town(alone, &[("houses.geojson", &map(ROW))]).found;
@@ -236,8 +309,18 @@ fn the_block_of_the_examples_is_built() {
     let found = in_folder(&text, &folder, |_| {});
     assert_eq!(found.found, [""; 0]);
     assert_eq!((found.features, found.skipped), (17, 1), "all but the shed");
-    let row = |key: &str| found.rows.iter().find(|r| r["key"] == key).expect("is there");
-    assert_eq!(number(row("n2"), "facing").rem_euclid(360.0), 0.0, "the north side looks north");
+    let row = |key: &str| {
+        found
+            .rows
+            .iter()
+            .find(|r| r["key"] == key)
+            .expect("is there")
+    };
+    assert_eq!(
+        number(row("n2"), "facing").rem_euclid(360.0),
+        0.0,
+        "the north side looks north"
+    );
     assert_eq!(row("w1")["what"], "outline", "an L");
     assert_eq!(row("e1")["access"], "street");
 }
@@ -253,7 +336,11 @@ fn fronts_of_kyoto_look_at_the_street() {
     let text = r#"<Town seed="1998"><Layer name="houses" src="buildings.geojson"/><Layer name="roads" src="roads.geojson"/><for each="houses"><Place type="so-nikai"/></for></Town>"#;
     let (mut rings, mut streets) = (vec![], vec![]);
     let found = in_folder(text, &folder, |plan| {
-        rings = plan.layers[0].lots.iter().filter_map(|l| Some(l.shape.ring()?.to_vec())).collect();
+        rings = plan.layers[0]
+            .lots
+            .iter()
+            .filter_map(|l| Some(l.shape.ring()?.to_vec()))
+            .collect();
         for lot in &plan.layers[1].lots {
             let class = plan.layers[1].word(lot, "highway").unwrap_or_default();
             let half = match &*class {
@@ -283,17 +370,27 @@ fn fronts_of_kyoto_look_at_the_street() {
             continue;
         };
         let facing = number(row, "facing").to_radians();
-        let off = dvec2(facing.sin(), facing.cos()).angle_to(way).abs().to_degrees();
+        let off = dvec2(facing.sin(), facing.cos())
+            .angle_to(way)
+            .abs()
+            .to_degrees();
         seen += 1;
         right += usize::from(off <= 30.0);
     }
     let share = 100.0 * right as f64 / seen as f64;
     println!("{right} of {seen} street houses face it: {share:.1} %");
-    assert!(seen > 1200 && share >= 92.0, "{right} of {seen}: {share:.1} %");
+    assert!(
+        seen > 1200 && share >= 92.0,
+        "{right} of {seen}: {share:.1} %"
+    );
 }
 
 /// Returns the way from an outline to the nearest street that is seen from it, within 30 m.
-fn nearest_seen(rings: &[Vec<DVec2>], own: usize, streets: &[(DVec2, DVec2, f64)]) -> Option<DVec2> {
+fn nearest_seen(
+    rings: &[Vec<DVec2>],
+    own: usize,
+    streets: &[(DVec2, DVec2, f64)],
+) -> Option<DVec2> {
     let ring = &rings[own];
     let near: Vec<&Vec<DVec2>> = rings
         .iter()
@@ -313,7 +410,10 @@ fn nearest_seen(rings: &[Vec<DVec2>], own: usize, streets: &[(DVec2, DVec2, f64)
             for (a, b, half) in &streets {
                 let at = foot(*a, *b, eye);
                 let (way, gap) = (at - eye, (at.distance(eye) - half).max(0.0));
-                if gap > 30.0 || way.dot(outward) <= 0.0 || best.is_some_and(|(least, _)| gap >= least) {
+                if gap > 30.0
+                    || way.dot(outward) <= 0.0
+                    || best.is_some_and(|(least, _)| gap >= least)
+                {
                     continue;
                 }
                 let end = eye + way.normalize_or_zero() * gap;
@@ -329,7 +429,11 @@ fn nearest_seen(rings: &[Vec<DVec2>], own: usize, streets: &[(DVec2, DVec2, f64)
 fn foot(a: DVec2, b: DVec2, p: DVec2) -> DVec2 {
     let way = b - a;
     let square = way.length_squared();
-    let share = if square > 0.0 { (p - a).dot(way) / square } else { 0.0 };
+    let share = if square > 0.0 {
+        (p - a).dot(way) / square
+    } else {
+        0.0
+    };
     a + way * share.clamp(0.0, 1.0)
 }
 

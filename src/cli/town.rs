@@ -160,7 +160,12 @@ impl Town {
         Ok(())
     }
 
-    fn print(&self, sources: &[Source], out: Diagnostics, language: Language) -> Result<(), Failure> {
+    fn print(
+        &self,
+        sources: &[Source],
+        out: Diagnostics,
+        language: Language,
+    ) -> Result<(), Failure> {
         let list = out.into_sorted();
         if list.is_empty() {
             return Ok(());

@@ -240,12 +240,7 @@ impl<'a> Expansion<'a> {
 }
 
 impl Batch {
-    fn push(
-        &mut self,
-        house: Option<program::House>,
-        found: Diagnostics,
-        origin: Option<Origin>,
-    ) {
+    fn push(&mut self, house: Option<program::House>, found: Diagnostics, origin: Option<Origin>) {
         let storeys = house.iter().flat_map(|house| &house.storeys);
         let loops = storeys.flat_map(|storey| &storey.loops);
         for line in loops.flat_map(|walk| &walk.lines) {

@@ -1,6 +1,8 @@
 //! The model of a run: its scene, its images, and the shapes that back ends leave out.
 
-use super::{Options, arrange, beside, documents, house, refuse_towns, spare_expressions, timed, variants};
+use super::{
+    Options, arrange, beside, documents, house, refuse_towns, spare_expressions, timed, variants,
+};
 use crate::backend::images::{Library, PictureError};
 use crate::backend::{gltf, sound};
 use crate::building::{Building, Built};

@@ -74,7 +74,15 @@ pub fn stream(
     } = read;
     let expansion = Expansion::new(documents, &catalog, sources, world, &options.expand);
     let run = (sources, world, options);
-    let made = run_houses(run, expansion, &catalog, &included, true, (out, sink), &mut times)?;
+    let made = run_houses(
+        run,
+        expansion,
+        &catalog,
+        &included,
+        true,
+        (out, sink),
+        &mut times,
+    )?;
     Ok(made.with(included, catalog, times))
 }
 
@@ -95,7 +103,15 @@ pub fn stream_town(
     let expansion = Expansion::of_town(houses, &catalog, source, world, &options.expand);
     let sources = [source];
     let run = (&sources[..], world, options);
-    let made = run_houses(run, expansion, &catalog, &included, false, (out, sink), &mut times)?;
+    let made = run_houses(
+        run,
+        expansion,
+        &catalog,
+        &included,
+        false,
+        (out, sink),
+        &mut times,
+    )?;
     Ok(made.with(included, catalog, times))
 }
 

@@ -64,7 +64,8 @@ impl Record {
         let frontage = site.frontage();
         let mut measures = String::new();
         for name in ["area", "vertices", "orthogonal", "street", "left", "right"] {
-            if let crate::ast::town::Known::Value(value) = crate::ast::town::Site::value(site, name) {
+            if let crate::ast::town::Known::Value(value) = crate::ast::town::Site::value(site, name)
+            {
                 let _ = write!(measures, "{name}={} ", short(&value));
             }
         }
@@ -101,7 +102,11 @@ impl Record {
     pub fn line(&self, out: &mut String) {
         let number = |n: f64| format!("{:.3}", n + 0.0);
         let of = |f: &dyn Fn(&Decision) -> Option<f64>| {
-            self.decision.as_ref().and_then(f).map(number).unwrap_or_default()
+            self.decision
+                .as_ref()
+                .and_then(f)
+                .map(number)
+                .unwrap_or_default()
         };
         let front = |f: fn(Segment) -> f64| of(&|d| Some(f(d.front)));
         let (what, why) = self.what();
@@ -143,14 +148,18 @@ impl Record {
         match &self.outcome {
             Outcome::Built => {
                 let on = self.decision.as_ref().map_or("built", |d| d.on.word());
-                let code = self.problem.map_or(String::new(), |(_, code)| code.to_string());
+                let code = self
+                    .problem
+                    .map_or(String::new(), |(_, code)| code.to_string());
                 (on, code)
             }
             Outcome::Skipped(because) => ("skipped", because.clone()),
             Outcome::Refused(why) => ("refused", why.in_language(Language::English).to_string()),
             Outcome::NoRule => ("no rule", String::new()),
             Outcome::Nothing => {
-                let code = self.problem.map_or(String::new(), |(_, code)| code.to_string());
+                let code = self
+                    .problem
+                    .map_or(String::new(), |(_, code)| code.to_string());
                 ("nothing", code)
             }
         }

@@ -104,7 +104,10 @@ pub fn runs(ring: &[DVec2]) -> Vec<Run> {
     let n = all.len();
     // Begin after the sharpest corner, so that no run is cut by the start of the ring.
     let turn = |i: usize| angle(all[(i + n - 1) % n].direction(), all[i].direction());
-    let start = (0..n).fold(0, |best, i| if turn(i) > turn(best) + 1e-9 { i } else { best });
+    let start = (0..n).fold(
+        0,
+        |best, i| if turn(i) > turn(best) + 1e-9 { i } else { best },
+    );
     let mut runs: Vec<Run> = vec![];
     for step in 0..n {
         let number = (start + step) % n;
@@ -209,7 +212,11 @@ fn candidates(runs: &[Run], pieces: &[Piece], neighbours: &Neighbours<'_>) -> Ve
 }
 
 /// Returns the front of an outline by distance alone, which its neighbours look at.
-pub fn first_front(ring: &[DVec2], pieces: &[Piece], neighbours: &Neighbours<'_>) -> Option<Segment> {
+pub fn first_front(
+    ring: &[DVec2],
+    pieces: &[Piece],
+    neighbours: &Neighbours<'_>,
+) -> Option<Segment> {
     let runs = runs(ring);
     let all = candidates(&runs, pieces, neighbours);
     Some(runs[all.first()?.run].chord)
@@ -227,9 +234,7 @@ pub fn frontage(
     let Some(first) = all.first() else {
         return without_street(&runs, neighbours);
     };
-    let turned = |f: &Facing| {
-        angle(runs[first.run].chord.normal(), runs[f.run].chord.normal())
-    };
+    let turned = |f: &Facing| angle(runs[first.run].chord.normal(), runs[f.run].chord.normal());
     let close = |f: &&Facing| f.distance <= first.distance + FARTHER;
     let second = all[1..]
         .iter()
@@ -240,7 +245,10 @@ pub fn frontage(
         Some(second) => corner_front(&runs, first, second, &row()),
         None => first,
     };
-    let on_street = all.iter().filter(close).flat_map(|f| runs[f.run].sides.iter().copied());
+    let on_street = all
+        .iter()
+        .filter(close)
+        .flat_map(|f| runs[f.run].sides.iter().copied());
     let mut on_street: Vec<usize> = on_street.collect();
     on_street.sort_unstable();
     Frontage {

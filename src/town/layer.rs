@@ -111,8 +111,12 @@ pub struct TownFrame {
 /// # Errors
 /// If it cannot be read at all.
 pub fn read(world: &dyn World, path: &str, layer: &Layer) -> Result<Raw, Fault> {
-    let text = |t: &Option<crate::source::Spanned<String>>| t.as_ref().map(|t| t.value.as_str().into());
-    let named = layer.crs.as_ref().and_then(|crs| Crs::from_name(&crs.value));
+    let text =
+        |t: &Option<crate::source::Spanned<String>>| t.as_ref().map(|t| t.value.as_str().into());
+    let named = layer
+        .crs
+        .as_ref()
+        .and_then(|crs| Crs::from_name(&crs.value));
     let options = Options {
         layer: text(&layer.layer),
         encoding: text(&layer.encoding),
@@ -134,7 +138,9 @@ pub fn read(world: &dyn World, path: &str, layer: &Layer) -> Result<Raw, Fault> 
     faults.extend(reader.remarks());
     let known = reader.layer();
     let columns = known.columns.list().iter().enumerate();
-    let columns = columns.map(|(n, column)| (column.name.clone(), n)).collect();
+    let columns = columns
+        .map(|(n, column)| (column.name.clone(), n))
+        .collect();
     Ok(Raw {
         features,
         crs: known.crs.clone().or(named).unwrap_or_else(Crs::wgs84),
@@ -162,7 +168,11 @@ impl Raw {
     pub fn placed(self, frame: &TownFrame) -> Result<Lots, map::Mismatch> {
         let transform = Transform::new(&self.crs, &frame.crs, Datums::Exact)?;
         let mut lots = self.lots;
-        let key = lots.layer.key.as_ref().and_then(|k| lots.columns.get(&*k.value).copied());
+        let key = lots
+            .layer
+            .key
+            .as_ref()
+            .and_then(|k| lots.columns.get(&*k.value).copied());
         for mut feature in self.features {
             let mut inside = true;
             for chain in feature.geometry.chains_mut() {
@@ -173,7 +183,9 @@ impl Raw {
                     }
                 }
             }
-            let named = key.and_then(|column| feature.field(column)).and_then(as_text);
+            let named = key
+                .and_then(|column| feature.field(column))
+                .and_then(as_text);
             let lot = Lot {
                 key: named.map_or_else(|| feature.key(), String::into_boxed_str),
                 z: height(&feature.geometry),
@@ -214,7 +226,11 @@ fn shape(geometry: Geometry) -> Shape {
         Geometry::Areas(areas) => {
             let size = |a: &map::Area| area(&a.outline.points, &[]);
             let largest = areas.into_iter().reduce(|best, next| {
-                if size(&next) > size(&best) { next } else { best }
+                if size(&next) > size(&best) {
+                    next
+                } else {
+                    best
+                }
             });
             let largest = largest.unwrap_or_default();
             let ring = cleaned(&largest.outline.points);
@@ -287,7 +303,10 @@ impl Lots {
 }
 
 fn is_name(name: &str) -> bool {
-    let first = name.chars().next().is_some_and(|c| c.is_alphabetic() || c == '_');
+    let first = name
+        .chars()
+        .next()
+        .is_some_and(|c| c.is_alphabetic() || c == '_');
     first && name.chars().all(|c| c.is_alphanumeric() || c == '_')
 }
 
@@ -301,7 +320,9 @@ fn typed(text: &str, kind: Option<FieldType>) -> Option<Value> {
         }
         // "12.5 m" and "3階" are numbers for whoever reads them.
         (Some(FieldType::Number), _) => {
-            let end = text.trim().find(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
+            let end = text
+                .trim()
+                .find(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
             let number = text.trim()[..end.unwrap_or(text.trim().len())].parse().ok();
             number.map(Value::Number)
         }

@@ -48,7 +48,10 @@ impl Plan {
         for layer in &layers {
             let name = &layer.layer.name.value;
             let named = fronts.contains(&&**name);
-            let counts = match layers.iter().any(|l| fronts.contains(&&*l.layer.name.value)) {
+            let counts = match layers
+                .iter()
+                .any(|l| fronts.contains(&&*l.layer.name.value))
+            {
                 true => named,
                 false => has_streets(layer),
             };
@@ -66,7 +69,9 @@ impl Plan {
             let rings = rings.filter(|(_, lot)| lot.shape.ring().is_some());
             outlines.extend(rings.map(|(lot, _)| (number, lot)));
         }
-        let boxes = outlines.iter().map(|(l, n)| layers[*l].lots[*n].shape.bounds());
+        let boxes = outlines
+            .iter()
+            .map(|(l, n)| layers[*l].lots[*n].shape.bounds());
         Plan {
             index: Grid::new(boxes.collect()),
             town,
@@ -95,7 +100,9 @@ impl Plan {
             self.town.rules.iter().any(|rule| rule.each.value == *name)
         };
         let layers = (0..self.layers.len()).filter(ruled);
-        layers.flat_map(|n| (0..self.layers[n].lots.len()).map(move |lot| (n, lot))).collect()
+        layers
+            .flat_map(|n| (0..self.layers[n].lots.len()).map(move |lot| (n, lot)))
+            .collect()
     }
 
     /// Returns the pieces of streets within reach of a feature; of one layer, if it is named.
@@ -116,7 +123,9 @@ impl Plan {
     pub fn neighbours(&self, id: LotId) -> Neighbours<'_> {
         let rings = self.around(id, AROUND).into_iter();
         Neighbours {
-            rings: rings.filter_map(|other| self.lot(other).shape.ring()).collect(),
+            rings: rings
+                .filter_map(|other| self.lot(other).shape.ring())
+                .collect(),
         }
     }
 
@@ -127,9 +136,8 @@ impl Plan {
         };
         let touching = self.around(id, TOUCHING).into_iter().filter(|other| {
             let ring = self.lot(*other).shape.ring().unwrap_or_default();
-            super::shape::sides(own).any(|s| {
-                super::shape::sides(ring).any(|t| s.distance(t) <= TOUCHING)
-            })
+            super::shape::sides(own)
+                .any(|s| super::shape::sides(ring).any(|t| s.distance(t) <= TOUCHING))
         });
         let front = |other: LotId| {
             let lot = self.lot(other);
@@ -165,8 +173,16 @@ const NAMES: &[&str] = &[
 
 /// Returns true for a layer that counts as streets where no `front` names one.
 fn has_streets(layer: &Lots) -> bool {
-    let lines = layer.lots.iter().any(|lot| matches!(lot.shape, Shape::Lines(_)));
-    let classed = || layer.lots.iter().any(|lot| layer.word(lot, "highway").is_some());
+    let lines = layer
+        .lots
+        .iter()
+        .any(|lot| matches!(lot.shape, Shape::Lines(_)));
+    let classed = || {
+        layer
+            .lots
+            .iter()
+            .any(|lot| layer.word(lot, "highway").is_some())
+    };
     NAMES.contains(&&*layer.layer.name.value) || lines && classed()
 }
 
@@ -187,7 +203,9 @@ fn add_streets(streets: &mut StreetsBuilder, layer: &Lots) {
 
 /// Returns the width of a line, metres: its own, else that of its class; `None` if it is no street.
 fn width(layer: &Lots, lot: &Lot) -> Option<f64> {
-    let class = layer.word(lot, "highway").or_else(|| layer.word(lot, "class"));
+    let class = layer
+        .word(lot, "highway")
+        .or_else(|| layer.word(lot, "class"));
     let own = layer.number(lot, "width").filter(|w| *w > 0.0);
     let by_class = class.as_deref().map(class_width);
     match (own, by_class, &layer.layer.filter) {

@@ -35,12 +35,19 @@ pub fn front(ring: &[DVec2], pieces: &[Piece]) -> Option<Segment> {
     let sorted: Vec<DVec2> = sorted.into_iter().map(|(_, p)| p).collect();
     let [a, b] = pair(&sorted, centre)?;
     let left = (b - a).perp_dot(centre - a) > 0.0;
-    Some(if left { Segment::new(a, b) } else { Segment::new(b, a) })
+    Some(if left {
+        Segment::new(a, b)
+    } else {
+        Segment::new(b, a)
+    })
 }
 
 /// Returns the published depth: twice the distance of the centroid from the frontage (000-49).
 pub fn depth(ring: &[DVec2], front: Segment) -> f64 {
-    2.0 * front.direction().perp_dot(centroid(ring) - front.from).abs()
+    2.0 * front
+        .direction()
+        .perp_dot(centroid(ring) - front.from)
+        .abs()
 }
 
 /// Returns the location-dependent random number from 0 to 99: the last digits of both coordinates at this many decimals.
@@ -67,18 +74,31 @@ mod tests {
             pair(&[first, second, third], DVec2::ZERO).map(|[_, b]| b)
         };
         let far = at(90.0, 2.0);
-        assert_eq!(chosen(dvec2(1.2, -2.0), far), Some(dvec2(1.2, -2.0)), "1.2 m is enough");
+        assert_eq!(
+            chosen(dvec2(1.2, -2.0), far),
+            Some(dvec2(1.2, -2.0)),
+            "1.2 m is enough"
+        );
         assert_eq!(chosen(dvec2(1.19, -2.0), far), Some(far), "1.19 m is not");
         let wide = at(120.0, 2.0);
         assert_eq!(chosen(wide, far), Some(wide), "120 degrees are allowed");
         assert_eq!(chosen(at(120.1, 2.0), far), Some(far), "120.1 are not");
-        assert_eq!(chosen(at(150.0, 2.0), at(180.0, 2.0)), None, "no model (000-48)");
+        assert_eq!(
+            chosen(at(150.0, 2.0), at(180.0, 2.0)),
+            None,
+            "no model (000-48)"
+        );
     }
 
     #[test]
     fn wide_shallow_houses_lose_their_front_as_published() {
         // 6.0 by 3.4 m: the angle at the centroid over the long side is 120.9 degrees.
-        let ring = [dvec2(0.0, 0.0), dvec2(6.0, 0.0), dvec2(6.0, 3.4), dvec2(0.0, 3.4)];
+        let ring = [
+            dvec2(0.0, 0.0),
+            dvec2(6.0, 0.0),
+            dvec2(6.0, 3.4),
+            dvec2(0.0, 3.4),
+        ];
         let [a, b] = pair(&[ring[0], ring[1], ring[3], ring[2]], centroid(&ring)).expect("a side");
         assert_eq!([a, b], [ring[0], ring[3]]);
         let front = Segment::new(ring[0], ring[1]);

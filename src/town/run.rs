@@ -41,7 +41,8 @@ pub struct TownInput<'a> {
 pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<Plan> {
     let mut raw = vec![];
     for layer in &town.layers {
-        let read = path(input, &layer.src).map_err(|why| say::no_map(layer.src.span, &layer.src.value, &why));
+        let read = path(input, &layer.src)
+            .map_err(|why| say::no_map(layer.src.span, &layer.src.value, &why));
         let read = read.and_then(|path| {
             layer::read(input.world, &path, layer).map_err(|fault| {
                 let why = format!("{:?}", fault.kind).into();
@@ -69,7 +70,11 @@ pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<
         match raw.placed(&frame) {
             Ok(lots) => {
                 if lots.unread > 0 {
-                    out.push(say::unread(written.src.span, &written.src.value, lots.unread));
+                    out.push(say::unread(
+                        written.src.span,
+                        &written.src.value,
+                        lots.unread,
+                    ));
                 }
                 layers.push(lots);
             }
@@ -98,7 +103,10 @@ fn read_table(
 ) -> Result<Rows, crate::diagnostic::Text> {
     let path = path(input, &table.src)?;
     let most = input.options.expand.limits.bytes;
-    let bytes = input.world.text_bytes(&path, most).map_err(|e| e.to_string())?;
+    let bytes = input
+        .world
+        .text_bytes(&path, most)
+        .map_err(|e| e.to_string())?;
     let read = Source::new(input.source.id(), &path, &bytes);
     Rows::read(&table.name.value, &table.key.value, read.text()).map_err(|why| match why {
         NoTable::Empty => text!("it has no rows", "行がありません"),

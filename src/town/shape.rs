@@ -144,7 +144,11 @@ pub fn angle(one: DVec2, two: DVec2) -> f64 {
 /// Returns the compass direction of a vector, degrees from 0 to 360.
 pub fn azimuth(way: DVec2) -> f64 {
     let degrees = libm::atan2(way.x, way.y).to_degrees();
-    if degrees < 0.0 { degrees + 360.0 } else { degrees }
+    if degrees < 0.0 {
+        degrees + 360.0
+    } else {
+        degrees
+    }
 }
 
 /// Removes doubled points, spikes and corners that turn by less than half a degree; returns the ring counter-clockwise and

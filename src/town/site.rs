@@ -16,8 +16,27 @@ use std::cell::{OnceCell, RefCell};
 
 /// The measures of every feature.
 pub const MEASURES: [&str; 22] = [
-    "key", "x", "y", "z", "area", "perimeter", "vertices", "orthogonal", "word", "frontage", "depth",
-    "facing", "street", "corner", "through", "access", "left", "right", "block", "length", "bearing",
+    "key",
+    "x",
+    "y",
+    "z",
+    "area",
+    "perimeter",
+    "vertices",
+    "orthogonal",
+    "word",
+    "frontage",
+    "depth",
+    "facing",
+    "street",
+    "corner",
+    "through",
+    "access",
+    "left",
+    "right",
+    "block",
+    "length",
+    "bearing",
     "randloc",
 ];
 /// Corners this near to right angles are right, degrees.
@@ -71,7 +90,8 @@ impl<'p> LotSite<'p> {
     }
 
     fn neighbours(&self) -> &Neighbours<'p> {
-        self.neighbours.get_or_init(|| self.plan.neighbours(self.id))
+        self.neighbours
+            .get_or_init(|| self.plan.neighbours(self.id))
     }
 
     /// Returns what is known of its front; `None` if it is no area.
@@ -105,12 +125,20 @@ impl<'p> LotSite<'p> {
             "orthogonal" => Value::Truth(ring.is_some_and(is_orthogonal)),
             "word" => Value::Text(ring.map_or(String::new(), |r| word(r, self.frontage()))),
             "frontage" => number(front().map_or(0.0, Segment::length)),
-            "depth" => number(front().zip(ring).map_or(0.0, |(f, r)| plot::depth_behind(r, f))),
+            "depth" => number(
+                front()
+                    .zip(ring)
+                    .map_or(0.0, |(f, r)| plot::depth_behind(r, f)),
+            ),
             "facing" => number(front().map_or(0.0, |f| azimuth(f.normal()))),
             "street" => number(self.frontage()?.front.street.unwrap_or(f64::from(u16::MAX))),
             "corner" => Value::Truth(self.frontage().is_some_and(|f| f.corner)),
             "through" => Value::Truth(self.frontage().is_some_and(|f| f.through)),
-            "access" => Value::Text(self.frontage().map_or("none", |f| f.access.word()).to_owned()),
+            "access" => Value::Text(
+                self.frontage()
+                    .map_or("none", |f| f.access.word())
+                    .to_owned(),
+            ),
             "left" | "right" => number(self.beside(front()?, name == "left")),
             "block" => Value::read(self.plan.block(lot.shape.centre()).unwrap_or("")),
             "length" => number(self.lines().map(Segment::length).sum()),
@@ -132,17 +160,31 @@ impl<'p> LotSite<'p> {
     fn longest(&self) -> Option<Segment> {
         let ring = self.lot().shape.ring().unwrap_or_default();
         let all = self.lines().chain(sides(ring));
-        all.reduce(|best, next| if next.length() > best.length() { next } else { best })
+        all.reduce(|best, next| {
+            if next.length() > best.length() {
+                next
+            } else {
+                best
+            }
+        })
     }
 
     /// Returns the distance to the neighbour on the left or right as seen from the street, metres.
     fn beside(&self, front: Segment, left: bool) -> f64 {
         let ring = self.lot().shape.ring().unwrap_or_default();
-        let way = if left { -front.direction() } else { front.direction() };
+        let way = if left {
+            -front.direction()
+        } else {
+            front.direction()
+        };
         let walls = sides(ring).filter(|s| angle(s.normal(), way) < 45.0);
         let found = walls.map(|wall| self.neighbours().distance(wall, BESIDE));
         let least = found.fold(BESIDE, f64::min);
-        if least <= super::neighbour::TOUCHING { 0.0 } else { least }
+        if least <= super::neighbour::TOUCHING {
+            0.0
+        } else {
+            least
+        }
     }
 
     fn refuse(&self, on: PlaceOn, front: Segment, why: Text) -> Option<Stood> {
@@ -191,7 +233,13 @@ impl<'p> LotSite<'p> {
         }
     }
 
-    fn on_plot(&self, wish: &Wish<'_>, ring: &[DVec2], whole: Rectangle, full: f64) -> Option<Stood> {
+    fn on_plot(
+        &self,
+        wish: &Wish<'_>,
+        ring: &[DVec2],
+        whole: Rectangle,
+        full: f64,
+    ) -> Option<Stood> {
         let front = plot::narrowed(whole.front, wish.gap);
         if let Some(widest) = wish.widest {
             let (width, widest) = (tenths(front.length()), tenths(widest));
@@ -235,16 +283,30 @@ impl<'p> LotSite<'p> {
         let at = self.lot().shape.centre();
         let all: Vec<Segment> = sides(ring).collect();
         let longest = |a: &usize, b: &usize| all[*a].length().total_cmp(&all[*b].length());
-        let front = found.front.sides.iter().copied().max_by(longest).unwrap_or(0);
+        let front = found
+            .front
+            .sides
+            .iter()
+            .copied()
+            .max_by(longest)
+            .unwrap_or(0);
         let number = |side: usize| side as u32 + 1;
         let party = |side: &usize| {
             !found.front.sides.contains(side) && self.neighbours().is_party(all[*side])
         };
         let walls = SiteWalls {
             ring: ring.iter().map(|p| *p - at).collect(),
-            holes: holes.iter().map(|h| h.iter().map(|p| *p - at).collect()).collect(),
+            holes: holes
+                .iter()
+                .map(|h| h.iter().map(|p| *p - at).collect())
+                .collect(),
             front: number(front),
-            street: found.on_street.iter().chain(&found.front.sides).map(|s| number(*s)).collect(),
+            street: found
+                .on_street
+                .iter()
+                .chain(&found.front.sides)
+                .map(|s| number(*s))
+                .collect(),
             neighbour: (0..all.len()).filter(party).map(number).collect(),
         };
         self.decisions.borrow_mut().push(Decision {
@@ -257,7 +319,9 @@ impl<'p> LotSite<'p> {
         });
         // A front wider than the type allows repeats it.
         let length = all[front].length();
-        let times = wish.widest.map_or(1.0, |most| (length / most).ceil().max(1.0));
+        let times = wish
+            .widest
+            .map_or(1.0, |most| (length / most).ceil().max(1.0));
         Stood {
             at,
             z: self.lot().z,
@@ -275,11 +339,19 @@ impl<'p> LotSite<'p> {
         let pieces = self.plan.pieces(self.lot(), "");
         let towards = super::street::nearest(&pieces, centre).map(|n| n.point - centre);
         let own = self.frontage().map(|f| f.front.chord);
-        let along = self.longest().filter(|_| on == PlaceOn::Line).map(Segment::normal);
-        let way = along.or(own.map(Segment::normal)).or(towards).unwrap_or(-DVec2::Y);
+        let along = self
+            .longest()
+            .filter(|_| on == PlaceOn::Line)
+            .map(Segment::normal);
+        let way = along
+            .or(own.map(Segment::normal))
+            .or(towards)
+            .unwrap_or(-DVec2::Y);
         let front = own.unwrap_or(Segment::new(centre, centre));
         let ring = self.lot().shape.ring();
-        let depth = ring.map_or(0.0, |r| plot::depth_behind(r, front)).min(cap(wish));
+        let depth = ring
+            .map_or(0.0, |r| plot::depth_behind(r, front))
+            .min(cap(wish));
         self.decisions.borrow_mut().push(Decision {
             on,
             front,
@@ -315,16 +387,21 @@ impl Site for LotSite<'_> {
 
     fn look(&self, table: &str, key: &Value, column: &str) -> Result<Value, Unfound> {
         let tables = &self.plan.tables;
-        let found = tables.iter().find(|t| t.name == table).ok_or_else(|| Unfound {
-            argument: 0,
-            known: tables.iter().map(|t| t.name.clone()).collect(),
-        })?;
+        let found = tables
+            .iter()
+            .find(|t| t.name == table)
+            .ok_or_else(|| Unfound {
+                argument: 0,
+                known: tables.iter().map(|t| t.name.clone()).collect(),
+            })?;
         found.cell(key, column)
     }
 
     fn is_layer(&self, name: &str) -> bool {
         let layers = self.plan.layers.iter();
-        layers.into_iter().any(|layer| layer.layer.name.value == name)
+        layers
+            .into_iter()
+            .any(|layer| layer.layer.name.value == name)
     }
 
     fn key(&self) -> (i64, i64) {
@@ -349,7 +426,14 @@ impl Site for LotSite<'_> {
 
 /// Returns the greatest depth of a house, metres: as written, or as the machiya macro has it (000-58).
 fn cap(wish: &Wish<'_>) -> f64 {
-    const SHALLOW: [&str; 6] = ["so-nikai", "sangai", "hiraya", "shimotaya", "hei-tsuki", "kanban"];
+    const SHALLOW: [&str; 6] = [
+        "so-nikai",
+        "sangai",
+        "hiraya",
+        "shimotaya",
+        "hei-tsuki",
+        "kanban",
+    ];
     wish.cap.unwrap_or(match wish.kind {
         "chu-nikai" => 12.0,
         kind if SHALLOW.contains(&kind) => 8.0,
@@ -393,10 +477,17 @@ fn is_orthogonal(ring: &[DVec2]) -> bool {
 /// Returns the turns of the walk round the outline, clockwise from the front: `R` and `L` (002-08).
 fn word(ring: &[DVec2], frontage: Option<&Frontage>) -> String {
     let n = ring.len();
-    let first = frontage.and_then(|f| f.front.sides.first()).copied().unwrap_or(0);
+    let first = frontage
+        .and_then(|f| f.front.sides.first())
+        .copied()
+        .unwrap_or(0);
     let turn = |at: usize| {
         let (p, q, r) = (ring[(at + n - 1) % n], ring[at % n], ring[(at + 1) % n]);
-        if (q - p).perp_dot(r - q) > 0.0 { 'R' } else { 'L' }
+        if (q - p).perp_dot(r - q) > 0.0 {
+            'R'
+        } else {
+            'L'
+        }
     };
     // Clockwise, the walk meets the corners of the ring backwards.
     (0..n).map(|step| turn((first + n - step) % n)).collect()

@@ -65,7 +65,10 @@ impl<'a> TownStream<'a> {
         let chunks: Vec<_> = self.houses.chunks().skip(self.next).take(AHEAD).collect();
         self.next += chunks.len();
         let houses = &self.houses;
-        let made: Vec<Chunk> = chunks.into_par_iter().map(|lots| houses.evaluate(lots)).collect();
+        let made: Vec<Chunk> = chunks
+            .into_par_iter()
+            .map(|lots| houses.evaluate(lots))
+            .collect();
         let more = !made.is_empty();
         for chunk in made {
             self.ready.extend(chunk.houses.into_iter());
@@ -74,7 +77,11 @@ impl<'a> TownStream<'a> {
                 self.ledger.report.add(record, record.parts_left);
                 self.ledger.incomplete |= !record.is_wanted();
                 if let Outcome::NoRule = record.outcome {
-                    *self.ledger.unruled.entry(record.layer.to_string()).or_default() += 1;
+                    *self
+                        .ledger
+                        .unruled
+                        .entry(record.layer.to_string())
+                        .or_default() += 1;
                 }
             }
             self.ledger.found.push_new(chunk.found);

@@ -31,10 +31,16 @@ impl Rows {
     /// # Errors
     /// Why the text is none.
     pub fn read(name: &str, key: &str, text: &str) -> Result<Rows, NoTable> {
-        let mut lines = text.lines().enumerate().filter(|(_, l)| !l.trim().is_empty());
+        let mut lines = text
+            .lines()
+            .enumerate()
+            .filter(|(_, l)| !l.trim().is_empty());
         let (_, head) = lines.next().ok_or(NoTable::Empty)?;
         let columns = cells(head);
-        let key = columns.iter().position(|c| c == key).ok_or(NoTable::NoKey)?;
+        let key = columns
+            .iter()
+            .position(|c| c == key)
+            .ok_or(NoTable::NoKey)?;
         let mut rows = vec![];
         for (number, line) in lines {
             let row = cells(line);
@@ -56,10 +62,14 @@ impl Rows {
     /// # Errors
     /// Which of key and column is not there.
     pub fn cell(&self, key: &Value, column: &str) -> Result<Value, Unfound> {
-        let at = self.columns.iter().position(|c| c == column).ok_or(Unfound {
-            argument: 2,
-            known: self.columns.clone(),
-        })?;
+        let at = self
+            .columns
+            .iter()
+            .position(|c| c == column)
+            .ok_or(Unfound {
+                argument: 2,
+                known: self.columns.clone(),
+            })?;
         let is_row = |row: &&Vec<String>| Value::read(&row[self.key]) == *key;
         let row = self.rows.iter().find(is_row).ok_or_else(|| Unfound {
             argument: 1,
@@ -98,8 +108,16 @@ mod tests {
         let rows = Rows::read("shares", "year", text).expect("is a table");
         let cell = rows.cell(&Value::Number(1928.0), "chu, nikai");
         assert_eq!(cell, Ok(Value::Number(29.7)));
-        assert_eq!(rows.cell(&Value::Number(1900.0), "so-nikai").unwrap_err().argument, 1);
+        assert_eq!(
+            rows.cell(&Value::Number(1900.0), "so-nikai")
+                .unwrap_err()
+                .argument,
+            1
+        );
         assert_eq!(Rows::read("t", "key", "a,b\n").unwrap_err(), NoTable::NoKey);
-        assert_eq!(Rows::read("t", "a", "a,b\n1\n").unwrap_err(), NoTable::Uneven(2));
+        assert_eq!(
+            Rows::read("t", "a", "a,b\n1\n").unwrap_err(),
+            NoTable::Uneven(2)
+        );
     }
 }

@@ -85,7 +85,11 @@ pub fn place_is_given(span: Span, name: &str, whole: Span) -> Diagnostic {
             "leave it out; `on`, `front`, `cap` and `gap` say how the house stands on its plot",
             "書かないでください。敷地への置き方は `on`、`front`、`cap`、`gap` で決めます"
         ))
-        .fix(text!([name] "Remove {name}", "{name} を削除する"), whole, "")
+        .fix(
+            text!([name] "Remove {name}", "{name} を削除する"),
+            whole,
+            "",
+        )
 }
 
 /// Features that lack a field that an expression asks for.

@@ -69,13 +69,11 @@ fn proposals(
             surfaces(inner)
         }
         ("use", parameter) => argument(request, tag, parameter, inner),
-        ("Place", name) if schema::is_parameter_of_place(name) => {
-            of_type(request, tag)
-                .iter()
-                .filter(|p| p.name == name)
-                .flat_map(|p| type_values(p, inner))
-                .collect()
-        }
+        ("Place", name) if schema::is_parameter_of_place(name) => of_type(request, tag)
+            .iter()
+            .filter(|p| p.name == name)
+            .flat_map(|p| type_values(p, inner))
+            .collect(),
         _ => listed(request, element, attribute, inner),
     }
 }

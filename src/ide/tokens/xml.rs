@@ -2,7 +2,8 @@
 
 use super::{List, Modifiers, TokenKind, braces};
 use crate::ide::names::{CodeForm, codes_of_element};
-use crate::parse::schema::{self, Kind};
+use crate::parse::schema;
+use crate::parse::schema::Kind;
 use crate::parse::syntax::{Attribute, Element, Outline};
 use std::ops::Range;
 

@@ -100,8 +100,10 @@ pub(in crate::parse) fn evaluate(expr: &Expr, names: Names<'_>) -> Outcome {
         Kind::Call(function, list) => {
             let mut numbers = vec![];
             if TOWN_FUNCTIONS.contains(&&**function) {
-                let values: Result<Vec<Value>, Trouble> =
-                    list.iter().map(|argument| evaluate(argument, names)).collect();
+                let values: Result<Vec<Value>, Trouble> = list
+                    .iter()
+                    .map(|argument| evaluate(argument, names))
+                    .collect();
                 if let Some(found) = names.call(function, &values?) {
                     return found.map_err(trouble);
                 }

@@ -63,20 +63,12 @@ pub static ROOT: Content = content(
 );
 pub(in crate::parse) static TOWN: Content = content(
     "town",
-    &[
-        Tag::Layer,
-        Tag::Table,
-        Tag::For,
-        Tag::Tiles,
-        Tag::PartDef,
-    ],
+    &[Tag::Layer, Tag::Table, Tag::For, Tag::Tiles, Tag::PartDef],
 );
 pub(in crate::parse) static LAYER: Content = content("layer", &[Tag::Field]);
 /// What may be made of a feature.
-pub(in crate::parse) static FOR: Content = content(
-    "for",
-    &[Tag::Skip, Tag::Place, Tag::House, Tag::Random],
-);
+pub(in crate::parse) static FOR: Content =
+    content("for", &[Tag::Skip, Tag::Place, Tag::House, Tag::Random]);
 pub(in crate::parse) static HOUSES: Content = content(
     "houses",
     &[

@@ -169,7 +169,6 @@ impl<'a, 'f> Expander<'a, 'f> {
         reporter: &'f mut Reporter<'a>,
     ) -> Self {
         Expander {
-
             reporter,
             setting,
             trees,

@@ -67,17 +67,22 @@ pub fn features<'a>(
     for feature in features {
         let mut of_feature = FeatureMade::default();
         for rule in 0..rules.len() {
-            let found = rules.apply(rule, feature.layer, feature.site, |tree, index, state, reporter| {
-                let mut reader = Reader {
-                    turn: None,
-                    unit: UNIT,
-                    tree,
-                    reporter,
-                    suggest: Suggest::new(),
-                    views: vec![],
-                };
-                reader.made(index, state.0, state.1)
-            });
+            let found = rules.apply(
+                rule,
+                feature.layer,
+                feature.site,
+                |tree, index, state, reporter| {
+                    let mut reader = Reader {
+                        turn: None,
+                        unit: UNIT,
+                        tree,
+                        reporter,
+                        suggest: Suggest::new(),
+                        views: vec![],
+                    };
+                    reader.made(index, state.0, state.1)
+                },
+            );
             if let Some(found) = found {
                 of_feature.rules += 1;
                 let found = found.into_iter().map(|made| RuleMade { rule, made });

@@ -176,7 +176,12 @@ fn randloc(site: &dyn Site, arguments: &[Value]) -> Result<Value, Problem> {
 
 impl<'a, 'f> Expander<'a, 'f> {
     /// Records a `for`, whose content waits for features; its bare element stays.
-    pub(super) fn rule(&mut self, element_ref: &ElementRef<'_, 'a>, scope: &Scope<'a>, into: usize) {
+    pub(super) fn rule(
+        &mut self,
+        element_ref: &ElementRef<'_, 'a>,
+        scope: &Scope<'a>,
+        into: usize,
+    ) {
         let element = element_ref.element();
         let mut each = element.attributes.iter().filter(|a| a.name == "each");
         let layer = each.next().and_then(|each| self.filled(&each.value, scope));
@@ -365,7 +370,11 @@ impl<'a, 'f> Expander<'a, 'f> {
     /// Reports attributes of a `Place` that a town takes from the map.
     pub(super) fn place_in_town(&mut self, element: &Element<'a>) {
         let taken = ["x", "y", "z", "azimuth", "at"];
-        for attribute in element.attributes.iter().filter(|a| taken.contains(&a.name)) {
+        for attribute in element
+            .attributes
+            .iter()
+            .filter(|a| taken.contains(&a.name))
+        {
             let whole = self.reporter.with_gap(&attribute.range);
             self.reporter.at(&attribute.name_range, |s| {
                 town::place_is_given(s, attribute.name, whole)

@@ -216,11 +216,7 @@ fn named<'a>(name: &'a str, value: String, like: &Attribute<'a>) -> Attribute<'a
 }
 
 /// Returns the attributes of a `Place` with those of the place that its site found.
-fn standing<'a>(
-    own: &[Attribute<'a>],
-    kind: &Attribute<'a>,
-    stood: &Stood,
-) -> Vec<Attribute<'a>> {
+fn standing<'a>(own: &[Attribute<'a>], kind: &Attribute<'a>, stood: &Stood) -> Vec<Attribute<'a>> {
     let azimuth = match stood.walls {
         Some(_) => 180.0,
         None => stood.azimuth,

@@ -77,7 +77,9 @@ impl<'a> Frame<'a> {
     /// Returns the value of a name that is bound nearer than the names of the feature.
     pub(super) fn nearer_value(&self, name: &str) -> Option<Bound> {
         let mut feature = false;
-        let near = self.frames().take_while(|frame| !std::mem::replace(&mut feature, frame.feature));
+        let near = self
+            .frames()
+            .take_while(|frame| !std::mem::replace(&mut feature, frame.feature));
         near.into_iter()
             .find_map(|frame| frame.names.borrow().get(name).cloned())
     }

@@ -1,8 +1,6 @@
 //! A town: its layers, tables and tiles; and the houses that its rules make of a feature.
 
-use crate::ast::town::{
-    Field, FieldType, Layer, Made, Rule, SiteWalls, Stood, Table, Tiles, Town,
-};
+use crate::ast::town::{Field, FieldType, Layer, Made, Rule, SiteWalls, Stood, Table, Tiles, Town};
 use crate::ast::{Frame, House, Outline, Stand, Value};
 use crate::diagnostic::messages::{town, xml as say};
 use crate::diagnostic::noun;
@@ -94,10 +92,9 @@ impl<'t> Reader<'t, '_> {
     fn default_of(&mut self, text: &Spanned<String>, kind: Option<FieldType>) -> Option<Value> {
         let value = Value::read(&text.value);
         let (fits, wanted) = match kind {
-            Some(FieldType::Number) => (
-                matches!(value, Value::Number(_)),
-                noun("a number", "数値"),
-            ),
+            Some(FieldType::Number) => {
+                (matches!(value, Value::Number(_)), noun("a number", "数値"))
+            }
             Some(FieldType::Truth) => (
                 matches!(value, Value::Truth(_)),
                 noun("`yes` or `no`", "`yes` か `no` "),
@@ -138,7 +135,9 @@ impl<'t> Reader<'t, '_> {
         let of = self.attributes(schema, element);
         self.no_children(element);
         let usual = Tiles::default();
-        let size = self.number(&of, "size").map_or(usual.size, |size| size.value);
+        let size = self
+            .number(&of, "size")
+            .map_or(usual.size, |size| size.value);
         let mut detail = vec![];
         if let Some(levels) = self.text(&of, "detail") {
             let words = levels.value.split([',', ' ']).map(str::trim);
@@ -156,7 +155,11 @@ impl<'t> Reader<'t, '_> {
         Tiles {
             size,
             by: self.text(&of, "by"),
-            detail: if detail.is_empty() { usual.detail } else { detail },
+            detail: if detail.is_empty() {
+                usual.detail
+            } else {
+                detail
+            },
         }
     }
 
@@ -174,7 +177,11 @@ impl<'t> Reader<'t, '_> {
         if town_read.layers.is_empty() {
             self.reporter.push(|| town::no_layers(town_read.span));
         }
-        let known: Vec<String> = town_read.layers.iter().map(|l| l.name.value.clone()).collect();
+        let known: Vec<String> = town_read
+            .layers
+            .iter()
+            .map(|l| l.name.value.clone())
+            .collect();
         for rule in &town_read.rules {
             if !known.contains(&rule.each.value) {
                 let near = self
