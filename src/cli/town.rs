@@ -13,7 +13,7 @@ use crate::report::{Format, Report};
 use crate::source::Source;
 use crate::text;
 use crate::town::stream::{Ledger, TownStream};
-use crate::town::{TownInput, run};
+use crate::town::{Plan, TownInput, run};
 use clap::Args;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -87,44 +87,72 @@ impl Town {
                 return Ok(Exit::Errors);
             }
         };
-        let mut houses = TownStream::new(input, &plan);
+        self.build(input, read, &plan, out, language)
+    }
+
+    /// Builds a town and writes its files.
+    fn build(
+        &self,
+        input: TownInput<'_>,
+        read: driver::Read,
+        plan: &Plan,
+        mut out: Diagnostics,
+        language: Language,
+    ) -> Outcome {
+        let mut houses = TownStream::new(input, plan);
         let model = self.model()?;
         let failed = |error| Failure::at(model.display(), error);
         let folder = town_of::spool_folder(&model);
         let new = || -> io::Result<Box<dyn Spool>> { town_of::spool(&folder) };
         let mut writer = Writer::new(&new).map_err(failed)?;
         let streamed = driver::stream_town(
-            (source, read),
+            (input.source, read),
             houses.by_ref(),
-            &world,
-            &options,
+            input.world,
+            input.options,
             &mut out,
             &mut |part, images| writer.add(part, images),
         )
         .map_err(failed)?;
         let (ledger, included) = houses.finish(&mut out);
         let spoiled = out.has_errors();
-        self.print(&inputs.and(included), out, language)?;
+        let mut sources = vec![input.source.clone()];
+        sources.extend(included);
+        self.print(&sources, out, language)?;
         if spoiled {
             return Ok(Exit::Errors);
         }
         let glb = writer.glb(&streamed.materials, &streamed.library, &streamed.grown);
         let size = output::write(&model, Files::glb(glb.map_err(failed)?))?;
         self.tables(&model, &ledger)?;
-        if !self.quiet {
-            let (name, mib) = (model.display(), size.div_ceil(1 << 20));
-            let features = counted(ledger.report.features, FEATURE);
-            let (built, houses) = (ledger.report.built, streamed.houses);
-            let line = text!([name, mib, features, built, houses]
-                "{name}: {features}, {built} of them built, {houses} houses, {mib} MiB",
-                "{name}: {features}、うち {built} 件に建物 {houses} 棟、{mib} MiB"
-            );
-            writeln!(io::stderr(), "{}", line.in_language(language))?;
-        }
+        self.summary(&model, size, &ledger, streamed.houses, language)?;
         Ok(match ledger.incomplete {
             true => Exit::Errors,
             false => Exit::Done,
         })
+    }
+
+    /// Prints what was built.
+    fn summary(
+        &self,
+        model: &Path,
+        size: u64,
+        ledger: &Ledger,
+        houses: usize,
+        language: Language,
+    ) -> Result<(), Failure> {
+        if self.quiet {
+            return Ok(());
+        }
+        let (name, mib) = (model.display(), size.div_ceil(1 << 20));
+        let features = counted(ledger.report.features, FEATURE);
+        let built = ledger.report.built;
+        let line = text!([name, mib, features, built, houses]
+            "{name}: {features}, {built} of them built, {houses} houses, {mib} MiB",
+            "{name}: {features}、うち {built} 件に建物 {houses} 棟、{mib} MiB"
+        );
+        writeln!(io::stderr(), "{}", line.in_language(language))?;
+        Ok(())
     }
 
     /// Returns the path of the model; makes the folder.

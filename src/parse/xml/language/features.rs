@@ -2,7 +2,7 @@
 
 use super::super::tree::token::Attribute;
 use super::super::tree::{Child, Element};
-use super::places::{Arguments, Placed, bare};
+use super::places::{Arguments, Filled, Origin, Placed, bare};
 use super::{ELEMENT, ElementRef, Expander, Scope};
 use crate::ast::Parameter;
 use crate::ast::town::{PlaceOn, Stood, Wish};
@@ -50,28 +50,15 @@ impl<'a> Expander<'a, '_> {
                 return;
             };
             let placed = Placed {
-                arguments: arguments.clone(),
-                known: vec![],
-                kind: kind.clone(),
                 name: text("name"),
                 seed: Some(self.seed_of_feature(&own, kind)),
                 stood: Some(stood.clone()),
                 uses: self.uses.len(),
-                widest: None,
-                values: vec![],
+                ..Placed::new(kind.clone(), arguments.clone())
             };
-            let made = self.made.elements.len();
-            self.made.elements.push(Element {
-                attributes: standing(&own, kind, &stood),
-                ..bare(element_ref.element())
-            });
-            if !self.take(ELEMENT, &element_ref.element().name_range) {
-                return;
-            }
-            self.enter(element_ref, made);
-            let filled = self.fill(element_ref.element(), placed, origin, made);
-            self.leave();
-            let Some(filled) = filled else {
+            let attributes = standing(&own, kind, &stood);
+            let tried = self.fill_at_feature(element_ref, attributes, placed, origin);
+            let Some((made, filled)) = tried else {
                 return;
             };
             if filled.widest.is_some() && wish.widest.is_none() && stood.walls.is_none() {
@@ -85,6 +72,29 @@ impl<'a> Expander<'a, '_> {
             self.made.elements[into].children.push(Child::Element(made));
             return;
         }
+    }
+
+    /// Makes a `Place` with these attributes and puts the houses of a type into it.
+    fn fill_at_feature(
+        &mut self,
+        element_ref: &ElementRef<'_, 'a>,
+        attributes: Vec<Attribute<'a>>,
+        placed: Placed<'a>,
+        origin: Origin<'a>,
+    ) -> Option<(usize, Filled)> {
+        let element = element_ref.element();
+        let made = self.made.elements.len();
+        self.made.elements.push(Element {
+            attributes,
+            ..bare(element)
+        });
+        if !self.take(ELEMENT, &element.name_range) {
+            return None;
+        }
+        self.enter(element_ref, made);
+        let filled = self.fill(element, placed, origin, made);
+        self.leave();
+        Some((made, filled?))
     }
 
     /// Copies a house that is written in a `for`.

@@ -104,9 +104,8 @@ impl<'a> Expander<'a, '_> {
         let weights = self.weights(&of, scope);
         let drawn = self.drawn(&parameter, weights, parameter.span);
         // In a placed house the default takes the place of a faulty value: its author wrote no wall that could miss a length.
-        let placed = !self.placed.is_empty();
         let value = self.given(&parameter, given, name.span);
-        let value = value.filter(|value| value.is_some() || !placed);
+        let value = value.filter(|value| value.is_some() || self.placed.is_empty());
         let value = value.or_else(|| self.offered(&parameter).map(Some));
         parameter.value = value.unwrap_or_else(|| drawn.or_else(|| parameter.default.clone()));
         self.note_parameter(&parameter);

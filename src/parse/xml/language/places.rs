@@ -58,6 +58,21 @@ pub(super) enum Origin<'a> {
 }
 
 impl<'a> Placed<'a> {
+    /// Creates the state of a house of this type whose parameters have not been asked for.
+    pub(super) fn new(kind: Attribute<'a>, arguments: Arguments<'a>) -> Self {
+        Placed {
+            arguments,
+            known: vec![],
+            kind,
+            name: None,
+            seed: None,
+            stood: None,
+            uses: 0,
+            widest: None,
+            values: vec![],
+        }
+    }
+
     /// Returns the seed of its draws.
     pub(super) fn seed(&self) -> Option<u64> {
         self.seed.as_ref().map(|(_, seed)| *seed)
@@ -108,15 +123,10 @@ impl<'a> Expander<'a, '_> {
         let text = |a: Attribute<'a>| a.value.as_str().trim().to_owned();
         let seed = of("seed").and_then(|a| Some((a.clone(), text(a).parse().ok()?)));
         let placed = Placed {
-            arguments,
-            known: vec![],
-            kind: kind.clone(),
             name: of("name").map(text).filter(|name| !name.is_empty()),
             seed,
-            stood: None,
             uses: self.uses.len(),
-            widest: None,
-            values: vec![],
+            ..Placed::new(kind.clone(), arguments)
         };
         let cost = ELEMENT * (1 + own.len() as u64);
         if !self.take(cost, &element.name_range) {
