@@ -5,8 +5,8 @@
 //! GeoJSON files of another folder.
 
 use crate::real_outlines::text_of;
-use crate::support::maps::{Plan, maps, maps_in, plans};
 use crate::support::compile;
+use crate::support::maps::{Plan, maps, maps_in, plans};
 use glam::DVec2;
 use hsd::ast::{Purpose, RoofShape};
 use hsd::building::{Built, Roof};
