@@ -123,7 +123,7 @@ const WITHOUT_EXAMPLE: &[(u16, &str)] = &[
 
 /// Messages of layouts are said by `hsd fmt` alone; they have their own fixtures and test, in tests/convert.rs.
 fn is_of_layouts(code: u16) -> bool {
-    code / 100 == 8
+    code / 100 == 8 || code == 434
 }
 
 /// The code at the beginning of a name such as `HSD0401_perimeter_open`.

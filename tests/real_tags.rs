@@ -74,7 +74,8 @@ fn ridge(built: &Built, roof: &Roof) -> Option<DVec2> {
     longest.try_normalize()
 }
 
-/// The direction of the ridge that the tags of a gable mean: across the fall, along or across the longest side.
+/// The direction of the ridge that the tags of a gable mean: across the fall, along or across the longest side; none
+/// without such a tag.
 fn tagged_ridge(plan: &Plan) -> Option<DVec2> {
     if let Some(fall) = plan
         .tag("roof:direction")
@@ -89,8 +90,8 @@ fn tagged_ridge(plan: &Plan) -> Option<DVec2> {
         .normalize();
     match plan.tag("roof:orientation") {
         Some("across") => Some(longest.perp()),
-        Some("along") | None => Some(longest),
-        Some(_) => None,
+        Some("along") => Some(longest),
+        _ => None,
     }
 }
 

@@ -203,14 +203,25 @@ impl Grounds {
                 None => large.push(number as u32),
             }
         }
+        self.report_gaps((&cells, &large), head, out);
+    }
+
+    /// Reports the walls that end a little before another house, which is found in the cells of the grid, or among the large
+    /// ones.
+    fn report_gaps(
+        &self,
+        (cells, large): (&HashMap<(i64, i64), Vec<u32>>, &[u32]),
+        head: impl Fn(Span) -> Span,
+        out: &mut Diagnostics,
+    ) {
         for (number, ground) in self.list.iter().enumerate() {
             for end in &ground.ends {
                 let near = cells_at(end.at - PASSAGE, end.at + PASSAGE);
                 let near = near.filter_map(|cell| cells.get(&cell)).flatten();
-                let near = near.chain(&large).copied().take(PAIRS);
+                let near = near.chain(large).copied().take(PAIRS);
                 if let Some(gap) = self.gap(number as u32, *end, near) {
                     let other = &self.list[gap.other as usize];
-                    let heads = [ground.span, other.span].map(head);
+                    let heads = [ground.span, other.span].map(&head);
                     let names = [&*ground.name, &*other.name];
                     out.push(gap_in_wall(heads, names, gap.length));
                 }

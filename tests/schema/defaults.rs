@@ -48,6 +48,7 @@ const EXCEPTIONS: &[(&str, &str)] = &[
     ("Facade", "reflection"),
     ("choice", "weight"),
     ("Param", "random"),
+    ("View", "fov"),
 ];
 
 /// The building of a text.

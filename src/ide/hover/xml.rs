@@ -3,7 +3,7 @@
 use super::computed::{self, expression_at, word_at};
 use super::{Hover, Request, built, holds};
 use crate::catalog::body;
-use crate::diagnostic::{Text, noun};
+use crate::diagnostic::{Noun, Text, noun};
 use crate::ide::card::short;
 use crate::ide::names::KnownName;
 use crate::ide::vocabulary;
@@ -186,6 +186,21 @@ fn bears_told(attribute_schema: &AttributeSchema) -> Vec<Text> {
     told
 }
 
+/// Describes the form of a place, or of a list of places.
+fn places(kind: Kind) -> Noun {
+    match kind {
+        Kind::Spot(..) => noun(
+            "three numbers: metres east, north and up",
+            "数値三つ。東へ、北へ、高さ(m)",
+        ),
+        Kind::Points(..) => noun(
+            "corners: two numbers each, divided by commas",
+            "コンマで区切った隅。数値ふたつずつ",
+        ),
+        _ => noun("two numbers: a and b", "ふたつの数値 a、b"),
+    }
+}
+
 /// Describes the kind of value of an attribute.
 fn form(kind: Kind) -> Option<Text> {
     let number = |least: f64, most: f64| {
@@ -222,17 +237,7 @@ fn form(kind: Kind) -> Option<Text> {
             "ふたつの数値、または両方を兼ねる一つ",
         )
         .into(),
-        Kind::Point(..) => noun("two numbers: a and b", "ふたつの数値 a、b").into(),
-        Kind::Spot(..) => noun(
-            "three numbers: metres east, north and up",
-            "数値三つ。東へ、北へ、高さ(m)",
-        )
-        .into(),
-        Kind::Points(..) => noun(
-            "corners: two numbers each, divided by commas",
-            "コンマで区切った隅。数値ふたつずつ",
-        )
-        .into(),
+        Kind::Point(..) | Kind::Spot(..) | Kind::Points(..) => places(kind).into(),
         Kind::YesNo => noun("`yes` or `no`", "`yes` か `no`").into(),
         Kind::Choice(words) => list(words).into(),
         Kind::Choices(words) => {
