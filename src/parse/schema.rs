@@ -235,7 +235,7 @@ pub static ELEMENTS: &[Schema] = &[
     element(Tag::Place, "Place", bear::PLACEMENT, Only(&NOTHING), "`Houses`, `Group` or `for`",
         ["a house that is written elsewhere, at a place of its own", "別の場所に書いた建物を、この位置に置く"]),
     element(Tag::View, "View", bear::VIEW, Only(&NOTHING), "`Houses` or `Group`",
-        ["a camera with a name: `hsd render --view NAME` takes its picture", "名の付いたカメラ。`hsd render --view 名` で写す"]),
+        ["a camera with a name: `hsd render --view NAME` takes its picture", "名の付いたカメラ。`hsd render --view NAME` で写す"]),
     element(Tag::House, "House", bear::HOUSE, Only(&HOUSE), "`Houses`, `Group` or `for`, or is the outermost element",
         ["a house: storeys or facades from the ground up, then roofs", "建物。下の階から順に書き、最後に屋根を書く"]),
     element(Tag::Outline, "Outline", bear::OUTLINE, Only(&OUTLINE), "`House`",
