@@ -14,6 +14,7 @@ pub mod crs;
 mod csv;
 mod fault;
 mod feature;
+mod flatgeobuf;
 mod format;
 mod geojson;
 mod input;
@@ -95,6 +96,7 @@ pub fn open(world: &dyn World, path: &str, options: &Options) -> Result<Box<dyn 
         Format::GeoJson => Box::new(geojson::GeoJson::open(input, &file, options)?),
         Format::OsmXml => Box::new(osm::Osm::open(input, &file, options, false)?),
         Format::OsmPbf => Box::new(osm::Osm::open(input, &file, options, true)?),
+        Format::FlatGeobuf => Box::new(flatgeobuf::FlatGeobuf::open(input, &file, options)?),
         Format::Moj => Box::new(moj::Moj::open(input, &file, options)?),
         Format::CityGml => Box::new(citygml::CityGml::open(input, &file, options)?),
         Format::Csv => Box::new(csv::Csv::open(input, &file, options)?),

@@ -4,6 +4,7 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Format {
     GeoJson,
+    FlatGeobuf,
     OsmXml,
     OsmPbf,
     Moj,
@@ -14,6 +15,9 @@ pub(super) enum Format {
 
 /// Returns the format of a file that begins with these bytes.
 pub(super) fn of(head: &[u8], path: &str) -> Format {
+    if head.starts_with(super::flatgeobuf::MAGIC) {
+        return Format::FlatGeobuf;
+    }
     let text = decoded(head);
     let text = text.trim_start_matches(['\u{feff}', '\u{1e}']).trim_start();
     if text.starts_with('{') {

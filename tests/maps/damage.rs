@@ -85,6 +85,11 @@ fn damaged_geojson() {
 }
 
 #[test]
+fn damaged_flatgeobuf() {
+    endure(&of_hamlet(&["houses.fgb"]), true);
+}
+
+#[test]
 fn damaged_shapefiles() {
     endure(&of_hamlet(&["houses.shp"]), true);
     endure(

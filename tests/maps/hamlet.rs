@@ -69,6 +69,9 @@ fn the_hamlet_is_the_same_in_every_format() {
     assert_eq!(own[0].0, "中庭の家");
     let json = hamlet("houses.geojson", None);
     assert_same(&houses(&json, "name"), &own, 0.02);
+    let flat = hamlet("houses.fgb", None);
+    assert_eq!(flat.counts(), (5, 0));
+    assert_same(&houses(&flat, "name"), &own, 0.02);
     let gml = hamlet("houses.gml", None);
     assert_eq!(gml.counts(), (5, 0));
     assert_same(&houses(&gml, "name"), &own, 0.02);

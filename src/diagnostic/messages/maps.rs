@@ -51,13 +51,13 @@ pub fn unknown_format(origin: Origin, at: Text, file: &str) -> Diagnostic {
         1002,
         origin,
         text!([at, file]
-            "{at}: this is no map of a format that is read; `ogr2ogr -f GeoJSON -t_srs EPSG:4326 map.geojson {file}` converts many others",
-            "{at}：読み込める形式の地図ではありません。多くの形式は `ogr2ogr -f GeoJSON -t_srs EPSG:4326 map.geojson {file}` で変換できます"
+            "{at}: this is no map of a format that is read; `ogr2ogr -f FlatGeobuf map.fgb {file}` converts many others",
+            "{at}：読み込める形式の地図ではありません。多くの形式は `ogr2ogr -f FlatGeobuf map.fgb {file}` で変換できます"
         ),
     )
     .help(text!(
-        "GeoJSON, shapefiles, OpenStreetMap (XML and PBF), MOJ map XML, CityGML and tables of points (CSV) are read",
-        "GeoJSON、シェープファイル、OpenStreetMap（XML と PBF）、法務省地図 XML、CityGML、点の表（CSV）を読み込みます"
+        "GeoJSON, FlatGeobuf, shapefiles, OpenStreetMap (XML and PBF), MOJ map XML, CityGML and tables of points (CSV) are read",
+        "GeoJSON、FlatGeobuf、シェープファイル、OpenStreetMap（XML と PBF）、法務省地図 XML、CityGML、点の表（CSV）を読み込みます"
     ))
 }
 
