@@ -345,6 +345,18 @@ impl<'a, 'f> Expander<'a, 'f> {
         };
         let least = to.min.unwrap_or(f64::MIN);
         let most = to.max.unwrap_or(f64::MAX).max(least);
+        // Lengths of maps are metres; a type that counts in other units takes whole steps of its own.
+        let metres = to.unit.as_deref().is_none_or(|unit| unit == "m");
+        let scaled = match to.unit.as_deref() {
+            Some(unit) if !metres => in_units(number, unit).unwrap_or(number),
+            _ => number,
+        };
+        let stepped = match to.step {
+            Some(step) if !metres => (scaled / step + 1e-9).floor() * step,
+            None if !metres => scaled.floor(),
+            _ => scaled,
+        };
+        let number = stepped;
         let kept = number.clamp(least, most);
         if to.name == "frontage" && kept < number - 0.05 {
             self.placed.last_mut()?.widest = Some(kept);
@@ -381,6 +393,17 @@ impl<'a, 'f> Expander<'a, 'f> {
             });
         }
     }
+}
+
+/// Returns a length in metres in the unit of a parameter; `None` if it is no unit of length.
+fn in_units(metres: f64, unit: &str) -> Option<f64> {
+    let shaku = metres / crate::geometry::SHAKU;
+    Some(match unit {
+        "shaku" => shaku,
+        "ken" => shaku / 6.0,
+        "U" | "u" | "units" => shaku / super::super::UNIT,
+        _ => return None,
+    })
 }
 
 /// The rules of a town, ready to be evaluated at features.
