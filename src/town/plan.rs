@@ -193,7 +193,10 @@ fn add_streets(streets: &mut StreetsBuilder, layer: &Lots) {
             Shape::Area(ring, _) => streets.ring(ring),
             Shape::Lines(lines) => {
                 if let Some(width) = width(layer, lot) {
-                    lines.iter().for_each(|line| streets.line(line, width));
+                    let known = layer.number(lot, "width").is_some_and(|w| w > 0.0);
+                    lines
+                        .iter()
+                        .for_each(|line| streets.line(line, width, known));
                 }
             }
             Shape::Point(_) => {}

@@ -57,11 +57,12 @@ pub struct StreetsBuilder {
 }
 
 impl StreetsBuilder {
-    /// Adds a line of this width, metres.
-    pub fn line(&mut self, points: &[DVec2], width: f64) {
+    /// Adds a line of this width, metres; `known` if that is its own, not that of its class.
+    pub fn line(&mut self, points: &[DVec2], width: f64, known: bool) {
         let half = (width / 2.0).clamp(0.0, WIDEST);
         for ends in points.windows(2) {
-            self.push(Segment::new(ends[0], ends[1]), half, width);
+            let own = if known { width } else { 0.0 };
+            self.push(Segment::new(ends[0], ends[1]), half, own);
         }
         self.count += 1;
     }
