@@ -20,7 +20,6 @@ mod parts;
 #[cfg(feature = "view")]
 mod render;
 mod textures;
-mod town;
 #[cfg(feature = "view")]
 mod view;
 pub use crate::diagnostic::{Language, Text};
@@ -133,7 +132,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Build(build::Build),
-    Town(town::Town),
+    Town(build::town::Town),
     Check(check::Check),
     Dump(dump::Dump),
     New(new::New),

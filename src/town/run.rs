@@ -306,17 +306,12 @@ fn record(
                 record.evidence = evidence;
                 record.parameters = parameters;
                 for house in own {
-                    let number = record.houses;
                     record.houses += 1;
-                    let name = match number {
-                        0 => format!("{layer} {}", lot.key),
-                        n => format!("{layer} {} {}", lot.key, n + 1),
-                    };
                     houses.push(FeatureHouse {
                         plain: plain(&house, &stood, lot.shape.ring()),
                         house: over_outline(house, &stood),
                         origin: origin.clone(),
-                        name,
+                        name: name(&layer, &lot.key, record.houses),
                     });
                 }
             }
@@ -324,6 +319,14 @@ fn record(
     }
     record.decide(&decisions);
     record
+}
+
+/// Returns the name in the model of a house of a feature, by its number there.
+fn name(layer: &str, key: &str, number: usize) -> String {
+    match number {
+        1 => format!("{layer} {key}"),
+        n => format!("{layer} {key} {n}"),
+    }
 }
 
 /// Fits the rows of a house to the outline that it stands on, if it is written as rows.

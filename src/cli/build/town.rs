@@ -1,107 +1,204 @@
-//! `hsd build` of a plain `.glb`: houses go to the file as they are made, so that a town of any size can be built.
+//! `hsd town`: builds a town from its maps.
 
-use super::statistics::{statistics, summary};
-use super::{Build, Job, Progress};
+use super::streamed;
 use crate::backend::gltf::{Spool, Writer};
-use crate::cli::Failure;
-use crate::cli::files::input::{Inputs, STDIN};
-use crate::cli::files::output::{self, Files, Model, folder_of};
-use crate::diagnostic::Diagnostics;
-use crate::driver::{self, Streamed};
+use crate::cli::files::input::Inputs;
+use crate::cli::files::output::{self, Files};
+use crate::cli::files::terminal::counted;
+use crate::cli::options::{DetailArgs, InputArgs, report};
+use crate::cli::{Exit, Failure, Outcome};
+use crate::diagnostic::{Diagnostics, Language, Noun, noun};
+use crate::driver;
+use crate::report::{Format, Report};
 use crate::source::Source;
-use std::io;
+use crate::text;
+use crate::town::stream::{Ledger, TownStream};
+use crate::town::{Plan, TownInput, run};
+use clap::Args;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::time::Instant;
-use tempfile::{SpooledTempFile, spooled_tempfile_in};
 
-/// The bytes of a list or array that stay in memory; what is larger goes to a file.
-const IN_MEMORY: usize = 4 << 20;
+const FEATURE: Noun = noun("feature", "地物{}件");
 
-impl Build {
-    /// True if the model of a job is written house by house. Others need the whole scene.
-    pub(super) fn streams(&self, job: &Job) -> bool {
-        let variants = self.variants.is_some() && job.seed.is_none();
-        job.model == Model::Glb && !variants && !self.compress && !self.bake_args.bake
-    }
+/// Build a town from the layers of maps that a town file names.
+///
+/// OUT is a model (.glb), or a folder for `town.glb`. Beside the model stand `decisions.csv`, with a line for each feature,
+/// and `report.json`. The exit status is 1 if a feature has no house that nobody asked to skip.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  hsd town kyoto.hsd -o kyoto/       write kyoto/town.glb, kyoto/decisions.csv and kyoto/report.json
+  hsd town kyoto.hsd -o kyoto.glb --param year=1928")]
+pub(in crate::cli) struct Town {
+    #[command(flatten)]
+    input_args: InputArgs,
 
-    /// Runs one job; returns whether its source files have errors.
-    pub(super) fn stream(&self, job: &Job, progress: &Progress) -> Result<bool, Failure> {
-        let start = Instant::now();
+    /// Write the model to this file or folder.
+    #[arg(short, long, value_name = "OUT")]
+    output: PathBuf,
+
+    #[command(flatten)]
+    detail_args: DetailArgs,
+
+    /// Print only diagnostics.
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+impl Town {
+    pub(in crate::cli) fn run(&self, language: Language) -> Outcome {
+        self.input_args.check_folders()?;
+        let [input] = &self.input_args.inputs[..] else {
+            return Err(Failure::Usage(text!(
+                "`hsd town` builds one town at a time",
+                "`hsd town` が一度に作る町は一つです"
+            )));
+        };
         let mut out = Diagnostics::new();
         let limits = self.input_args.limits();
-        let inputs = Inputs::read(&job.inputs, limits.bytes, &mut out)?;
-        let world = self.input_args.world(&job.inputs);
-        let options = self.options(job.seed, &inputs, &mut out)?;
-        let folder = spool_folder(&job.output);
-        let new = || spool(&folder);
-        let failed = |error| Failure::at(job.output.display(), error);
-        let mut writer = Writer::new(&new).map_err(failed)?;
+        let inputs = Inputs::read(std::slice::from_ref(input), limits.bytes, &mut out)?;
+        let options = driver::Options {
+            detail: self.detail_args.detail(),
+            ..self.input_args.options(&inputs, &mut out)?
+        };
+        let world = self.input_args.world(&self.input_args.inputs);
         let accepted = inputs.accepted();
-        let mut town = driver::stream(
-            &accepted,
-            &world,
-            &options,
+        let mut read = driver::documents(&accepted, &world, &options, &mut out);
+        let town = read.documents.iter_mut().find_map(|d| d.town.take());
+        let (Some(town), [source]) = (town, &accepted[..]) else {
+            if !out.has_errors() {
+                return Err(Failure::Usage(text!(
+                    "this is no town: `hsd build` builds houses",
+                    "町のファイルではありません。建物は `hsd build` で作ります"
+                )));
+            }
+            self.print(&inputs.and(read.included), out, language)?;
+            return Ok(Exit::Errors);
+        };
+        let input = TownInput {
+            source,
+            world: &world,
+            options: &options,
+        };
+        let plan = match run::plan(input, &town, &mut out) {
+            Some(plan) if !out.has_errors() => plan,
+            _ => {
+                self.print(&inputs.and(read.included), out, language)?;
+                return Ok(Exit::Errors);
+            }
+        };
+        self.build(input, read, &plan, out, language)
+    }
+
+    /// Builds a town and writes its files.
+    fn build(
+        &self,
+        input: TownInput<'_>,
+        read: driver::Read,
+        plan: &Plan,
+        mut out: Diagnostics,
+        language: Language,
+    ) -> Outcome {
+        let mut houses = TownStream::new(input, plan);
+        let model = self.model()?;
+        let failed = |error| Failure::at(model.display(), error);
+        let folder = streamed::spool_folder(&model);
+        let new = || -> io::Result<Box<dyn Spool>> { streamed::spool(&folder) };
+        let mut writer = Writer::new(&new).map_err(failed)?;
+        let streamed = driver::stream_town(
+            (input.source, read),
+            houses.by_ref(),
+            input.world,
+            input.options,
             &mut out,
             &mut |part, images| writer.add(part, images),
         )
         .map_err(failed)?;
-        let list = out.into_sorted();
-        let included = std::mem::take(&mut town.included);
-        let beside = included.iter().map(Source::name);
-        let beside = beside.chain(town.pictures.iter().map(String::as_str));
-        let read = job.inputs.iter().cloned();
-        let read: Vec<PathBuf> = read.chain(beside.map(PathBuf::from)).collect();
-        progress.report(&inputs.and(included), &list)?;
-        if list.iter().any(|d| self.input_args.spoils(d.severity)) {
-            return Ok(true);
+        let (ledger, included) = houses.finish(&mut out);
+        let spoiled = out.has_errors();
+        let mut sources = vec![input.source.clone()];
+        sources.extend(included);
+        self.print(&sources, out, language)?;
+        if spoiled {
+            return Ok(Exit::Errors);
         }
-        let mut times = std::mem::take(&mut town.times);
-        let (size, sizes) = driver::timed(&mut times, "write", || {
-            let files = self.town_files(writer, &town, &job.output);
-            let files = files.map_err(failed)?;
-            let sizes = files.sizes();
-            let size = output::write_model(&job.output, files, &read)?;
-            Ok::<_, Failure>((size, sizes))
-        })?;
-        if progress.verbose || self.stats {
-            let counts = (town.houses, town.stats.triangles);
-            progress.line(&summary(&job.output, counts, size, start.elapsed()))?;
-        }
-        if self.stats {
-            let counts = (town.stats, town.materials.len());
-            progress.line(&statistics(counts, &sizes, &times))?;
-        }
-        Ok(false)
+        let glb = writer.glb(&streamed.materials, &streamed.library, &streamed.grown);
+        let size = output::write(&model, Files::glb(glb.map_err(failed)?))?;
+        self.tables(&model, &ledger)?;
+        self.summary(&model, size, &ledger, streamed.houses, language)?;
+        Ok(match ledger.incomplete {
+            true => Exit::Errors,
+            false => Exit::Done,
+        })
     }
 
-    /// Returns the files of a model whose houses are all written.
-    fn town_files<'t>(
+    /// Prints what was built.
+    fn summary(
         &self,
-        writer: Writer<'_>,
-        town: &'t Streamed,
-        output: &Path,
-    ) -> io::Result<Files<'t>> {
-        let (materials, images, grown) = (&town.materials, &town.library, &town.grown);
-        if !self.textures_beside {
-            return writer.glb(materials, images, grown).map(Files::glb);
+        model: &Path,
+        size: u64,
+        ledger: &Ledger,
+        houses: usize,
+        language: Language,
+    ) -> Result<(), Failure> {
+        if self.quiet {
+            return Ok(());
         }
-        let stem = output.file_stem().unwrap_or_default().to_string_lossy();
-        let (glb, beside) = writer.glb_beside(materials, images, grown, &stem)?;
-        Ok(Files::glb_beside(glb, beside))
+        let (name, mib) = (model.display(), size.div_ceil(1 << 20));
+        let features = counted(ledger.report.features, FEATURE);
+        let built = ledger.report.built;
+        let line = text!([name, mib, features, built, houses]
+            "{name}: {features}, {built} of them built, {houses} houses, {mib} MiB",
+            "{name}: {features}、うち {built} 件に建物 {houses} 棟、{mib} MiB"
+        );
+        writeln!(io::stderr(), "{}", line.in_language(language))?;
+        Ok(())
     }
-}
 
-/// Returns a list or array of a model that is written as it grows.
-pub(in crate::cli) fn spool(folder: &Path) -> io::Result<Box<dyn Spool>> {
-    let spool: SpooledTempFile = spooled_tempfile_in(IN_MEMORY, folder);
-    Ok(Box::new(spool))
-}
+    /// Returns the path of the model; makes the folder.
+    fn model(&self) -> Result<PathBuf, Failure> {
+        let is_model = self.output.extension().is_some_and(|e| e == "glb");
+        if is_model {
+            return Ok(self.output.clone());
+        }
+        if let Some(other) = self.output.extension() {
+            let other = other.to_string_lossy();
+            return Err(Failure::Usage(text!([other]
+                "a town is written to a folder or a `.glb`, not to `.{other}`",
+                "町の出力先はフォルダーか `.glb` です。`.{other}` には書けません"
+            )));
+        }
+        std::fs::create_dir_all(&self.output).map_err(|e| Failure::at(self.output.display(), e))?;
+        Ok(self.output.join("town.glb"))
+    }
 
-/// Returns the folder of spools: that of the output, where there is room for the model.
-pub(in crate::cli) fn spool_folder(output: &Path) -> PathBuf {
-    let folder = folder_of(output);
-    match output.as_os_str() == STDIN || !folder.is_dir() {
-        true => std::env::temp_dir(),
-        false => folder.to_owned(),
+    /// Writes the table of decisions and the report beside the model.
+    fn tables(&self, model: &Path, ledger: &Ledger) -> Result<(), Failure> {
+        let json = serde_json::to_vec_pretty(&ledger.report).map_err(|e| Failure::json(&e))?;
+        let beside = |name: &str| match self.output.extension() {
+            Some(_) => model.with_extension(name),
+            None => model.with_file_name(name),
+        };
+        for (name, bytes) in [
+            ("decisions.csv", ledger.decisions.clone().into_bytes()),
+            ("report.json", json),
+        ] {
+            output::write(&beside(name), Files::bytes(bytes))?;
+        }
+        Ok(())
+    }
+
+    fn print(
+        &self,
+        sources: &[Source],
+        out: Diagnostics,
+        language: Language,
+    ) -> Result<(), Failure> {
+        let list = out.into_sorted();
+        if list.is_empty() {
+            return Ok(());
+        }
+        let written = Report::new(sources, &list).in_language(language);
+        report(&written, Format::Human, &mut io::stderr())
     }
 }

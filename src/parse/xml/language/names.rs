@@ -92,14 +92,7 @@ impl<'a> Expander<'a, '_> {
             doc_ja: self.words(&of, "doc_ja", scope),
             name: name.value.clone(),
         };
-        if let (Some(default), Some(place)) = (&parameter.default, of.get("default"))
-            && !parameter.admits(default)
-        {
-            let place = place.value.whole();
-            self.reporter.at(&place, |s| {
-                say::default_out_of_range(s, default, &parameter)
-            });
-        }
+        self.check_default(&of, &parameter);
         let at_run = matches!(given, Given::Run);
         let weights = self.weights(&of, scope);
         let drawn = self.drawn(&parameter, weights, parameter.span);
@@ -107,7 +100,8 @@ impl<'a> Expander<'a, '_> {
         let value = self.given(&parameter, given, name.span);
         let value = value.filter(|value| value.is_some() || self.placed.is_empty());
         let value = value.or_else(|| self.offered(&parameter).map(Some));
-        parameter.value = value.unwrap_or_else(|| drawn.or_else(|| parameter.default.clone()));
+        let usual = drawn.or_else(|| parameter.default.clone());
+        parameter.value = value.unwrap_or(usual);
         self.note_parameter(&parameter);
         if parameter.value.is_none() && !written && !at_run {
             let span = self.uses.last().map_or(name.span, |u| u.span);
@@ -122,6 +116,17 @@ impl<'a> Expander<'a, '_> {
         self.bind(&name, parameter.value.clone(), scope);
         if at_run {
             self.parameters.push(parameter);
+        }
+    }
+
+    /// Reports a default that the parameter does not allow.
+    fn check_default(&mut self, of: &Attributes<'_>, parameter: &Parameter) {
+        if let (Some(default), Some(place)) = (&parameter.default, of.get("default"))
+            && !parameter.admits(default)
+        {
+            let place = place.value.whole();
+            self.reporter
+                .at(&place, |s| say::default_out_of_range(s, default, parameter));
         }
     }
 

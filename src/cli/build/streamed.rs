@@ -1,0 +1,107 @@
+//! `hsd build` of a plain `.glb`: houses go to the file as they are made, so that a town of any size can be built.
+
+use super::statistics::{statistics, summary};
+use super::{Build, Job, Progress};
+use crate::backend::gltf::{Spool, Writer};
+use crate::cli::Failure;
+use crate::cli::files::input::{Inputs, STDIN};
+use crate::cli::files::output::{self, Files, Model, folder_of};
+use crate::diagnostic::Diagnostics;
+use crate::driver::{self, Streamed};
+use crate::source::Source;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+use tempfile::{SpooledTempFile, spooled_tempfile_in};
+
+/// The bytes of a list or array that stay in memory; what is larger goes to a file.
+const IN_MEMORY: usize = 4 << 20;
+
+impl Build {
+    /// True if the model of a job is written house by house. Others need the whole scene.
+    pub(super) fn streams(&self, job: &Job) -> bool {
+        let variants = self.variants.is_some() && job.seed.is_none();
+        job.model == Model::Glb && !variants && !self.compress && !self.bake_args.bake
+    }
+
+    /// Runs one job; returns whether its source files have errors.
+    pub(super) fn stream(&self, job: &Job, progress: &Progress) -> Result<bool, Failure> {
+        let start = Instant::now();
+        let mut out = Diagnostics::new();
+        let limits = self.input_args.limits();
+        let inputs = Inputs::read(&job.inputs, limits.bytes, &mut out)?;
+        let world = self.input_args.world(&job.inputs);
+        let options = self.options(job.seed, &inputs, &mut out)?;
+        let folder = spool_folder(&job.output);
+        let new = || spool(&folder);
+        let failed = |error| Failure::at(job.output.display(), error);
+        let mut writer = Writer::new(&new).map_err(failed)?;
+        let accepted = inputs.accepted();
+        let mut town = driver::stream(
+            &accepted,
+            &world,
+            &options,
+            &mut out,
+            &mut |part, images| writer.add(part, images),
+        )
+        .map_err(failed)?;
+        let list = out.into_sorted();
+        let included = std::mem::take(&mut town.included);
+        let beside = included.iter().map(Source::name);
+        let beside = beside.chain(town.pictures.iter().map(String::as_str));
+        let read = job.inputs.iter().cloned();
+        let read: Vec<PathBuf> = read.chain(beside.map(PathBuf::from)).collect();
+        progress.report(&inputs.and(included), &list)?;
+        if list.iter().any(|d| self.input_args.spoils(d.severity)) {
+            return Ok(true);
+        }
+        let mut times = std::mem::take(&mut town.times);
+        let (size, sizes) = driver::timed(&mut times, "write", || {
+            let files = self.town_files(writer, &town, &job.output);
+            let files = files.map_err(failed)?;
+            let sizes = files.sizes();
+            let size = output::write_model(&job.output, files, &read)?;
+            Ok::<_, Failure>((size, sizes))
+        })?;
+        if progress.verbose || self.stats {
+            let counts = (town.houses, town.stats.triangles);
+            progress.line(&summary(&job.output, counts, size, start.elapsed()))?;
+        }
+        if self.stats {
+            let counts = (town.stats, town.materials.len());
+            progress.line(&statistics(counts, &sizes, &times))?;
+        }
+        Ok(false)
+    }
+
+    /// Returns the files of a model whose houses are all written.
+    fn town_files<'t>(
+        &self,
+        writer: Writer<'_>,
+        town: &'t Streamed,
+        output: &Path,
+    ) -> io::Result<Files<'t>> {
+        let (materials, images, grown) = (&town.materials, &town.library, &town.grown);
+        if !self.textures_beside {
+            return writer.glb(materials, images, grown).map(Files::glb);
+        }
+        let stem = output.file_stem().unwrap_or_default().to_string_lossy();
+        let (glb, beside) = writer.glb_beside(materials, images, grown, &stem)?;
+        Ok(Files::glb_beside(glb, beside))
+    }
+}
+
+/// Returns a list or array of a model that is written as it grows.
+pub(super) fn spool(folder: &Path) -> io::Result<Box<dyn Spool>> {
+    let spool: SpooledTempFile = spooled_tempfile_in(IN_MEMORY, folder);
+    Ok(Box::new(spool))
+}
+
+/// Returns the folder of spools: that of the output, where there is room for the model.
+pub(super) fn spool_folder(output: &Path) -> PathBuf {
+    let folder = folder_of(output);
+    match output.as_os_str() == STDIN || !folder.is_dir() {
+        true => std::env::temp_dir(),
+        false => folder.to_owned(),
+    }
+}
