@@ -41,7 +41,6 @@ const WITHOUT_FIXTURE: &[(u16, &str)] = &[
     (1110, "a map: tests/towns.rs"),
     (1112, "a map: tests/towns.rs"),
     (1115, "a map: tests/towns.rs"),
-    (1116, "a map: tests/towns.rs"),
     (1117, "a map: tests/towns.rs"),
     (
         909,
@@ -115,7 +114,6 @@ const WITHOUT_EXAMPLE: &[(u16, &str)] = &[
     (1110, "the map is not there"),
     (1112, "the map is not there"),
     (1115, "the map is not there"),
-    (1116, "the map is not there"),
     (1117, "the map is not there"),
 ];
 

@@ -5,6 +5,8 @@ use super::shape::{Segment, azimuth};
 use super::site::{Decision, LotSite};
 use crate::ast::Value;
 use crate::diagnostic::{Code, Language, Severity, Text};
+use crate::map::{self, Fault};
+use crate::source::Span;
 use serde::Serialize;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -208,6 +210,21 @@ pub struct SkippedFeature {
 }
 
 impl TownReport {
+    /// Adds a feature that cannot be read.
+    pub fn unread(&mut self, layer: &str, fault: &Fault) {
+        let found = map::diagnostic(fault, 1, Span::default().into());
+        self.features += 1;
+        self.skipped.push(SkippedFeature {
+            layer: layer.to_owned(),
+            key: fault
+                .feature
+                .as_ref()
+                .map_or(String::new(), |w| w.key().to_string()),
+            code: found.code.to_string(),
+            reason: found.message.in_language(Language::English).to_string(),
+        });
+    }
+
     /// Adds a feature.
     pub fn add(&mut self, record: &Record, parts_left: usize) {
         self.features += 1;

@@ -4,10 +4,11 @@ use super::grid::{Bounds, bounds};
 use super::shape::{area, centroid, cleaned};
 use crate::ast::town::{FieldType, Known, Layer};
 use crate::ast::{self, Value};
-use crate::map::{self, Crs, Datums, Fault, Geometry, Options, Transform};
+use crate::map::{self, Crs, Datums, Fault, Faults, Geometry, Kind, Options, Transform};
 use crate::source::World;
 use glam::DVec2;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// A feature in the frame of the town.
 #[derive(Clone, Debug)]
@@ -84,10 +85,12 @@ pub struct Lots {
     pub lots: Vec<Lot>,
     /// Columns of the file by name.
     columns: BTreeMap<Box<str>, usize>,
-    /// What could not be read, and what was mended.
-    pub faults: Vec<Fault>,
-    /// The number of features that could not be read.
-    pub unread: usize,
+    /// What is wrong with the map, counted by kind.
+    pub faults: Faults,
+    /// The features that cannot be read.
+    pub unread: Vec<Fault>,
+    /// The path of the file.
+    file: Arc<str>,
 }
 
 /// Features in the coordinates of their file.
@@ -124,18 +127,18 @@ pub fn read(world: &dyn World, path: &str, layer: &Layer) -> Result<Raw, Fault> 
         ..Options::default()
     };
     let mut reader = map::open(world, path, &options)?;
-    let (mut features, mut faults, mut unread) = (vec![], vec![], 0);
+    let (mut features, mut faults, mut unread) = (vec![], Faults::default(), vec![]);
     while let Some(next) = reader.next() {
         match next {
             Ok(feature) => features.push(feature),
             Err(fault) => {
-                unread += 1;
-                faults.push(fault);
+                faults.push(fault.clone());
+                unread.push(fault);
             }
         }
-        faults.extend(reader.remarks());
+        reader.remarks().into_iter().for_each(|f| faults.push(f));
     }
-    faults.extend(reader.remarks());
+    reader.remarks().into_iter().for_each(|f| faults.push(f));
     let known = reader.layer();
     let columns = known.columns.list().iter().enumerate();
     let columns = columns
@@ -150,6 +153,7 @@ pub fn read(world: &dyn World, path: &str, layer: &Layer) -> Result<Raw, Fault> 
             columns,
             faults,
             unread,
+            file: path.into(),
         },
     })
 }
@@ -193,7 +197,11 @@ impl Raw {
                 shape: match inside {
                     true => shape(feature.geometry),
                     false => {
-                        lots.unread += 1;
+                        // A place where the projection has none.
+                        let fault = Fault::of_file(&lots.file, Kind::NotFinite);
+                        let fault = fault.of_feature(feature.number, feature.id);
+                        lots.faults.push(fault.clone());
+                        lots.unread.push(fault);
                         continue;
                     }
                 },

@@ -12,7 +12,7 @@ use crate::ast::{House, Item, Outline, Stand, Storey};
 use crate::diagnostic::messages::town as say;
 use crate::diagnostic::{Diagnostics, Origin};
 use crate::driver::{FeatureHouse, Options};
-use crate::map::{Crs, Datums, Projection, Transform};
+use crate::map::{self, Crs, Datums, Mismatch, Projection, Transform};
 use crate::parse;
 use crate::parse::xml::{self, FeatureMade, FeatureOf, MissingFields, Trees};
 use crate::source::{Source, SourceCache, Spanned, World};
@@ -44,10 +44,8 @@ pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<
         let read = path(input, &layer.src)
             .map_err(|why| say::no_map(layer.src.span, &layer.src.value, &why));
         let read = read.and_then(|path| {
-            layer::read(input.world, &path, layer).map_err(|fault| {
-                let why = format!("{:?}", fault.kind).into();
-                say::no_map(layer.src.span, &layer.src.value, &why)
-            })
+            layer::read(input.world, &path, layer)
+                .map_err(|fault| map::diagnostic(&fault, 1, layer.src.span.into()))
         });
         match read {
             Ok(layer) => raw.push(layer),
@@ -69,22 +67,32 @@ pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<
     for (raw, written) in raw.into_iter().zip(&town.layers) {
         match raw.placed(&frame) {
             Ok(lots) => {
-                if lots.unread > 0 {
-                    out.push(say::unread(
-                        written.src.span,
-                        &written.src.value,
-                        lots.unread,
-                    ));
-                }
+                lots.faults
+                    .report(&written.name.value, Some(written.src.span), out);
                 layers.push(lots);
             }
             Err(why) => {
-                let why = format!("{why:?}").into();
+                let why = mismatch(&why);
                 out.push(say::no_map(written.src.span, &written.src.value, &why));
             }
         }
     }
     (layers.len() == town.layers.len()).then(|| Plan::new(town.clone(), frame, layers, tables))
+}
+
+/// Returns why the coordinates of a map cannot be those of the town.
+fn mismatch(why: &Mismatch) -> crate::diagnostic::Text {
+    match why {
+        Mismatch::Datum => text!(
+            "its datum is another one, and no grid to convert it is at hand",
+            "測地系が違い、変換のための格子がありません"
+        ),
+        Mismatch::Local => text!(
+            "it is in metres of a local survey, and the town is not, or the reverse: write `crs` in the layer or in the town",
+            "地図と町の片方だけが局所座標です。レイヤーか町に `crs` を書いてください"
+        ),
+        Mismatch::Unusable => text!("its reference system cannot be used", "座標系を使えません"),
+    }
 }
 
 fn path(input: TownInput<'_>, href: &Spanned<String>) -> Result<String, crate::diagnostic::Text> {

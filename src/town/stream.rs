@@ -107,6 +107,16 @@ impl<'a> TownStream<'a> {
             }
         }
         let town = &self.plan.town;
+        for layer in &self.plan.layers {
+            let name = &layer.layer.name.value;
+            if town.rules.iter().any(|rule| rule.each.value == *name) {
+                ledger.incomplete |= !layer.unread.is_empty();
+                layer
+                    .unread
+                    .iter()
+                    .for_each(|f| ledger.report.unread(name, f));
+            }
+        }
         for layer in &town.layers {
             let name = &layer.name.value;
             if let Some(count) = ledger.unruled.get(name) {

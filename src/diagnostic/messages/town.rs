@@ -224,20 +224,6 @@ pub fn no_map(span: Span, path: &str, why: &Text) -> Diagnostic {
     ))
 }
 
-/// Features of a map that cannot be read.
-#[cold]
-pub fn unread(span: Span, path: &str, count: usize) -> Diagnostic {
-    let path = quote(path);
-    let message = text!([path, count]
-        "{count} features of {path} cannot be read and are left out",
-        "{path} の {count} 件の地物を読めず、省きました"
-    );
-    Diagnostic::warning(1116, span, message).help(text!(
-        "the report of the town lists each of them",
-        "町の報告書にすべて載っています"
-    ))
-}
-
 /// A reference system that is not known.
 #[cold]
 pub fn unknown_crs(span: Span, name: &str) -> Diagnostic {
