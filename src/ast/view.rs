@@ -72,9 +72,12 @@ impl ViewTime {
                 false => None,
             });
         let date = [parts.next()??, parts.next()??, parts.next()??];
+        let leap = |year: u32| {
+            year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400))
+        };
         let days = |year: u32, month: u32| match month {
             4 | 6 | 9 | 11 => 30,
-            2 if year % 4 == 0 && (year % 100 != 0 || year % 400 == 0) => 29,
+            2 if leap(year) => 29,
             2 => 28,
             _ => 31,
         };

@@ -27,6 +27,9 @@ const CELLS: i64 = 64;
 /// Pairs that are compared at most, for each house and at least.
 const PAIRS: usize = 64;
 
+/// The numbers of the houses in each cell of the grid.
+type Cells = HashMap<(i64, i64), Vec<u32>>;
+
 /// The ground storeys of the houses so far.
 #[derive(Debug)]
 pub(super) struct Grounds {
@@ -164,7 +167,7 @@ impl Grounds {
             let source = sources.clone().find(|source| source.id() == span.file);
             source.map_or(span, |source| first_line(source, span))
         };
-        let mut cells: HashMap<(i64, i64), Vec<u32>> = HashMap::new();
+        let mut cells = Cells::new();
         let mut large: Vec<u32> = vec![];
         // Ten thousand houses in one place are compared with some of the others only.
         let mut pairs = PAIRS * self.list.len().max(4096);
@@ -210,7 +213,7 @@ impl Grounds {
     /// ones.
     fn report_gaps(
         &self,
-        (cells, large): (&HashMap<(i64, i64), Vec<u32>>, &[u32]),
+        (cells, large): (&Cells, &[u32]),
         head: impl Fn(Span) -> Span,
         out: &mut Diagnostics,
     ) {
