@@ -268,7 +268,11 @@ fn positions(text: &str, size: usize, north_first: bool, ring: &mut Chain) {
         .split_ascii_whitespace()
         .map(|n| n.parse().unwrap_or(f64::NAN))
         .collect();
-    let size = if numbers.len() % size == 0 { size } else { 2 };
+    let size = if numbers.len().is_multiple_of(size) {
+        size
+    } else {
+        2
+    };
     for position in numbers.chunks(size) {
         let (first, second) = (position[0], position.get(1).copied().unwrap_or(f64::NAN));
         let point: DVec2 = match north_first {

@@ -8,19 +8,23 @@ use std::collections::BTreeMap;
 use std::mem::{Discriminant, discriminant};
 use std::sync::Arc;
 
+/// A kind of fault and its place in a list.
+type Known = (Discriminant<Kind>, usize);
+
 /// The faults of a map, counted by kind and field. Memory does not grow with their number.
 #[derive(Debug, Default)]
 pub struct Faults {
     /// The first fault of each kind and field, and their number, in the order of their first appearance.
     kinds: Vec<(Fault, usize)>,
-    by_kind: BTreeMap<Option<Box<str>>, Vec<(Discriminant<Kind>, usize)>>,
+    /// Kinds with their places in `kinds`, by field.
+    by_field: BTreeMap<Option<Box<str>>, Vec<Known>>,
 }
 
 impl Faults {
     /// Adds a fault.
     pub fn push(&mut self, fault: Fault) {
         let kind = discriminant(&fault.kind);
-        let kinds = self.by_kind.entry(fault.field.clone()).or_default();
+        let kinds = self.by_field.entry(fault.field.clone()).or_default();
         match kinds.iter().find(|(of, _)| *of == kind) {
             Some((_, at)) => self.kinds[*at].1 += 1,
             None => {

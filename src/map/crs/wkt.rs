@@ -179,12 +179,11 @@ impl<'a> Node<'a> {
         if !id.text()?.eq_ignore_ascii_case("EPSG") {
             return None;
         }
-        let written = id.items.iter().skip(1).find_map(|item| match item {
+        id.items.iter().skip(1).find_map(|item| match item {
             Item::Text(text) => text.trim().parse().ok(),
             Item::Number(number) => Some(*number as u32),
             Item::Node(_) => None,
-        });
-        written
+        })
     }
 }
 
