@@ -25,7 +25,7 @@ const CITING: &[&str] = &[
 const WRITTEN: &[&str] = &["rs", "md", "hsd", "ebnf", "xml", "ts"];
 
 /// Pages that lie outside the repository: a reader cannot open them.
-const ELSEWHERE: &[&str] = &["domain.md", "language.md", "towns.md", "toolbox.md"];
+const ELSEWHERE: &[&str] = &["domain.md", "language.md", "toolbox.md"];
 
 fn files() -> Vec<PathBuf> {
     let mut found = vec![];

@@ -13,7 +13,6 @@ pub mod parts;
 pub mod pictures;
 pub mod plan;
 pub mod print;
-pub mod purpose;
 pub mod roofs;
 pub mod views;
 pub mod town;

@@ -14,7 +14,7 @@
 
 use crate::ast::{Purpose, Rare, RoofKind, RoofShape, StoreyKind};
 use crate::building::{Ring, Storey};
-use crate::diagnostic::{Diagnostics, messages::purpose as say};
+use crate::diagnostic::{Diagnostics, messages::roofs as say};
 use crate::geometry::{SAME, area2};
 use crate::program::Roofs;
 use crate::source::Spanned;

@@ -95,8 +95,9 @@ impl Csv {
 
     /// Returns the next line, in which quoted values may hold line ends.
     fn line(&mut self) -> Result<Option<Vec<u8>>, Fault> {
-        let mut line = vec![];
+        let (mut line, mut is_whole) = (vec![], true);
         loop {
+            let before = line.len();
             let room = (self.most - line.len().min(self.most)) as u64 + 1;
             let taken = (&mut self.input).take(room).read_until(b'\n', &mut line);
             let taken = taken.map_err(|e| unreadable(&self.file, &e))?;
@@ -104,7 +105,8 @@ impl Csv {
                 let (what, limit) = ("bytes of a feature", self.most as u64);
                 return Err(Fault::of_file(&self.file, Kind::TooLarge { what, limit }));
             }
-            let is_whole = line.iter().filter(|b| **b == b'"').count() % 2 == 0;
+            let quotes = line[before..].iter().filter(|b| **b == b'"');
+            is_whole ^= quotes.count() % 2 == 1;
             if taken == 0 || is_whole {
                 break;
             }

@@ -108,7 +108,7 @@ fn damaged_xml() {
 #[test]
 fn damaged_tables() {
     let table = b"name,lon,lat\na,135.75,35.02\nb,135.76,35.03\nc,135.77,35.04\n";
-    endure(&[("a.csv", table.to_vec())], true);
+    endure(&[("a.csv", table.to_vec())], false); // a line that is gone leaves no trace
 }
 
 #[test]

@@ -1,5 +1,9 @@
 //! Messages about roofs (HSD05xx).
 
+mod purpose;
+
+pub use purpose::no_use;
+
 use super::words::short;
 use crate::diagnostic::{Diagnostic, Edit, Noun, Text, noun};
 use crate::source::Span;

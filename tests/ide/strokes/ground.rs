@@ -131,7 +131,7 @@ fn a_corner_of_an_outline_is_moved_in_the_text() {
     );
     assert!(board.text().contains("1.9 3,4 3"));
     let why = board
-        .draw(&json!({"do": "move-corner", "outline": 0, "corner": 0, "to": [20, 20]}))
+        .draw(&json!({"do": "move-corner", "outline": 0, "corner": 0, "to": [20, 5]}))
         .unwrap_err();
     assert!(why.contains("do not cross"), "{why}");
     let mut closed =
