@@ -280,6 +280,6 @@ pub enum Made {
         /// The parameters of the type and their values.
         parameters: Vec<(String, Value)>,
         /// Where they stand.
-        stood: Stood,
+        stood: Box<Stood>,
     },
 }

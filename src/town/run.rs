@@ -41,15 +41,16 @@ pub struct TownInput<'a> {
 pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<Plan> {
     let mut raw = vec![];
     for layer in &town.layers {
-        let read = path(input, &layer.src)
-            .map_err(|why| say::no_map(layer.src.span, &layer.src.value, &why));
-        let read = read.and_then(|path| {
-            layer::read(input.world, &path, layer)
-                .map_err(|fault| map::diagnostic(&fault, 1, layer.src.span.into()))
-        });
-        match read {
+        let path = match path(input, &layer.src) {
+            Ok(path) => path,
+            Err(why) => {
+                out.push(say::no_map(layer.src.span, &layer.src.value, &why));
+                continue;
+            }
+        };
+        match layer::read(input.world, &path, layer) {
             Ok(layer) => raw.push(layer),
-            Err(message) => out.push(message),
+            Err(fault) => out.push(map::diagnostic(&fault, 1, layer.src.span.into())),
         }
     }
     let mut tables = vec![];

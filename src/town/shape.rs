@@ -169,7 +169,7 @@ pub fn cleaned(ring: &[DVec2]) -> Vec<DVec2> {
         let useless = (0..n).find(|i| {
             let (p, q, r) = (kept[(i + n - 1) % n], kept[*i], kept[(i + 1) % n]);
             let turn = angle(q - p, r - q);
-            turn < STRAIGHT || turn > 180.0 - STRAIGHT || q.distance(r) < NEAR
+            !(STRAIGHT..=180.0 - STRAIGHT).contains(&turn) || q.distance(r) < NEAR
         });
         match useless {
             Some(at) => kept.remove(at),

@@ -71,7 +71,7 @@ impl<'a> TownStream<'a> {
             .collect();
         let more = !made.is_empty();
         for chunk in made {
-            self.ready.extend(chunk.houses.into_iter());
+            self.ready.extend(chunk.houses);
             for record in &chunk.records {
                 record.line(&mut self.ledger.decisions);
                 self.ledger.report.add(record, record.parts_left);

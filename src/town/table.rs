@@ -110,13 +110,16 @@ mod tests {
         assert_eq!(cell, Ok(Value::Number(29.7)));
         assert_eq!(
             rows.cell(&Value::Number(1900.0), "so-nikai")
-                .unwrap_err()
+                .expect_err("no such year")
                 .argument,
             1
         );
-        assert_eq!(Rows::read("t", "key", "a,b\n").unwrap_err(), NoTable::NoKey);
         assert_eq!(
-            Rows::read("t", "a", "a,b\n1\n").unwrap_err(),
+            Rows::read("t", "key", "a,b\n").expect_err("no key"),
+            NoTable::NoKey
+        );
+        assert_eq!(
+            Rows::read("t", "a", "a,b\n1\n").expect_err("a cell is missing"),
             NoTable::Uneven(2)
         );
     }

@@ -13,7 +13,7 @@ pub(in crate::parse::schema) const TOWN: &[AttributeSchema] = &[
     may("name", Text, "", "its name", "町の名"),
     may("crs", Text, "", "the plane in which it is built, such as `EPSG:6674`; without, the zone of Japan or of UTM that the first layer lies in", "町を作る平面座標系。`EPSG:6674` など。無ければ最初のレイヤーが入る平面直角座標系か UTM"),
     may("seed", Whole(0, u64::MAX), "0", "key of all draws: another seed, another town on the same maps", "抽選の種。変えると同じ地図の別の町になる"),
-    may("origin", Point(-FAR, FAR), "", "metres east and north in `crs` that are 0 0 of the model; without, the centre of the first layer, rounded to 1 km", "モデルの原点。`crs` での東と北(m)。無ければ最初のレイヤーの中心を 1 km に丸めた点"),
+    may("origin", Point(-FAR, FAR), "", "metres east and north in `crs` that are 0 0 of the model; without, the centre of the first layer, rounded to 1 km", "モデルの原点。`crs` での東と北(m)。無ければ最初のレイヤーの中心を 1 km に丸めた点").metres(),
 ];
 #[rustfmt::skip]
 pub(in crate::parse::schema) const LAYER: &[AttributeSchema] = &[

@@ -238,7 +238,7 @@ impl<'t> Reader<'t, '_> {
                         evidence,
                         houses: self.houses_at(schema, child, &stood),
                         parameters: given.remove(index).unwrap_or_default(),
-                        stood,
+                        stood: Box::new(stood),
                     });
                 }
                 _ => {}
