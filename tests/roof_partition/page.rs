@@ -89,7 +89,8 @@ fn pictures_of_the_page_are_as_the_program_draws_them() {
         for (built, (_, method)) in run.building.houses.iter().zip(METHODS) {
             let roofs = &built.roofs;
             let regions = &roofs.plans[0].regions;
-            assert_eq!(regions.len(), partition(&plan, method).len(), "{name}");
+            // Halls wider than 15 ken are cut once more.
+            assert!(regions.len() >= partition(&plan, method).len(), "{name}");
         }
         let file = format!("grammar/pictures/partitions/{}.svg", name.to_lowercase());
         expect(
