@@ -136,7 +136,7 @@ impl Default for Tiles {
     }
 }
 
-/// What a house stands on.
+/// The ground of a house.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum PlaceOn {
     /// The type's own rectangle behind the front.
@@ -176,14 +176,14 @@ pub enum Known {
     Unknown,
 }
 
-/// What a `Place` asks of its site.
+/// The demands of a `Place` on its site.
 #[derive(Clone, Debug)]
 pub struct Wish<'w> {
     /// The place of the type's name.
     pub span: Span,
     /// The type, as written.
     pub kind: &'w str,
-    /// What it shall stand on, if that is said.
+    /// The ground that it asks for, if any.
     pub on: Option<PlaceOn>,
     /// The layer of streets that it fronts, or `published`.
     pub front: Option<&'w str>,
@@ -229,7 +229,7 @@ pub struct SiteWalls {
     pub neighbour: Vec<u32>,
 }
 
-/// A feature of a map and what stands round it.
+/// A feature of a map and its surroundings.
 pub trait Site {
     /// Returns the value of a field or measure.
     fn value(&self, name: &str) -> Known;
@@ -257,7 +257,7 @@ pub struct Unfound {
     pub known: Vec<String>,
 }
 
-/// What a rule makes of a feature.
+/// The result of a rule at a feature.
 #[derive(Clone, Debug)]
 pub enum Made {
     /// Nothing, since the author says so.

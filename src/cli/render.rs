@@ -151,7 +151,7 @@ impl ImageFormat {
     }
 }
 
-/// What a checked file has for cameras.
+/// The cameras of a checked file.
 #[derive(Default)]
 struct Seen {
     houses: Vec<Built>,

@@ -11,7 +11,7 @@ use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 
-/// What is seen from each preset, in the order of [`NamedView::PRESETS`].
+/// The views of the presets, in the order of [`NamedView::PRESETS`].
 const ABOUT: [&str; NamedView::PRESETS.len()] = [
     "From the left of the street",
     "Like front, from the height of the eaves",
