@@ -26,6 +26,10 @@ const UNSURE: &[(u16, &str)] = &[
     (245, "the XML declaration"),
     (262, "an `else` without `if`"),
     (266, "what stands in a `use`"),
+    (
+        435,
+        "points of a view that are one point, or not three numbers",
+    ),
     (902, "deep nesting"),
 ];
 
