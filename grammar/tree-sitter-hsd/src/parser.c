@@ -1472,11 +1472,6 @@ static const TSCharacterRange aux_sym_direction_token1_character_set_1[] = {
   {'r', 'r'}, {'x', 'y'},
 };
 
-static const TSCharacterRange aux_sym_shape_token1_character_set_1[] = {
-  {'H', 'I'}, {'K', 'K'}, {'R', 'R'}, {'T', 'T'}, {'Y', 'Y'}, {'h', 'i'}, {'k', 'k'}, {'r', 'r'},
-  {'t', 't'}, {'y', 'y'},
-};
-
 static const TSCharacterRange aux_sym_shape_token2_character_set_1[] = {
   {'-', '-'}, {'A', 'Z'}, {'a', 'z'}, {0xaa, 0xaa}, {0xb5, 0xb5}, {0xba, 0xba}, {0xc0, 0xd6}, {0xd8, 0xf6},
   {0xf8, 0x2c1}, {0x2c6, 0x2d1}, {0x2e0, 0x2e4}, {0x2ec, 0x2ec}, {0x2ee, 0x2ee}, {0x370, 0x374}, {0x376, 0x377}, {0x37a, 0x37d},
@@ -1866,39 +1861,39 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (eof) ADVANCE(90);
       ADVANCE_MAP(
         '!', 20,
-        '"', 172,
-        '%', 202,
-        '&', 177,
-        '\'', 174,
-        '(', 205,
-        ')', 206,
+        '"', 174,
+        '%', 204,
+        '&', 179,
+        '\'', 176,
+        '(', 207,
+        ')', 208,
         '*', 138,
-        '+', 195,
-        ',', 207,
-        '-', 196,
+        '+', 197,
+        ',', 209,
+        '-', 198,
         '.', 85,
-        '/', 200,
-        '<', 164,
-        '=', 169,
-        '>', 166,
+        '/', 202,
+        '<', 166,
+        '=', 171,
+        '>', 168,
         'R', 139,
         'Y', 135,
         'a', 48,
-        'e', 160,
+        'e', 162,
         'f', 140,
-        'm', 159,
+        'm', 161,
         'n', 34,
         'r', 141,
         's', 137,
         'u', 55,
         'y', 136,
-        '{', 184,
-        '}', 185,
-        0xd7, 198,
-        0xf7, 201,
-        0x2212, 197,
-        'O', 157,
-        'o', 157,
+        '{', 186,
+        '}', 187,
+        0xd7, 200,
+        0xf7, 203,
+        0x2212, 199,
+        'O', 159,
+        'o', 159,
       );
       if (lookahead == '\t' ||
           lookahead == '\f' ||
@@ -1915,7 +1910,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == 'M' ||
           lookahead == 'P' ||
           lookahead == 'c' ||
-          lookahead == 'p') ADVANCE(158);
+          lookahead == 'p') ADVANCE(160);
       if (lookahead == 'H' ||
           lookahead == 'I' ||
           lookahead == 'K' ||
@@ -1929,30 +1924,30 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == 'b' ||
           lookahead == 'l' ||
           lookahead == 'x') ADVANCE(139);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(219);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
       END_STATE();
     case 1:
       ADVANCE_MAP(
         '!', 20,
-        '"', 171,
-        '%', 202,
+        '"', 173,
+        '%', 204,
         '&', 49,
-        '\'', 173,
-        '(', 205,
-        ')', 206,
+        '\'', 175,
+        '(', 207,
+        ')', 208,
         '*', 138,
-        '+', 195,
-        ',', 207,
-        '-', 196,
-        '/', 199,
-        '=', 169,
-        '>', 166,
+        '+', 197,
+        ',', 209,
+        '-', 198,
+        '/', 201,
+        '=', 171,
+        '>', 168,
         'a', 54,
         'o', 65,
-        '}', 185,
-        0xd7, 198,
-        0xf7, 201,
-        0x2212, 197,
+        '}', 187,
+        0xd7, 200,
+        0xf7, 203,
+        0x2212, 199,
       );
       if (lookahead == '\t' ||
           lookahead == '\f' ||
@@ -1963,61 +1958,61 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 2:
       ADVANCE_MAP(
-        '"', 172,
-        '&', 177,
-        '{', 184,
-        '\t', 175,
-        '\f', 175,
-        ' ', 175,
-        0xa0, 175,
-        0x3000, 175,
+        '"', 174,
+        '&', 179,
+        '{', 186,
+        '\t', 177,
+        '\f', 177,
+        ' ', 177,
+        0xa0, 177,
+        0x3000, 177,
       );
       if (lookahead != 0 &&
-          lookahead != '<') ADVANCE(176);
+          lookahead != '<') ADVANCE(178);
       END_STATE();
     case 3:
       ADVANCE_MAP(
         '"', 4,
         '&', 36,
         '\'', 8,
-        '(', 205,
-        ')', 206,
-        '+', 195,
-        '-', 196,
+        '(', 207,
+        ')', 208,
+        '+', 197,
+        '-', 198,
         '.', 85,
-        'f', 208,
-        'n', 213,
-        't', 214,
-        'y', 209,
-        0x2212, 197,
+        'f', 210,
+        'n', 215,
+        't', 216,
+        'y', 211,
+        0x2212, 199,
       );
       if (lookahead == '\t' ||
           lookahead == '\f' ||
           lookahead == ' ' ||
           lookahead == 0xa0 ||
           lookahead == 0x3000) SKIP(3);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(219);
-      if (set_contains(aux_sym__other_setting_token1_character_set_1, 678, lookahead)) ADVANCE(218);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
+      if (set_contains(aux_sym__other_setting_token1_character_set_1, 678, lookahead)) ADVANCE(220);
       END_STATE();
     case 4:
-      if (lookahead == '"') ADVANCE(229);
+      if (lookahead == '"') ADVANCE(231);
       if (lookahead != 0 &&
           lookahead != '\'' &&
           lookahead != '<') ADVANCE(4);
       END_STATE();
     case 5:
       ADVANCE_MAP(
-        '&', 177,
-        '\'', 174,
-        '{', 184,
-        '\t', 178,
-        '\f', 178,
-        ' ', 178,
-        0xa0, 178,
-        0x3000, 178,
+        '&', 179,
+        '\'', 176,
+        '{', 186,
+        '\t', 180,
+        '\f', 180,
+        ' ', 180,
+        0xa0, 180,
+        0x3000, 180,
       );
       if (lookahead != 0 &&
-          lookahead != '<') ADVANCE(179);
+          lookahead != '<') ADVANCE(181);
       END_STATE();
     case 6:
       if (lookahead == '&') ADVANCE(64);
@@ -2036,7 +2031,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead != '<') ADVANCE(7);
       END_STATE();
     case 8:
-      if (lookahead == '\'') ADVANCE(229);
+      if (lookahead == '\'') ADVANCE(231);
       if (lookahead != 0 &&
           lookahead != '"' &&
           lookahead != '<') ADVANCE(8);
@@ -2060,7 +2055,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == ' ' ||
           lookahead == 0xa0 ||
           lookahead == 0x3000) SKIP(9);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(161);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(163);
       if (set_contains(aux_sym__other_setting_token1_character_set_1, 678, lookahead)) ADVANCE(134);
       END_STATE();
     case 10:
@@ -2068,23 +2063,25 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '*', 138,
         'H', 143,
         'h', 143,
-        'I', 152,
-        'i', 152,
+        'I', 154,
+        'i', 154,
         'K', 144,
         'k', 144,
-        'R', 147,
-        'r', 147,
-        'T', 145,
-        't', 145,
-        'Y', 150,
-        'y', 150,
+        'M', 145,
+        'm', 145,
+        'R', 148,
+        'r', 148,
+        'T', 146,
+        't', 146,
+        'Y', 152,
+        'y', 152,
       );
       if (lookahead == '\t' ||
           lookahead == '\f' ||
           lookahead == ' ' ||
           lookahead == 0xa0 ||
           lookahead == 0x3000) SKIP(10);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
     case 11:
       if (lookahead == '*') ADVANCE(138);
@@ -2093,42 +2090,45 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == ' ' ||
           lookahead == 0xa0 ||
           lookahead == 0x3000) SKIP(11);
-      if ((set_contains(aux_sym_shape_token1_character_set_1, 10, lookahead) ||
-          lookahead == 'G' ||
+      if (('G' <= lookahead && lookahead <= 'I') ||
+          lookahead == 'K' ||
           lookahead == 'S' ||
-          lookahead == 'g' ||
-          lookahead == 's') &&
-          lookahead != 'R' &&
-          lookahead != 'r') ADVANCE(135);
+          lookahead == 'T' ||
+          lookahead == 'Y' ||
+          ('g' <= lookahead && lookahead <= 'i') ||
+          lookahead == 'k' ||
+          lookahead == 's' ||
+          lookahead == 't' ||
+          lookahead == 'y') ADVANCE(135);
       END_STATE();
     case 12:
       if (lookahead == '.') ADVANCE(87);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(161);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(163);
       END_STATE();
     case 13:
       if (lookahead == '/') ADVANCE(21);
-      if (lookahead == '>') ADVANCE(165);
+      if (lookahead == '>') ADVANCE(167);
       if (lookahead == '\t' ||
           lookahead == '\f' ||
           lookahead == ' ' ||
           lookahead == 0xa0 ||
           lookahead == 0x3000) SKIP(13);
-      if (set_contains(sym_attribute_name_character_set_1, 679, lookahead)) ADVANCE(170);
+      if (set_contains(sym_attribute_name_character_set_1, 679, lookahead)) ADVANCE(172);
       END_STATE();
     case 14:
-      if (lookahead == ';') ADVANCE(180);
+      if (lookahead == ';') ADVANCE(182);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
           ('a' <= lookahead && lookahead <= 'z')) ADVANCE(14);
       END_STATE();
     case 15:
-      if (lookahead == ';') ADVANCE(193);
+      if (lookahead == ';') ADVANCE(195);
       END_STATE();
     case 16:
-      if (lookahead == ';') ADVANCE(190);
+      if (lookahead == ';') ADVANCE(192);
       END_STATE();
     case 17:
-      if (lookahead == ';') ADVANCE(229);
+      if (lookahead == ';') ADVANCE(231);
       END_STATE();
     case 18:
       if (lookahead == ';') ADVANCE(7);
@@ -2137,18 +2137,18 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == ';') ADVANCE(6);
       END_STATE();
     case 20:
-      if (lookahead == '=') ADVANCE(189);
+      if (lookahead == '=') ADVANCE(191);
       END_STATE();
     case 21:
-      if (lookahead == '>') ADVANCE(167);
+      if (lookahead == '>') ADVANCE(169);
       END_STATE();
     case 22:
-      if (lookahead == '>') ADVANCE(181);
+      if (lookahead == '>') ADVANCE(183);
       if (lookahead == '?') ADVANCE(22);
       if (lookahead != 0) ADVANCE(24);
       END_STATE();
     case 23:
-      if (lookahead == '>') ADVANCE(182);
+      if (lookahead == '>') ADVANCE(184);
       if (lookahead == ']') ADVANCE(23);
       if (lookahead != 0) ADVANCE(33);
       END_STATE();
@@ -2187,7 +2187,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 34:
       if (lookahead == 'a') ADVANCE(53);
-      if (lookahead == 'o') ADVANCE(227);
+      if (lookahead == 'o') ADVANCE(229);
       END_STATE();
     case 35:
       if (lookahead == 'a') ADVANCE(103);
@@ -2200,7 +2200,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == 'a') ADVANCE(63);
       END_STATE();
     case 38:
-      if (lookahead == 'd') ADVANCE(187);
+      if (lookahead == 'd') ADVANCE(189);
       END_STATE();
     case 39:
       if (lookahead == 'd') ADVANCE(93);
@@ -2215,7 +2215,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == 'e') ADVANCE(106);
       END_STATE();
     case 43:
-      if (lookahead == 'e') ADVANCE(223);
+      if (lookahead == 'e') ADVANCE(225);
       END_STATE();
     case 44:
       if (lookahead == 'e') ADVANCE(39);
@@ -2283,13 +2283,13 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == 'q') ADVANCE(80);
       END_STATE();
     case 65:
-      if (lookahead == 'r') ADVANCE(186);
+      if (lookahead == 'r') ADVANCE(188);
       END_STATE();
     case 66:
       if (lookahead == 'r') ADVANCE(46);
       END_STATE();
     case 67:
-      if (lookahead == 's') ADVANCE(225);
+      if (lookahead == 's') ADVANCE(227);
       END_STATE();
     case 68:
       if (lookahead == 's') ADVANCE(97);
@@ -2333,22 +2333,22 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
     case 81:
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(86);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(223);
       END_STATE();
     case 82:
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(88);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(163);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(165);
       END_STATE();
     case 83:
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(157);
+          lookahead == 'o') ADVANCE(159);
       if (lookahead == '\t' ||
           lookahead == '\f' ||
           lookahead == ' ' ||
           lookahead == 0xa0 ||
           lookahead == 0x3000) SKIP(83);
-      if (set_contains(aux_sym_option_token2_character_set_1, 12, lookahead)) ADVANCE(158);
+      if (set_contains(aux_sym_option_token2_character_set_1, 12, lookahead)) ADVANCE(160);
       END_STATE();
     case 84:
       if (lookahead == '\t' ||
@@ -2360,53 +2360,53 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           ('a' <= lookahead && lookahead <= 'z')) ADVANCE(105);
       END_STATE();
     case 85:
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(220);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(222);
       END_STATE();
     case 86:
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(223);
       END_STATE();
     case 87:
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(162);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(164);
       END_STATE();
     case 88:
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(163);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(165);
       END_STATE();
     case 89:
       if (eof) ADVANCE(90);
       ADVANCE_MAP(
         '!', 20,
-        '"', 171,
-        '%', 202,
-        '\'', 173,
-        '(', 205,
-        ')', 206,
+        '"', 173,
+        '%', 204,
+        '\'', 175,
+        '(', 207,
+        ')', 208,
         '*', 138,
-        '+', 195,
-        ',', 207,
-        '-', 196,
+        '+', 197,
+        ',', 209,
+        '-', 198,
         '.', 85,
-        '/', 200,
-        '<', 164,
-        '=', 169,
-        '>', 166,
+        '/', 202,
+        '<', 166,
+        '=', 171,
+        '>', 168,
         'R', 139,
         'Y', 135,
         'a', 48,
-        'e', 160,
+        'e', 162,
         'f', 140,
-        'm', 159,
+        'm', 161,
         'n', 34,
         'r', 141,
         's', 137,
         'u', 55,
         'y', 136,
-        '{', 183,
-        '}', 185,
-        0xd7, 198,
-        0xf7, 201,
-        0x2212, 197,
-        'O', 157,
-        'o', 157,
+        '{', 185,
+        '}', 187,
+        0xd7, 200,
+        0xf7, 203,
+        0x2212, 199,
+        'O', 159,
+        'o', 159,
       );
       if (lookahead == '\t' ||
           lookahead == '\f' ||
@@ -2423,7 +2423,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == 'M' ||
           lookahead == 'P' ||
           lookahead == 'c' ||
-          lookahead == 'p') ADVANCE(158);
+          lookahead == 'p') ADVANCE(160);
       if (lookahead == 'H' ||
           lookahead == 'I' ||
           lookahead == 'K' ||
@@ -2437,7 +2437,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == 'b' ||
           lookahead == 'l' ||
           lookahead == 'x') ADVANCE(139);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(219);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
       END_STATE();
     case 90:
       ACCEPT_TOKEN(ts_builtin_sym_end);
@@ -2842,405 +2842,419 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 142:
       ACCEPT_TOKEN(aux_sym_shape_token1);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
     case 143:
       ACCEPT_TOKEN(aux_sym_shape_token2);
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(149);
+          lookahead == 'a') ADVANCE(150);
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(153);
+          lookahead == 'i') ADVANCE(155);
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(146);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
+          lookahead == 'o') ADVANCE(147);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
     case 144:
       ACCEPT_TOKEN(aux_sym_shape_token2);
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(155);
+          lookahead == 'a') ADVANCE(157);
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(151);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
+          lookahead == 'i') ADVANCE(153);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(155);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
     case 145:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(151);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
+      if (lookahead == 'A' ||
+          lookahead == 'a') ADVANCE(151);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
     case 146:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'G' ||
-          lookahead == 'g') ADVANCE(142);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
+      if (lookahead == 'E' ||
+          lookahead == 'e') ADVANCE(153);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
     case 147:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(149);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
+      if (lookahead == 'G' ||
+          lookahead == 'g') ADVANCE(142);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
     case 148:
       ACCEPT_TOKEN(aux_sym_shape_token2);
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(142);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
+          lookahead == 'i') ADVANCE(150);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
     case 149:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'K' ||
-          lookahead == 'k') ADVANCE(142);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
+      if (lookahead == 'I' ||
+          lookahead == 'i') ADVANCE(142);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
     case 150:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(154);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
+      if (lookahead == 'K' ||
+          lookahead == 'k') ADVANCE(142);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
     case 151:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(142);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
+      if (lookahead == 'N' ||
+          lookahead == 'n') ADVANCE(142);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
     case 152:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(148);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(156);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
     case 153:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(142);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
+      if (lookahead == 'R' ||
+          lookahead == 'r') ADVANCE(142);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
     case 154:
+      ACCEPT_TOKEN(aux_sym_shape_token2);
+      if (lookahead == 'R' ||
+          lookahead == 'r') ADVANCE(149);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      END_STATE();
+    case 155:
+      ACCEPT_TOKEN(aux_sym_shape_token2);
+      if (lookahead == 'S' ||
+          lookahead == 's') ADVANCE(142);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      END_STATE();
+    case 156:
       ACCEPT_TOKEN(aux_sym_shape_token2);
       if (lookahead == 'K' ||
           lookahead == 'S' ||
           lookahead == 'k' ||
           lookahead == 's') ADVANCE(142);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
-    case 155:
+    case 157:
       ACCEPT_TOKEN(aux_sym_shape_token2);
       if (lookahead == 'R' ||
           lookahead == 'T' ||
           lookahead == 'r' ||
           lookahead == 't') ADVANCE(142);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
-      END_STATE();
-    case 156:
-      ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(156);
-      END_STATE();
-    case 157:
-      ACCEPT_TOKEN(aux_sym_option_token1);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
     case 158:
-      ACCEPT_TOKEN(aux_sym_option_token2);
+      ACCEPT_TOKEN(aux_sym_shape_token2);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
       END_STATE();
     case 159:
-      ACCEPT_TOKEN(aux_sym_option_token2);
-      if (lookahead == 'e') ADVANCE(72);
+      ACCEPT_TOKEN(aux_sym_option_token1);
       END_STATE();
     case 160:
       ACCEPT_TOKEN(aux_sym_option_token2);
-      if (lookahead == 'r') ADVANCE(35);
       END_STATE();
     case 161:
-      ACCEPT_TOKEN(sym_number);
-      if (lookahead == '.') ADVANCE(162);
-      if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(82);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(161);
+      ACCEPT_TOKEN(aux_sym_option_token2);
+      if (lookahead == 'e') ADVANCE(72);
       END_STATE();
     case 162:
-      ACCEPT_TOKEN(sym_number);
-      if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(82);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(162);
+      ACCEPT_TOKEN(aux_sym_option_token2);
+      if (lookahead == 'r') ADVANCE(35);
       END_STATE();
     case 163:
       ACCEPT_TOKEN(sym_number);
+      if (lookahead == '.') ADVANCE(164);
+      if (lookahead == 'E' ||
+          lookahead == 'e') ADVANCE(82);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(163);
       END_STATE();
     case 164:
-      ACCEPT_TOKEN(anon_sym_LT);
-      if (lookahead == '!') ADVANCE(30);
-      if (lookahead == '/') ADVANCE(168);
-      if (lookahead == '?') ADVANCE(24);
+      ACCEPT_TOKEN(sym_number);
+      if (lookahead == 'E' ||
+          lookahead == 'e') ADVANCE(82);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(164);
       END_STATE();
     case 165:
-      ACCEPT_TOKEN(anon_sym_GT);
+      ACCEPT_TOKEN(sym_number);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(165);
       END_STATE();
     case 166:
-      ACCEPT_TOKEN(anon_sym_GT);
-      if (lookahead == '=') ADVANCE(192);
+      ACCEPT_TOKEN(anon_sym_LT);
+      if (lookahead == '!') ADVANCE(30);
+      if (lookahead == '/') ADVANCE(170);
+      if (lookahead == '?') ADVANCE(24);
       END_STATE();
     case 167:
-      ACCEPT_TOKEN(anon_sym_SLASH_GT);
+      ACCEPT_TOKEN(anon_sym_GT);
       END_STATE();
     case 168:
-      ACCEPT_TOKEN(anon_sym_LT_SLASH);
+      ACCEPT_TOKEN(anon_sym_GT);
+      if (lookahead == '=') ADVANCE(194);
       END_STATE();
     case 169:
-      ACCEPT_TOKEN(anon_sym_EQ);
-      if (lookahead == '=') ADVANCE(188);
+      ACCEPT_TOKEN(anon_sym_SLASH_GT);
       END_STATE();
     case 170:
-      ACCEPT_TOKEN(sym_attribute_name);
-      if (set_contains(sym_attribute_name_character_set_2, 772, lookahead)) ADVANCE(170);
+      ACCEPT_TOKEN(anon_sym_LT_SLASH);
       END_STATE();
     case 171:
-      ACCEPT_TOKEN(anon_sym_DQUOTE);
+      ACCEPT_TOKEN(anon_sym_EQ);
+      if (lookahead == '=') ADVANCE(190);
       END_STATE();
     case 172:
-      ACCEPT_TOKEN(anon_sym_DQUOTE2);
+      ACCEPT_TOKEN(sym_attribute_name);
+      if (set_contains(sym_attribute_name_character_set_2, 772, lookahead)) ADVANCE(172);
       END_STATE();
     case 173:
-      ACCEPT_TOKEN(anon_sym_SQUOTE);
+      ACCEPT_TOKEN(anon_sym_DQUOTE);
       END_STATE();
     case 174:
-      ACCEPT_TOKEN(anon_sym_SQUOTE2);
+      ACCEPT_TOKEN(anon_sym_DQUOTE2);
       END_STATE();
     case 175:
+      ACCEPT_TOKEN(anon_sym_SQUOTE);
+      END_STATE();
+    case 176:
+      ACCEPT_TOKEN(anon_sym_SQUOTE2);
+      END_STATE();
+    case 177:
       ACCEPT_TOKEN(aux_sym__double_value_token1);
       if (lookahead == '\t' ||
           lookahead == '\f' ||
           lookahead == ' ' ||
           lookahead == 0xa0 ||
-          lookahead == 0x3000) ADVANCE(175);
+          lookahead == 0x3000) ADVANCE(177);
       if (lookahead != 0 &&
           lookahead != '"' &&
           lookahead != '&' &&
           lookahead != '<' &&
-          lookahead != '{') ADVANCE(176);
+          lookahead != '{') ADVANCE(178);
       END_STATE();
-    case 176:
+    case 178:
       ACCEPT_TOKEN(aux_sym__double_value_token1);
       if (lookahead != 0 &&
           lookahead != '"' &&
           lookahead != '&' &&
           lookahead != '<' &&
-          lookahead != '{') ADVANCE(176);
+          lookahead != '{') ADVANCE(178);
       END_STATE();
-    case 177:
+    case 179:
       ACCEPT_TOKEN(anon_sym_AMP);
       if (lookahead == '#' ||
           ('A' <= lookahead && lookahead <= 'Z') ||
           ('a' <= lookahead && lookahead <= 'z')) ADVANCE(14);
       END_STATE();
-    case 178:
+    case 180:
       ACCEPT_TOKEN(aux_sym__single_value_token1);
       if (lookahead == '\t' ||
           lookahead == '\f' ||
           lookahead == ' ' ||
           lookahead == 0xa0 ||
-          lookahead == 0x3000) ADVANCE(178);
+          lookahead == 0x3000) ADVANCE(180);
       if (lookahead != 0 &&
           lookahead != '&' &&
           lookahead != '\'' &&
           lookahead != '<' &&
-          lookahead != '{') ADVANCE(179);
+          lookahead != '{') ADVANCE(181);
       END_STATE();
-    case 179:
+    case 181:
       ACCEPT_TOKEN(aux_sym__single_value_token1);
       if (lookahead != 0 &&
           lookahead != '&' &&
           lookahead != '\'' &&
           lookahead != '<' &&
-          lookahead != '{') ADVANCE(179);
-      END_STATE();
-    case 180:
-      ACCEPT_TOKEN(sym_reference);
-      END_STATE();
-    case 181:
-      ACCEPT_TOKEN(sym_processing_instruction);
+          lookahead != '{') ADVANCE(181);
       END_STATE();
     case 182:
-      ACCEPT_TOKEN(sym_cdata);
+      ACCEPT_TOKEN(sym_reference);
       END_STATE();
     case 183:
-      ACCEPT_TOKEN(anon_sym_LBRACE);
+      ACCEPT_TOKEN(sym_processing_instruction);
       END_STATE();
     case 184:
-      ACCEPT_TOKEN(anon_sym_LBRACE2);
+      ACCEPT_TOKEN(sym_cdata);
       END_STATE();
     case 185:
-      ACCEPT_TOKEN(anon_sym_RBRACE);
+      ACCEPT_TOKEN(anon_sym_LBRACE);
       END_STATE();
     case 186:
-      ACCEPT_TOKEN(anon_sym_or);
+      ACCEPT_TOKEN(anon_sym_LBRACE2);
       END_STATE();
     case 187:
-      ACCEPT_TOKEN(anon_sym_and);
+      ACCEPT_TOKEN(anon_sym_RBRACE);
       END_STATE();
     case 188:
-      ACCEPT_TOKEN(anon_sym_EQ_EQ);
+      ACCEPT_TOKEN(anon_sym_or);
       END_STATE();
     case 189:
-      ACCEPT_TOKEN(anon_sym_BANG_EQ);
+      ACCEPT_TOKEN(anon_sym_and);
       END_STATE();
     case 190:
-      ACCEPT_TOKEN(anon_sym_AMPlt_SEMI);
-      if (lookahead == '=') ADVANCE(191);
+      ACCEPT_TOKEN(anon_sym_EQ_EQ);
       END_STATE();
     case 191:
-      ACCEPT_TOKEN(anon_sym_AMPlt_SEMI_EQ);
+      ACCEPT_TOKEN(anon_sym_BANG_EQ);
       END_STATE();
     case 192:
-      ACCEPT_TOKEN(anon_sym_GT_EQ);
+      ACCEPT_TOKEN(anon_sym_AMPlt_SEMI);
+      if (lookahead == '=') ADVANCE(193);
       END_STATE();
     case 193:
-      ACCEPT_TOKEN(anon_sym_AMPgt_SEMI);
-      if (lookahead == '=') ADVANCE(194);
+      ACCEPT_TOKEN(anon_sym_AMPlt_SEMI_EQ);
       END_STATE();
     case 194:
-      ACCEPT_TOKEN(anon_sym_AMPgt_SEMI_EQ);
+      ACCEPT_TOKEN(anon_sym_GT_EQ);
       END_STATE();
     case 195:
-      ACCEPT_TOKEN(anon_sym_PLUS);
+      ACCEPT_TOKEN(anon_sym_AMPgt_SEMI);
+      if (lookahead == '=') ADVANCE(196);
       END_STATE();
     case 196:
-      ACCEPT_TOKEN(anon_sym_DASH);
+      ACCEPT_TOKEN(anon_sym_AMPgt_SEMI_EQ);
       END_STATE();
     case 197:
-      ACCEPT_TOKEN(anon_sym_u2212);
+      ACCEPT_TOKEN(anon_sym_PLUS);
       END_STATE();
     case 198:
-      ACCEPT_TOKEN(anon_sym_u00d7);
+      ACCEPT_TOKEN(anon_sym_DASH);
       END_STATE();
     case 199:
-      ACCEPT_TOKEN(anon_sym_SLASH);
+      ACCEPT_TOKEN(anon_sym_u2212);
       END_STATE();
     case 200:
-      ACCEPT_TOKEN(anon_sym_SLASH);
-      if (lookahead == '>') ADVANCE(167);
+      ACCEPT_TOKEN(anon_sym_u00d7);
       END_STATE();
     case 201:
-      ACCEPT_TOKEN(anon_sym_u00f7);
+      ACCEPT_TOKEN(anon_sym_SLASH);
       END_STATE();
     case 202:
-      ACCEPT_TOKEN(anon_sym_PERCENT);
+      ACCEPT_TOKEN(anon_sym_SLASH);
+      if (lookahead == '>') ADVANCE(169);
       END_STATE();
     case 203:
-      ACCEPT_TOKEN(anon_sym_not);
+      ACCEPT_TOKEN(anon_sym_u00f7);
       END_STATE();
     case 204:
-      ACCEPT_TOKEN(anon_sym_not);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      ACCEPT_TOKEN(anon_sym_PERCENT);
       END_STATE();
     case 205:
-      ACCEPT_TOKEN(anon_sym_LPAREN);
+      ACCEPT_TOKEN(anon_sym_not);
       END_STATE();
     case 206:
-      ACCEPT_TOKEN(anon_sym_RPAREN);
+      ACCEPT_TOKEN(anon_sym_not);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
       END_STATE();
     case 207:
-      ACCEPT_TOKEN(anon_sym_COMMA);
+      ACCEPT_TOKEN(anon_sym_LPAREN);
       END_STATE();
     case 208:
-      ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'a') ADVANCE(212);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      ACCEPT_TOKEN(anon_sym_RPAREN);
       END_STATE();
     case 209:
-      ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'e') ADVANCE(215);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      ACCEPT_TOKEN(anon_sym_COMMA);
       END_STATE();
     case 210:
       ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'e') ADVANCE(222);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      if (lookahead == 'a') ADVANCE(214);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
       END_STATE();
     case 211:
       ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'e') ADVANCE(224);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      if (lookahead == 'e') ADVANCE(217);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
       END_STATE();
     case 212:
       ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'l') ADVANCE(216);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      if (lookahead == 'e') ADVANCE(224);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
       END_STATE();
     case 213:
       ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'o') ADVANCE(228);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      if (lookahead == 'e') ADVANCE(226);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
       END_STATE();
     case 214:
       ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'r') ADVANCE(217);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      if (lookahead == 'l') ADVANCE(218);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
       END_STATE();
     case 215:
       ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 's') ADVANCE(226);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      if (lookahead == 'o') ADVANCE(230);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
       END_STATE();
     case 216:
       ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 's') ADVANCE(211);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      if (lookahead == 'r') ADVANCE(219);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
       END_STATE();
     case 217:
       ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'u') ADVANCE(210);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      if (lookahead == 's') ADVANCE(228);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
       END_STATE();
     case 218:
       ACCEPT_TOKEN(sym_identifier);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      if (lookahead == 's') ADVANCE(213);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
       END_STATE();
     case 219:
+      ACCEPT_TOKEN(sym_identifier);
+      if (lookahead == 'u') ADVANCE(212);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      END_STATE();
+    case 220:
+      ACCEPT_TOKEN(sym_identifier);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      END_STATE();
+    case 221:
       ACCEPT_TOKEN(sym__plain_number);
       if (lookahead == '.') ADVANCE(85);
       if (lookahead == 'E' ||
           lookahead == 'e') ADVANCE(81);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(219);
-      END_STATE();
-    case 220:
-      ACCEPT_TOKEN(sym__plain_number);
-      if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(81);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(220);
-      END_STATE();
-    case 221:
-      ACCEPT_TOKEN(sym__plain_number);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
       END_STATE();
     case 222:
-      ACCEPT_TOKEN(anon_sym_true);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      ACCEPT_TOKEN(sym__plain_number);
+      if (lookahead == 'E' ||
+          lookahead == 'e') ADVANCE(81);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(222);
       END_STATE();
     case 223:
-      ACCEPT_TOKEN(anon_sym_false);
+      ACCEPT_TOKEN(sym__plain_number);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(223);
       END_STATE();
     case 224:
-      ACCEPT_TOKEN(anon_sym_false);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      ACCEPT_TOKEN(anon_sym_true);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
       END_STATE();
     case 225:
-      ACCEPT_TOKEN(anon_sym_yes);
+      ACCEPT_TOKEN(anon_sym_false);
       END_STATE();
     case 226:
-      ACCEPT_TOKEN(anon_sym_yes);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      ACCEPT_TOKEN(anon_sym_false);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
       END_STATE();
     case 227:
-      ACCEPT_TOKEN(anon_sym_no);
-      if (lookahead == 't') ADVANCE(203);
+      ACCEPT_TOKEN(anon_sym_yes);
       END_STATE();
     case 228:
-      ACCEPT_TOKEN(anon_sym_no);
-      if (lookahead == 't') ADVANCE(204);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(218);
+      ACCEPT_TOKEN(anon_sym_yes);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
       END_STATE();
     case 229:
+      ACCEPT_TOKEN(anon_sym_no);
+      if (lookahead == 't') ADVANCE(205);
+      END_STATE();
+    case 230:
+      ACCEPT_TOKEN(anon_sym_no);
+      if (lookahead == 't') ADVANCE(206);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      END_STATE();
+    case 231:
       ACCEPT_TOKEN(sym_string);
       END_STATE();
     default:
