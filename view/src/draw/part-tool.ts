@@ -29,7 +29,8 @@ export class PartTool {
       shape.setAttribute('role', 'button');
       shape.setAttribute('aria-label', strings.unitOf(unit.code, at.unit + 1));
     }
-    if (on && focused && this.#kept) this.#shapes[this.#place]?.focus();
+    if (!on) return;
+    if (focused && this.#kept) this.#shapes[this.#place]?.focus();
     this.#kept = false;
   }
 

@@ -33,6 +33,8 @@ after(async () => { await preview?.close(); });
 beforeEach(async () => {
   if (preview.read('plain.hsd') !== HOUSE) await preview.save(page, 'plain.hsd', HOUSE);
   await drawn();
+  // Room for drags, at the edge of which the sheet would move along.
+  await page.evaluate(() => { hsd.plan.fit(); hsd.plan.sheet.zoom(1.5); });
   await page.locator('.tools input[value=part]').check();
 });
 
