@@ -135,7 +135,7 @@ impl Material {
 }
 
 /// The texture of a material.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize)]
 pub enum Image {
     /// Plain colour.
     None,

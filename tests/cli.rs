@@ -133,6 +133,10 @@ fn wrong_usage_is_told_the_right_one() {
             &["build", "sound.hsd", "-o", "no/x.glb"],
             "hsd: no/x.glb: no such folder: no\n",
         ),
+        (
+            &["build", "sound.hsd", "-o", "no/x.obj"],
+            "no such folder: no\n",
+        ),
     ] {
         let said = stderr(&hsd(folder.path(), arguments));
         assert!(said.contains(expected) && !said.contains(".hsd-"), "{said}");

@@ -25,8 +25,13 @@ impl Placement {
 
     /// Converts a point of the node's frame to the world.
     pub fn point(&self, p: DVec3) -> DVec3 {
-        let flat = self.turn.rotate(dvec2(p.x, p.y));
-        self.at + dvec3(flat.x, flat.y, p.z)
+        self.at + self.direction(p)
+    }
+
+    /// Converts a direction of the node's frame to the world.
+    pub fn direction(&self, d: DVec3) -> DVec3 {
+        let flat = self.turn.rotate(dvec2(d.x, d.y));
+        dvec3(flat.x, flat.y, d.z)
     }
 
     /// Returns the placement of a child node in this frame.

@@ -1,15 +1,17 @@
 //! OBJ with MTL, the exchange format for parts in the reconstruction of Edo (000-32 to 000-40).
 //!
 //! Frame: x east, y up, z south, metres: the same right-handed frame as glTF. `vt` runs u to the right and v upwards.
-//! Only the commands of 000-32 and `o` are used; there is no `vn`, since faces share no vertex across a sharp edge.
-//! Instances are expanded. Numbers have at most six decimals.
+//! The commands are those of 000-32, `o`, and `vn`, without which rings and curved roofs would be faceted. Objects have
+//! unique names. Instances are expanded. Numbers have at most six decimals, those of normals three.
 
 mod mtl;
+mod tinted;
 
 use super::flat::{self, Placement, places};
 use super::number::Number;
 use super::{Images, OutFile, SurfaceFiles, one_word, picture_folder};
 use crate::scene::{Image, Primitive, Scene};
+use glam::DVec3;
 use std::collections::HashMap;
 use std::fmt::Write as _;
 
@@ -47,8 +49,11 @@ struct ObjWriter<'a> {
     mirrors: Vec<bool>,
     /// Materials on written faces.
     used: Vec<bool>,
-    /// Number of vertices and texture vertices so far; OBJ numbers start at 1 and continue through the file.
-    counts: (usize, usize),
+    vertices: Numbers<3>,
+    coordinates: Numbers<2>,
+    normals: Numbers<3>,
+    /// How many objects have had a name.
+    names: HashMap<String, usize>,
 }
 
 impl<'a> ObjWriter<'a> {
@@ -69,7 +74,10 @@ impl<'a> ObjWriter<'a> {
                 .map(|m| mtl::mirrored(m, images).is_some())
                 .collect(),
             used: vec![false; scene.materials.len()],
-            counts: (0, 0),
+            vertices: Numbers::new("v"),
+            coordinates: Numbers::new("vt"),
+            normals: Numbers::new("vn"),
+            names: HashMap::new(),
         }
     }
 
@@ -85,7 +93,7 @@ impl<'a> ObjWriter<'a> {
             let path = above.map_or(one_word(name), |a| format!("{a}/{}", one_word(name)));
             let mut shown = flat::primitives(self.scene, node).peekable();
             if place.sound && shown.peek().is_some() {
-                let _ = writeln!(self.out, "o {path}");
+                let _ = writeln!(self.out, "o {}", unique(&mut self.names, &path));
                 self.object(place, shown);
             }
             paths.push(path);
@@ -94,69 +102,118 @@ impl<'a> ObjWriter<'a> {
 
     /// Writes the shapes of one node; coincident points are written once, so that edges are shared.
     fn object<'p>(&mut self, place: Placement, primitives: impl Iterator<Item = &'p Primitive>) {
-        let mut points: HashMap<[i64; 3], usize> = HashMap::new();
-        let mut coordinates: HashMap<[i64; 2], usize> = HashMap::new();
+        self.vertices.begin();
+        self.coordinates.begin();
         for primitive in primitives {
             let material = primitive.material.0 as usize;
             self.used[material] = true;
+            let out = &mut self.out;
+            let up = |p: DVec3| [p.x, p.z, -p.y];
             let vertices: Vec<usize> = primitive
                 .positions
                 .iter()
                 .map(|p| {
-                    let p = place.point(flat::point(*p));
-                    let xyz = [p.x, p.z, -p.y].map(Number);
-                    let next = self.counts.0 + 1;
-                    let number = *points.entry(xyz.map(Number::millionths)).or_insert(next);
-                    if number == next {
-                        self.counts.0 += 1;
-                        let _ = writeln!(self.out, "v {} {} {}", xyz[0], xyz[1], xyz[2]);
-                    }
-                    number
+                    self.vertices
+                        .of(up(place.point(flat::point(*p))).map(Number), out)
                 })
                 .collect();
             let (metres, uvs) = match self.mirrors[material] {
                 true => (Some(1.0), &primitive.mirror_uvs),
                 false => (self.metres[material], &primitive.uvs),
             };
-            let corners: Vec<usize> = metres.map_or(vec![], |metres| {
-                let mut corner = |uv: &[f32; 2]| {
-                    let uv = uv.map(|x| Number(f64::from(x) / metres));
-                    let next = self.counts.1 + 1;
-                    let number = *coordinates
-                        .entry(uv.map(Number::millionths))
-                        .or_insert(next);
-                    if number == next {
-                        self.counts.1 += 1;
-                        let _ = writeln!(self.out, "vt {} {}", uv[0], uv[1]);
-                    }
-                    number
-                };
-                uvs.iter().map(&mut corner).collect()
+            let coordinates: Vec<usize> = metres.map_or(vec![], |metres| {
+                let number = |uv: &[f32; 2]| uv.map(|x| Number(f64::from(x) / metres));
+                let all = uvs.iter().map(number);
+                all.map(|uv| self.coordinates.of(uv, out)).collect()
             });
-            let _ = writeln!(
-                self.out,
-                "usemtl {}",
-                one_word(&self.scene.materials[material].name)
-            );
-            self.faces(&primitive.indices, &vertices, &corners);
+            let normals: Vec<usize> = primitive
+                .normals
+                .iter()
+                .map(|n| {
+                    let turned = place.direction(flat::point(*n));
+                    self.normals.of(up(turned).map(Number::thousandths), out)
+                })
+                .collect();
+            let name = one_word(&self.scene.materials[material].name);
+            let _ = writeln!(out, "usemtl {name}");
+            faces(out, &primitive.indices, &vertices, &coordinates, &normals);
+        }
+    }
+}
+
+fn faces(
+    out: &mut String,
+    indices: &[u32],
+    vertices: &[usize],
+    coordinates: &[usize],
+    normals: &[usize],
+) {
+    for triangle in indices.chunks_exact(3) {
+        let [a, b, c] = [0, 1, 2].map(|k| vertices[triangle[k] as usize]);
+        if a == b || b == c || c == a {
+            continue; // joined to a line by rounding
+        }
+        out.push('f');
+        for &i in triangle {
+            let i = i as usize;
+            let vertex = vertices[i];
+            let _ = match (coordinates.get(i), normals.get(i)) {
+                (Some(at), Some(normal)) => write!(out, " {vertex}/{at}/{normal}"),
+                (Some(at), None) => write!(out, " {vertex}/{at}"),
+                (None, Some(normal)) => write!(out, " {vertex}//{normal}"),
+                (None, None) => write!(out, " {vertex}"),
+            };
+        }
+        out.push('\n');
+    }
+}
+
+/// Numbered values of one command. OBJ numbers start at 1 and continue through the file.
+struct Numbers<const N: usize> {
+    command: &'static str,
+    count: usize,
+    known: HashMap<[i64; N], usize>,
+}
+
+impl<const N: usize> Numbers<N> {
+    fn new(command: &'static str) -> Numbers<N> {
+        Numbers {
+            command,
+            count: 0,
+            known: HashMap::new(),
         }
     }
 
-    fn faces(&mut self, indices: &[u32], vertices: &[usize], corners: &[usize]) {
-        for triangle in indices.chunks_exact(3) {
-            let [a, b, c] = [0, 1, 2].map(|k| vertices[triangle[k] as usize]);
-            if a == b || b == c || c == a {
-                continue; // joined to a line by rounding
+    /// Begins an object, which shares no values with others.
+    fn begin(&mut self) {
+        self.known.clear();
+    }
+
+    /// Returns the number of a value, and writes the value if it is new.
+    fn of(&mut self, value: [Number; N], out: &mut String) -> usize {
+        let next = self.count + 1;
+        let number = *self
+            .known
+            .entry(value.map(Number::millionths))
+            .or_insert(next);
+        if number == next {
+            self.count = next;
+            out.push_str(self.command);
+            for x in value {
+                let _ = write!(out, " {x}");
             }
-            self.out.push('f');
-            for &i in triangle {
-                let vertex = vertices[i as usize];
-                let _ = match corners.get(i as usize) {
-                    Some(corner) => write!(self.out, " {vertex}/{corner}"),
-                    None => write!(self.out, " {vertex}"),
-                };
-            }
-            self.out.push('\n');
+            out.push('\n');
         }
+        number
+    }
+}
+
+/// Returns the path of an object, with a number from the second of a path on.
+fn unique(names: &mut HashMap<String, usize>, path: &str) -> String {
+    let count = names.entry(path.to_owned()).or_insert(0);
+    *count += 1;
+    match *count {
+        1 => path.to_owned(),
+        n => unique(names, &format!("{path}_{n}")),
     }
 }

@@ -262,14 +262,20 @@ fn prepare(target: &Path, content: Content<'_>) -> io::Result<(u64, Option<(Temp
         Err(_) => target.to_owned(),
     };
     let folder = folder_of(&target);
-    // Other folders are not created, so that a misspelt path fails.
-    if folder.to_string_lossy().ends_with("_textures") && !folder.exists() {
-        fs::create_dir(folder)?;
-    }
-    if !folder.is_dir() {
-        let shown = folder.display();
+    let of_textures = folder.to_string_lossy().ends_with("_textures") && !folder.exists();
+    let asked = if of_textures {
+        folder_of(folder)
+    } else {
+        folder
+    };
+    if !asked.is_dir() {
+        let shown = asked.display();
         let why = text!([shown] "no such folder: {shown}", "フォルダー {shown} がありません");
         return Err(reason::error(io::ErrorKind::NotFound, why));
+    }
+    // Other folders are not created, so that a misspelt path fails.
+    if of_textures {
+        fs::create_dir(folder)?;
     }
     // Drops the temporary path from the error message.
     let mut file = Temporary::new_in(folder).map_err(|e| io::Error::from(e.kind()))?;
