@@ -22,7 +22,7 @@
 //!
 //! `fixed` is null, or the key of the reason why no stroke can change an item (for a wall: move it); `reasons` has its
 //! text in the requested language. `height` of a storey is in shaku, `z0`, `z1` and `z` are metres above the house's
-//! origin. `places` are groups, placed houses and houses of the XML form with the houses that move with them, and
+//! origin. `places` are groups, placed houses and houses with the houses that move with them, and
 //! `outlines` the surveyed ones: `origin` and `turn` are those of the frame in the world, metres and degrees clockwise;
 //! `at`, `heading` (`turn` or `azimuth`) and `corners` count in it. The `part` of a unit is one of `wall`, `door`, `window`, `lattice`, `post`, `opening`, `modern`, `void`,
 //! `picture`, `split`. `regions` are those of `hsd dump --stage regions`. The `rect` of a roof are its bounds with its
@@ -38,7 +38,7 @@ use crate::catalog::Catalog;
 use crate::diagnostic::Language;
 use crate::geometry::SHAKU;
 use crate::ide::stroke::sheet::standing::{Standing, SurveyedOutline, outlines, standing};
-use crate::ide::stroke::sheet::{Reason, Sheet, SheetRow, name};
+use crate::ide::stroke::sheet::{Reason, Sheet, SheetRow};
 use crate::program::{self, Content};
 use crate::source::Span;
 use glam::{DVec2, dvec2};
@@ -314,7 +314,7 @@ impl PlanWriter<'_> {
     fn standing(&mut self, standing: Standing) -> PlanStanding {
         let [east, north, _] = standing.frame.origin;
         PlanStanding {
-            kind: name(&self.sheet.outline.elements[standing.element]),
+            kind: standing.kind(self.sheet),
             origin: [Number(east), Number(north)],
             turn: Number(standing.frame.turn),
             at: standing.at.map(Number),

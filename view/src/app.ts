@@ -12,7 +12,7 @@ import { type Chunk, type Model, buildModel } from './model/model.ts';
 import { Turntable } from './scene/orbit.ts';
 import { findAgain, partsAt, traceOf } from './model/parts.ts';
 import { Section } from './scene/section.ts';
-import type { ByteRange, Cursor, Diagnostic, ServerInfo, State } from './server/api.ts';
+import type { ByteRange, Cursor, Diagnostic, NamedView, ServerInfo, State } from './server/api.ts';
 import { fetchPalette, fetchServerInfo, fetchState, listen, openInEditor, sourceOf } from './server/api.ts';
 import { Viewport } from './scene/viewport.ts';
 import { EYE_HEIGHT, frameBox, type View } from './scene/views.ts';
@@ -20,9 +20,9 @@ import { translations, strings } from './ui/strings.ts';
 
 /**
  * `files`: the file list changed. `state`: a file was compiled. `model`: the model was replaced. `select`, `cursor`: the
- * highlighted parts changed. `shown`: visibility changed.
+ * highlighted parts changed. `shown`: visibility changed. `visited`: the camera went to a named view, or left it.
  */
-export type AppEvent = 'files' | 'state' | 'model' | 'select' | 'cursor' | 'shown' | 'connection' | 'reload';
+export type AppEvent = 'files' | 'state' | 'model' | 'select' | 'cursor' | 'shown' | 'visited' | 'connection' | 'reload';
 
 /** A byte range in a source file. */
 export interface SourceLocation {
@@ -66,6 +66,8 @@ export class App {
   readonly pointed: Highlight;
   /** Announces a text in the live region. */
   announce: (text: string) => void = () => {};
+  /** Sets the sun to a date and hour; null for the usual afternoon. */
+  light: (time: { date: string; hour: number } | null) => void = () => {};
   /** Shows a location in the source pane. */
   showSource: (location: SourceLocation) => void = () => {};
   #listeners = new Map<AppEvent, (() => void)[]>();
@@ -82,7 +84,7 @@ export class App {
     this.mirrors = createMirrors(this.viewport);
     this.pointed = new Highlight(this.viewport, 'cursor', 0x2f6f9f);
     this.selected = new Highlight(this.viewport, 'selection', 0xc8431f);
-    this.viewport.controls.addEventListener('change', () => { if (!this.movingToView) this.#framed = null; });
+    this.viewport.controls.addEventListener('change', () => { if (!this.movingToView) { this.#framed = null; this.#visits(null); } });
     // A preset view still shows all of it when the panel opens or the window turns.
     this.viewport.onResized.push(() => { if (this.#framed) this.look(this.#framed.view, this.#framed.part); });
     this.section.overlays.push(...this.pointed.materials, ...this.selected.materials);
@@ -289,10 +291,35 @@ export class App {
   look(view: View, part: number | null = null) {
     const box = part === null ? this.model?.box : this.model?.parts[part]?.box;
     if (!box || box.isEmpty()) return;
+    this.#visits(null);
     this.movingToView = true;
+    this.viewport.setFieldOfView(null);
     this.viewport.lookAt(frameBox(this.viewport.camera, box.clone(), view, this.azimuth()));
     this.movingToView = false;
     this.#framed = { view, part };
+  }
+
+  /** The name of the view of the file that is shown, until the camera is moved. */
+  visited: string | null = null;
+  #visits(name: string | null) {
+    if (this.visited === name) return;
+    this.visited = name;
+    this.emit('visited');
+  }
+
+  /** Goes to a view that the file names: its place, its angle and its light. */
+  visit({ name, from, to, fov, date, hour }: NamedView) {
+    if (!this.model) return;
+    const place = ([east, north, up]: NamedView['from']) => new THREE.Vector3(east, up, -north).sub(this.model!.origin);
+    this.#framed = null;
+    this.light(date === null || hour === null ? null : { date, hour });
+    this.movingToView = true;
+    this.viewport.setFieldOfView(fov);
+    this.viewport.camera.position.copy(place(from));
+    this.viewport.lookAt(place(to));
+    this.movingToView = false;
+    this.#visits(name);
+    this.announce(strings.atView(name));
   }
 
   /** The preset view that is shown, until the camera is moved. */
@@ -311,13 +338,15 @@ export class App {
     this.#lookFirst();
   }
 
-  /** The view that the file opens with: along a street of facing houses, else the front. */
+  /** The view that the file opens with: along a street of facing houses, else the first that the file names, else the front. */
   #lookFirst() {
-    const street = this.model && alongStreet(this.state?.plan.houses ?? []);
-    if (!street) return this.look('front');
+    const street = this.model && alongStreet(this.state?.plan.houses ?? []), named = this.state?.plan.views[0];
+    if (!street) return named ? this.visit(named) : this.look('front');
     const { origin, box } = this.model!, ground = Math.min(0, box.min.y);
     const place = ([east, north]: [number, number]) => new THREE.Vector3(east - origin.x, ground + EYE_HEIGHT, -north - origin.z);
     this.#framed = null;
+    this.#visits(null);
+    this.viewport.setFieldOfView(null);
     this.viewport.camera.position.copy(place(street.from));
     this.viewport.lookAt(place(street.to));
   }

@@ -9,6 +9,7 @@ import { partCard } from './panel/part-card.ts';
 import { sectionPanel } from './panel/section.ts';
 import { fileList } from './panel/files.ts';
 import { reflectionPanel } from './panel/reflections.ts';
+import { namedViewList } from './panel/named-views.ts';
 import { measuringPanel } from './panel/measuring.ts';
 import { diagnosticList } from './panel/diagnostics.ts';
 import { layerPanel } from './panel/layers.ts';
@@ -43,7 +44,7 @@ export function page(): Page {
   main.prepend(text.element);
   main.append(plan.element);
   const panel = h('aside', { class: 'panel', 'aria-label': strings.panel },
-    partCard(app), fileList(app), diagnosticList(app), layerPanel(app), partTree(app), sectionPanel(app), sunPanel(app), measuringPanel(app), reflectionPanel(app), statisticsPanel(app));
+    partCard(app), fileList(app), namedViewList(app), diagnosticList(app), layerPanel(app), partTree(app), sectionPanel(app), sunPanel(app), measuringPanel(app), reflectionPanel(app), statisticsPanel(app));
   const narrow = matchMedia('(max-width: 720px)').matches;
   panel.hidden = narrow;
   const panes = [

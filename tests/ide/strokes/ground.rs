@@ -177,3 +177,44 @@ fn an_outline_is_drawn_in_metres() {
         assert!(why.contains("square metre"), "{why}");
     }
 }
+
+const LEGACY: &str = "# two houses\n2.5 3\n9\n\nKSK  KSK\nKSK\nKSK  KSK\nKSK\n%\nname kura\n\nKSK  KSK\nKSK\nKSK  KSK\nKSK\n%\nKSK  KSK\nKSK\nKSK  KSK\nKSK\n";
+
+#[test]
+fn houses_of_the_legacy_form_are_moved_and_turned_by_their_first_lines() {
+    let mut board = Board::new(LEGACY);
+    let places = &board.plan()["places"];
+    assert_eq!(places.as_array().unwrap().len(), 3);
+    assert_eq!(places[0]["at"], json!([2.5, 3]));
+    assert_eq!(places[1]["heading"], json!(180));
+    assert!(places[0]["fixed"].is_null() && places[2]["turn_fixed"].is_null());
+    let strokes = [
+        json!({"do": "move-place", "place": 0, "to": [-4, 3]}),
+        json!({"do": "turn-place", "place": 0, "to": 90}),
+        json!({"do": "move-place", "place": 1, "to": [0, 12.25]}),
+        json!({"do": "turn-place", "place": 2, "to": -45}),
+    ];
+    for stroke in strokes {
+        draw(&mut board, stroke);
+    }
+    let text = board.text();
+    assert!(text.starts_with("# two houses\n-4 3 90\n9\n"), "{text}");
+    assert!(text.contains("%\n0 12.25\nname kura\n"), "{text}");
+    assert!(text.contains("%\n0 0 315\n\nKSK  KSK\n"), "{text}");
+    near(origin(&board, 0), [-4.0, 3.0]);
+    near(origin(&board, 1), [0.0, 12.25]);
+    assert_eq!(board.plan()["houses"][2]["azimuth"], json!(315));
+    assert!(
+        board
+            .draw(&json!({"do": "move-place", "place": 1, "to": [0, 12.25]}))
+            .is_err(),
+        "nothing to do"
+    );
+}
+
+#[test]
+fn a_first_line_with_a_mistake_stays_as_it_is() {
+    let board = Board::new(&LEGACY.replace("2.5 3\n", "2.5 3 south\n"));
+    let plan = board.plan();
+    assert_eq!(plan["places"][0]["fixed"], "mistakes");
+}

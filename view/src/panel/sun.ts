@@ -23,12 +23,13 @@ export function sunPanel(app: App): HTMLElement {
     where.textContent = strings.sunAt(sun.azimuth.toFixed(1), sun.altitude.toFixed(1)) + (sun.altitude < 0 ? ` (${strings.night})` : '');
   };
   set();
-  app.on('shown', () => {
-    if (!app.resetting) return;
-    date.value = START.date;
-    hour.value = `${START.hour}`;
+  app.light = time => {
+    const now = time ?? START;
+    date.value = now.date;
+    hour.value = `${now.hour}`;
     set();
-  });
+  };
+  app.on('shown', () => { if (app.resetting) app.light(null); });
   return collapsible('sun', strings.sun, false, field(strings.date, date), field(strings.hour, hour, time), where,
     h('p', { class: 'quiet' }, strings.sunPlace));
 }

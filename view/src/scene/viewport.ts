@@ -211,16 +211,27 @@ export class Viewport {
     this.#waited = true;
   }
 
+  /** Sets the vertical angle of view, degrees; null for the usual one. */
+  setFieldOfView(fov: number | null) {
+    this.#fov = fov ?? FOV;
+    this.#fitFieldOfView();
+  }
+  #fov = FOV;
+
+  /** A narrow window keeps the horizontal field of view of a 4:3 one. */
+  #fitFieldOfView() {
+    const half = Math.tan(this.#fov / 2 * Math.PI / 180) * Math.max(1, 4 / 3 / this.camera.aspect);
+    this.camera.fov = Math.max(this.#fov, Math.min(80, Math.atan(half) * 360 / Math.PI));
+    this.camera.updateProjectionMatrix();
+  }
+
   #resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    // A narrow window keeps the horizontal field of view of a 4:3 one.
-    const half = Math.tan(FOV / 2 * Math.PI / 180) * Math.max(1, 4 / 3 / this.camera.aspect);
-    this.camera.fov = Math.min(80, Math.atan(half) * 360 / Math.PI);
-    this.camera.updateProjectionMatrix();
+    this.#fitFieldOfView();
     for (const then of this.onResized) then();
     this.frame(); // Immediately, since resizing clears the canvas.
   }

@@ -160,10 +160,23 @@ test('Escape gives up an outline, and a form without outlines says how to get th
   await page.locator('svg.sheet').focus();
   for (const key of [' ', ...Array(3).fill('Shift+ArrowRight'), ' ', ...Array(3).fill('Shift+ArrowUp'), ' ', 'Enter']) await page.keyboard.press(key);
   await until(async () => (await status() ?? '').includes('convert the text to XML'), 'it is refused');
+  await page.locator('.files button').filter({ hasText: 'town' }).click();
+});
+
+test('a house of the legacy form is dragged and turned by its first line', async () => {
+  await page.locator('.files button').filter({ hasText: 'plain' }).click();
+  const shown = (first: string) => until(() => page.evaluate(first => hsd.plan.state?.file === 'plain.hsd' && hsd.plan.state.sources[0]!.text.startsWith(first), first), `the text begins with ${first}`);
+  await shown('0 0 180\n');
+  await does(page, 'fit').click();
   await tool('place');
+  const [e, n] = await wall(0);
+  await drag([e, n], [e + 2, n - 1]);
+  await shown('2 -1 180\n9\n');
+  await tool('turn');
   await page.locator('.run[tabindex="0"]').first().focus();
   await page.keyboard.press('ArrowRight');
-  assert.match(await status() ?? '', /first line of the house/);
+  await page.keyboard.press('Enter');
+  await shown('2 -1 185\n9\n');
   await page.locator('.files button').filter({ hasText: 'town' }).click();
 });
 

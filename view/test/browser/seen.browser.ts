@@ -17,7 +17,7 @@ KTU  KTU  KTU  KTU
 let preview: Preview, page: Page;
 
 before(async () => {
-  preview = await Preview.of(['machiya.hsd', 'street.hsd', ['plain.hsd', HOUSE]]);
+  preview = await Preview.of(['machiya.hsd', 'street.hsd', 'plot.hsd', ['plain.hsd', HOUSE]]);
   page = await preview.open('?file=machiya.hsd');
 });
 after(async () => { await preview?.close(); });
@@ -75,6 +75,29 @@ test('a street of facing houses opens along it', async () => {
     const { clientWidth: w, clientHeight: h } = hsd.viewport.canvas;
     return hsd.pick(w * 0.1, h * 0.5) !== null && hsd.pick(w * 0.9, h * 0.5) !== null;
   }), 'houses on both sides');
+});
+
+test('the views that a file names are listed, a click goes there, and a file that is no street opens at its first', async () => {
+  await open('plot.hsd');
+  const list = page.locator('.named-views button');
+  assert.deepEqual(await list.allTextContents(), ['garden', 'corridor']);
+  /** How far the camera stands from a named view and looks past it, metres, and the difference of its angle, degrees. */
+  const off = (n: number) => page.evaluate(n => {
+    const { from, to, fov } = hsd.app.state!.plan.views[n]!, { origin } = hsd.app.model!, [x, y, z, tx, ty, tz] = hsd.camera as [number, number, number, number, number, number];
+    const far = ([e, up, s]: [number, number, number], [east, north, height]: [number, number, number]) => Math.hypot(e + origin.x - east, up + origin.y - height, s + origin.z + north);
+    return [far([x, y, z], from), far([tx, ty, tz], to), Math.abs(hsd.viewport.camera.fov - fov)];
+  }, n);
+  const there = async (n: number) => { for (const miss of await off(n)) assert.ok(miss < 0.02, `${miss} from view ${n}`); };
+  await until(() => page.evaluate(() => hsd.app.visited === 'garden'), 'it opens in the garden');
+  await there(0);
+  await list.nth(1).click();
+  await there(1);
+  assert.equal(await list.nth(1).getAttribute('aria-current'), 'true');
+  await does(page, 'view').selectOption('front');
+  assert.equal(await list.nth(1).getAttribute('aria-current'), null);
+  assert.ok((await off(1))[2]! > 5, 'a preset view has its own angle');
+  await open('machiya.hsd');
+  assert.ok(await page.locator('[data-fold=named-views]').isHidden(), 'no list without views');
 });
 
 test('lengths have one size and a unit on a small house and on a street, and Fit shows all of them', async () => {

@@ -6,7 +6,8 @@ use crate::geometry::area2;
 use crate::ide::format::Edit;
 use crate::ide::stroke::change::tidy;
 use crate::ide::stroke::sheet::Sheet;
-use crate::ide::stroke::sheet::standing::{Standing, outlines, standing};
+use crate::ide::stroke::sheet::first_line::{FirstLine, USUAL};
+use crate::ide::stroke::sheet::standing::{PlacedBy, Standing, outlines, standing, turned_by};
 use crate::ide::stroke::storeys::checked;
 use crate::ide::stroke::xml::plain;
 use crate::ide::stroke::{legacy, refuse};
@@ -38,14 +39,8 @@ pub(in crate::ide::stroke) fn move_to(
     if !to.iter().all(|n| n.abs() <= FARTHEST) {
         return Err(refuse::too_far());
     }
-    let element = &sheet.outline.elements[own.element];
-    let words = ["x", "y"].into_iter().zip(to).zip(own.at);
-    let edits = words.filter(|((_, to), at)| (to - at).abs() > 0.5 / EXACT);
-    done(
-        edits
-            .map(|((word, to), _)| put(element, word, to))
-            .collect(),
-    )
+    let moved = [0, 1].map(|k| Some(to[k]).filter(|to| (to - own.at[k]).abs() > 0.5 / EXACT));
+    done(put_place(sheet, &own.home, moved))
 }
 
 /// Turns a group, or the front of a house, to a direction in its frame, degrees.
@@ -61,22 +56,17 @@ pub(in crate::ide::stroke) fn turn_to(
     if !to.is_finite() {
         return Err(refuse::too_far());
     }
-    let element = &sheet.outline.elements[own.element];
-    let word = Standing::turned_by(element);
     let round = rounded(to.rem_euclid(360.0));
     // A group turns either way; a front has a compass direction.
-    let to = if word == "turn" && round > 180.0 {
+    let to = if own.kind(sheet) == "Group" && round > 180.0 {
         round - 360.0
     } else {
         round % 360.0
     };
-    let same = (to - own.turn).abs() < 0.5 / EXACT;
-    done(
-        (!same)
-            .then(|| put(element, word, to))
-            .into_iter()
-            .collect(),
-    )
+    match (to - own.turn).abs() < 0.5 / EXACT {
+        true => Err(refuse::nothing()),
+        false => done(put_turn(sheet, &own.home, to)),
+    }
 }
 
 /// Moves a corner of an outline, metres in its frame.
@@ -165,6 +155,55 @@ fn done(edits: Vec<Edit>) -> Result<Vec<Edit>, Text> {
         true => Err(refuse::nothing()),
         false => Ok(tidy(edits)),
     }
+}
+
+/// Returns the edits that write a place, metres east and north; a number that is `None` stays.
+fn put_place(sheet: &Sheet<'_>, home: &PlacedBy, [x, y]: [Option<f64>; 2]) -> Vec<Edit> {
+    match home {
+        PlacedBy::Line(line) => put_numbers(sheet.text, line, [x, y, None]),
+        PlacedBy::Element(element) => {
+            let element = &sheet.outline.elements[*element];
+            let words = ["x", "y"].into_iter().zip([x, y]);
+            let edits = words.filter_map(|(word, to)| Some(put(element, word, to?)));
+            edits.collect()
+        }
+    }
+}
+
+/// Returns the edits that write a direction, degrees.
+fn put_turn(sheet: &Sheet<'_>, home: &PlacedBy, to: f64) -> Vec<Edit> {
+    match home {
+        PlacedBy::Line(line) => put_numbers(sheet.text, line, [None, None, Some(to)]),
+        PlacedBy::Element(element) => {
+            let element = &sheet.outline.elements[*element];
+            vec![put(element, turned_by(element), to)]
+        }
+    }
+}
+
+/// Returns the edits that write some numbers of a first line; those left out before them are written too.
+fn put_numbers(text: &str, line: &FirstLine, numbers: [Option<f64>; 3]) -> Vec<Edit> {
+    let written = line.numbers(text).unwrap_or(USUAL);
+    let count = line.words.len();
+    let there = line.words.iter().zip(numbers).filter_map(|(word, number)| {
+        let text = plain(number?);
+        let range = word.clone();
+        Some(Edit { range, text })
+    });
+    let mut edits: Vec<Edit> = there.collect();
+    let last = numbers.iter().rposition(Option::is_some);
+    if let Some(last) = last.filter(|n| *n >= count) {
+        // A house without a first line gets one with a whole place.
+        let missing = (count..=last.max(1)).map(|k| plain(numbers[k].unwrap_or(written[k])));
+        let missing: Vec<String> = missing.collect();
+        let before = if count > 0 { " " } else { "" };
+        let after = legacy::line_end(text, 0).repeat(line.line_ends);
+        edits.push(Edit {
+            range: line.end..line.end,
+            text: format!("{before}{}{after}", missing.join(" ")),
+        });
+    }
+    edits
 }
 
 /// Writes the number of an attribute.

@@ -5,6 +5,7 @@
 //! drawn or named, is changed in the text.
 
 use crate::ast::Frame;
+use crate::ide::stroke::sheet::first_line::FirstLine;
 use crate::ide::stroke::sheet::{Reason, Sheet, name};
 use crate::parse::schema::lengths::{Measure, length};
 use crate::parse::syntax::Element;
@@ -14,13 +15,13 @@ use std::ops::Range;
 /// A group, a placed house or a house.
 #[derive(Debug)]
 pub(in crate::ide) struct Standing {
-    /// Its element.
-    pub(in crate::ide) element: usize,
+    /// The text that places it.
+    pub(in crate::ide) home: PlacedBy,
     /// The groups around it together.
     pub(in crate::ide) frame: Frame,
     /// Its place in that frame: metres east and north.
     pub(in crate::ide) at: [f64; 2],
-    /// The value of its attribute [`Standing::turned_by`], degrees.
+    /// Its `turn` or azimuth as written, degrees.
     pub(in crate::ide) turn: f64,
     /// The houses that move with it.
     pub(in crate::ide) houses: Vec<usize>,
@@ -30,13 +31,30 @@ pub(in crate::ide) struct Standing {
     pub(in crate::ide) turn_fixed: Option<Reason>,
 }
 
+/// The text that places something.
+#[derive(Clone, Debug)]
+pub(in crate::ide) enum PlacedBy {
+    /// The attributes of an element.
+    Element(usize),
+    /// The first line of a house of the legacy form.
+    Line(FirstLine),
+}
+
 impl Standing {
-    /// Returns the attribute that turns an element.
-    pub(in crate::ide) fn turned_by(element: &Element) -> &'static str {
-        match name(element) {
-            "Group" => "turn",
-            _ => "azimuth",
+    /// Returns its kind: the name of its element.
+    pub(in crate::ide) fn kind(&self, sheet: &Sheet<'_>) -> &'static str {
+        match self.home {
+            PlacedBy::Element(element) => name(&sheet.outline.elements[element]),
+            PlacedBy::Line(_) => "House",
         }
+    }
+}
+
+/// Returns the attribute that turns an element.
+pub(in crate::ide) fn turned_by(element: &Element) -> &'static str {
+    match name(element) {
+        "Group" => "turn",
+        _ => "azimuth",
     }
 }
 
@@ -60,9 +78,16 @@ pub(in crate::ide) struct WrittenCorner {
     pub(in crate::ide) ranges: [Range<usize>; 2],
 }
 
-/// Returns what can stand somewhere else, in the order of the file: each element that puts at least one house.
+/// Returns what can stand somewhere else, in the order of the file: each element that puts at least one house, or each
+/// house of the legacy form.
 pub(in crate::ide) fn standing(sheet: &Sheet<'_>) -> Vec<Standing> {
     let houses: Vec<(usize, usize)> = starts(sheet);
+    if sheet.outline.elements.is_empty() {
+        let legacy = houses
+            .into_iter()
+            .filter_map(|(house, at)| on_line(sheet, house, at));
+        return legacy.collect();
+    }
     let elements = sheet.outline.elements.iter().enumerate();
     let whole = elements.filter(|(_, e)| matches!(name(e), "Group" | "Place" | "House"));
     whole
@@ -83,18 +108,35 @@ fn starts(sheet: &Sheet<'_>) -> Vec<(usize, usize)> {
         .collect()
 }
 
+/// Returns a house of the legacy form, which begins at a place in the text.
+fn on_line(sheet: &Sheet<'_>, house: usize, at: usize) -> Option<Standing> {
+    let line = FirstLine::of(sheet, at)?;
+    let numbers = line.numbers(sheet.text);
+    let fixed = numbers.is_none().then_some(Reason::Mistakes);
+    let [x, y, azimuth] = numbers.unwrap_or_default();
+    Some(Standing {
+        home: PlacedBy::Line(line),
+        frame: Frame::default(),
+        at: [x, y],
+        turn: azimuth,
+        houses: vec![house],
+        fixed,
+        turn_fixed: fixed,
+    })
+}
+
 fn of(sheet: &Sheet<'_>, index: usize, houses: Vec<usize>) -> Standing {
     let element = &sheet.outline.elements[index];
     let usual = if name(element) == "Group" { 0.0 } else { 180.0 };
     let (x, y) = (number(element, "x", 0.0), number(element, "y", 0.0));
-    let turn = number(element, Standing::turned_by(element), usual);
+    let turn = number(element, turned_by(element), usual);
     let around = frame(sheet, index);
     let written = sheet.around_fixed(index);
     let computed = |known: bool| (!known).then_some(Reason::Computed);
     let lost = written.or_else(|| computed(around.is_some()));
     let surveyed = outline_of(sheet, index).is_some() && element.attribute("azimuth").is_none();
     Standing {
-        element: index,
+        home: PlacedBy::Element(index),
         frame: around.unwrap_or_default(),
         at: [x.unwrap_or_default(), y.unwrap_or_default()],
         turn: turn.unwrap_or(usual),
