@@ -44,13 +44,23 @@ pub(super) fn check(rings: &mut [Ring], out: &mut Diagnostics) {
         } else {
             (w2, w1)
         };
-        out.push(plan::walls_meet(second.span, first.span, crossing));
+        let of = meeting(one.ring == two.ring, &rings[one.ring], &rings[two.ring]);
+        out.push(plan::walls_meet(second.span, first.span, crossing, of));
         rings[one.ring].closed = false;
         rings[two.ring].closed = false;
         return;
     }
     if rings.len() > 1 {
         check_nesting(rings, out);
+    }
+}
+
+fn meeting(same: bool, one: &Ring, two: &Ring) -> plan::Meeting {
+    match (same, one.hole, two.hole) {
+        (true, ..) => plan::Meeting::Itself,
+        (_, true, true) => plan::Meeting::Courtyards,
+        (_, false, false) => plan::Meeting::Outlines,
+        _ => plan::Meeting::Courtyard,
     }
 }
 

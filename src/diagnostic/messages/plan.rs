@@ -1,5 +1,9 @@
 //! Messages about walls, outlines and storeys (HSD04xx).
 
+mod meeting;
+
+pub(crate) use meeting::{Meeting, walls_meet};
+
 use crate::diagnostic::messages::words::quote;
 use crate::diagnostic::{Diagnostic, Edit, Text};
 use crate::lower::ClosingFix;
@@ -244,30 +248,6 @@ pub(crate) fn open_facade(span: Span, gap: DVec2) -> Diagnostic {
         "it gets no roof; to make it a house, continue until the walls close",
         "屋根は架かりません。家にするには、外周が閉じるまで壁を続けてください"
     ))
-}
-
-/// Two walls cross or touch.
-#[cold]
-pub(crate) fn walls_meet(second: Span, first: Span, crossing: bool) -> Diagnostic {
-    let (code, message) = if crossing {
-        let message = text!(
-            "this wall crosses an earlier one",
-            "この壁は前の壁と交差しています"
-        );
-        (405, message)
-    } else {
-        let message = text!(
-            "this wall touches an earlier one",
-            "この壁は前の壁に接しています"
-        );
-        (406, message)
-    };
-    Diagnostic::error(code, second, message)
-        .label(first, text!("the other wall", "相手の壁"))
-        .help(text!(
-            "an outline must not touch itself: check the lengths and turns between these two lines",
-            "外周は自分自身と交わることも接することもできません。この二行のあいだの長さと曲がりを確かめてください"
-        ))
 }
 
 /// A courtyard outside the walls.

@@ -12,12 +12,13 @@ use nom::bytes::complete::take;
 use nom::{IResult, Parser};
 use std::ops::Range;
 
-/// Returns the pieces of a part of a line, and whether they are in their columns; `turn` is the place of the control letter
-/// after it.
+/// Returns the pieces of a part of a line, and whether they are in their columns; those that are not are added to `slips`.
+/// `turn` is the place of the control letter after it.
 pub(super) fn pieces(
     line: &SourceLine<'_>,
     mut range: Range<usize>,
     turn: Option<usize>,
+    slips: &mut Vec<say::Slip>,
     reporter: &mut Reporter<'_>,
 ) -> (Vec<Item<Piece>>, bool) {
     if let Some((width, code)) = free_width(&line.text[range.clone()]) {
@@ -45,7 +46,9 @@ pub(super) fn pieces(
     let last = rest.trim_end_matches(' ');
     form.see(last);
     if let Some(cells) = form.in_step(text, range.start) {
-        return (fixed(line, range, &cells, turn, reporter), false);
+        let (pieces, slip) = fixed(line, range, &cells, turn, reporter);
+        slips.push(slip);
+        return (pieces, false);
     }
     if form.is_odd() {
         point_voids(line, range.clone(), &mut pieces, reporter);
@@ -200,14 +203,14 @@ fn trailing_voids(line: &SourceLine<'_>, text: &str, at: usize, reporter: &mut R
     }
 }
 
-/// Reports a misaligned line from its first irregular cell on, and returns its words.
+/// Returns the words of a misaligned line, and its mistake from its first irregular cell on.
 fn fixed(
     line: &SourceLine<'_>,
     range: Range<usize>,
     cells: &[Cell<'_>],
     turn: Option<usize>,
-    reporter: &mut Reporter<'_>,
-) -> Vec<Item<Piece>> {
+    reporter: &Reporter<'_>,
+) -> (Vec<Item<Piece>>, say::Slip) {
     let text = &line.text[range.clone()];
     // The mistake is where a code first leaves its column.
     let off = |c: &&Cell<'_>| !(c.range.start - range.start).is_multiple_of(CELL);
@@ -224,13 +227,11 @@ fn fixed(
         None => (end, meant.trim_end()),
     };
     let all = line.span(reporter.source, range.start..last);
-    let column = slip - range.start + 1;
-    reporter.say(say::out_of_step(
+    let slip = say::Slip {
         span,
-        column,
-        meant.trim_end(),
-        (all, whole),
-    ));
+        column: slip - range.start + 1,
+        fix: (all, whole.to_owned()),
+    };
     let part = |c: &Cell<'_>| piece(line, c.range.clone(), &c.meant(), reporter);
-    cells.iter().map(part).collect()
+    (cells.iter().map(part).collect(), slip)
 }

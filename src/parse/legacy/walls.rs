@@ -27,6 +27,8 @@ pub(super) struct Walls {
     span: Option<Span>,
     /// The last `^`, if nothing has followed it.
     reset: Option<Span>,
+    /// The lines whose codes are not in their columns.
+    slips: Vec<say::Slip>,
 }
 
 impl Walls {
@@ -55,6 +57,10 @@ impl Walls {
 
     /// Closes the last storey and returns the storeys.
     pub(super) fn finish(&mut self, reporter: &mut Reporter<'_>) -> Vec<Item<Storey>> {
+        let mut slips = std::mem::take(&mut self.slips).into_iter();
+        if let Some(first) = slips.next() {
+            reporter.say(say::out_of_step(first, slips.collect()));
+        }
         if let Some(reset) = self.reset.filter(|_| !self.storeys.is_empty()) {
             reporter.say(say::last_reset(reset));
         }
@@ -70,7 +76,7 @@ impl Walls {
             misplaced,
         } = ending(line, range.clone(), reporter);
         let turn = control.as_ref().map(|(_, at)| at.start);
-        let (pieces, in_step) = pieces(line, range.start..codes, turn, reporter);
+        let (pieces, in_step) = pieces(line, range.start..codes, turn, &mut self.slips, reporter);
         // Where the codes have left their columns, a letter after them is in none either.
         if let Some(misplaced) = misplaced.filter(|_| in_step) {
             reporter.say(misplaced);

@@ -6,7 +6,7 @@
 //! in. Codes that have left their columns are read by their words, as in the legacy form.
 
 use crate::ast::{CodeText, Item, Piece};
-use crate::diagnostic::messages::legacy::out_of_step;
+use crate::diagnostic::messages::legacy::{Slip, out_of_step};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::columns::{CELL, Cell, Form};
 use crate::parse::xml::read::Reader;
@@ -120,11 +120,22 @@ impl Reader<'_, '_> {
             [only] => only.byte.filter(|b| matches!(b, b'L' | b'R' | b'^')),
             _ => None,
         });
-        let (codes, end) = line.split_at(line.len() - usize::from(control.is_some()));
-        match self.in_step(text, codes) {
+        // A letter after codes that have left their columns is in none either.
+        let loose = loose_letter(line).filter(|_| control.is_none());
+        let read = loose.and_then(|at| Some((self.in_step(text, &line[..at])?, at)));
+        let (meant, codes) = match read {
+            Some((meant, at)) => (Some(meant), at),
+            None => {
+                let codes = line.len() - usize::from(control.is_some());
+                (self.in_step(text, &line[..codes]), codes)
+            }
+        };
+        let (codes, end) = line.split_at(codes);
+        match meant {
             Some(meant) => parts.extend(meant),
             None => parts.extend(codes.chunks(CELL).filter_map(|code| self.code(text, code))),
         }
+        let control = control.or_else(|| end.first()?.byte);
         let (letter, place) = (control?, text.range(end[0].range.clone()));
         let bear = self.turn.filter(|_| turns);
         let bear = bear.map(|at| self.reporter.span(&(at..at)));
@@ -157,7 +168,9 @@ impl Reader<'_, '_> {
         let meant = meant.trim_end();
         let all = self.reporter.span(&place(0..end));
         self.reporter.at(&place(slip..end), |span| {
-            out_of_step(span, slip + 1, meant, (all, meant))
+            let fix = (all, meant.to_owned());
+            let column = slip + 1;
+            out_of_step(Slip { span, column, fix }, vec![])
         });
         let pieces = cells.iter().map(|cell| {
             let span = self.reporter.span(&place(cell.range.clone()));
@@ -183,6 +196,14 @@ impl Reader<'_, '_> {
         let span = self.reporter.span(&text.range(range));
         Some(Item::One(Piece::Code(five, span)))
     }
+}
+
+/// Returns the place of a turn letter at the end of a line that a blank divides from the codes.
+fn loose_letter(line: &[Column]) -> Option<usize> {
+    let at = line.iter().rposition(|c| c.byte != Some(b' '))?;
+    let letter = matches!(line[at].byte, Some(b'L' | b'R'));
+    let apart = at > 0 && line[at - 1].byte == Some(b' ');
+    (letter && apart).then_some(at)
 }
 
 fn push(line: &mut Vec<Column>, byte: Option<u8>, range: Range<usize>) {
