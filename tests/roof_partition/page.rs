@@ -36,10 +36,11 @@ const PLANS: [(&str, &[[i64; 4]]); 9] = [
     ("Ninomaru", &NINOMARU),
 ];
 
-/// A house of one storey with this plan.
+/// A house of one storey with this plan. Gables are asked for: without a shape, the Tozamurai of Ninomaru (29 by 30 m)
+/// would get two of them side by side (HSD0521), which is not what the method cuts.
 fn house(name: &str, method: &str, plan: &Plan) -> String {
     let mut text = format!(
-        "<House name=\"{name}, {method}\">\n<Roofs method=\"{method}\"/>\n<Storey height=\"9\">\n"
+        "<House name=\"{name}, {method}\">\n<Roofs method=\"{method}\" shape=\"KIR\"/>\n<Storey height=\"9\">\n"
     );
     for corners in &plan.loops {
         let n = corners.len();
@@ -74,6 +75,16 @@ fn house(name: &str, method: &str, plan: &Plan) -> String {
     text + "</Storey>\n</House>\n"
 }
 
+/// Rectangles from the least corner of all: a walk begins at a corner of its own.
+fn from_corner(rects: Vec<[f64; 4]>) -> Vec<[f64; 4]> {
+    let least = |k: usize| rects.iter().map(|r| r[k]).fold(f64::MAX, f64::min);
+    let (a, b) = (least(0), least(1));
+    let moved = rects
+        .iter()
+        .map(|r| [r[0] - a, r[1] - b, r[2] - a, r[3] - b]);
+    moved.collect()
+}
+
 #[test]
 fn pictures_of_the_page_are_as_the_program_draws_them() {
     let mut differing = vec![];
@@ -88,9 +99,12 @@ fn pictures_of_the_page_are_as_the_program_draws_them() {
         assert_eq!(run.building.houses.len(), METHODS.len());
         for (built, (_, method)) in run.building.houses.iter().zip(METHODS) {
             let roofs = &built.roofs;
-            let regions = &roofs.plans[0].regions;
-            // Halls wider than 15 ken are cut once more.
-            assert!(regions.len() >= partition(&plan, method).len(), "{name}");
+            let regions: Vec<[f64; 4]> = roofs.plans[0].regions.iter().map(|r| r.rect).collect();
+            let cells = partition(&plan, method);
+            let cells = cells
+                .iter()
+                .map(|c| [c.a0, c.b0, c.a1, c.b1].map(|at| at as f64));
+            assert_eq!(from_corner(regions), from_corner(cells.collect()), "{name}");
         }
         let file = format!("grammar/pictures/partitions/{}.svg", name.to_lowercase());
         expect(
