@@ -1,7 +1,9 @@
 //! Outlines as surveyed: where the walls come to stand, what is squared and joined, what fills the sides
 //! (docs/contract.md 8).
 
-use crate::support::{Numbers, Run, assert_none, compile, flaws};
+mod roofs;
+
+use crate::support::{Numbers, Run, compile};
 use glam::{DVec2, dvec2};
 use hsd::ast::RoofShape;
 use hsd::building::{House, Ring};
@@ -412,59 +414,4 @@ fn any_points_make_a_house_or_a_message() {
             points(&ring)
         );
     }
-}
-
-#[test]
-fn roofs_follow_the_purpose_of_a_house() {
-    let shape = |purpose: &str, points: &str, roofs: &str| {
-        let run = run(&format!(
-            "<House use='{purpose}'><Outline points='{points}'/>{roofs}</House>"
-        ));
-        assert!(!run.has_errors(), "{}", run.short());
-        let roof = &run.building.houses[0].roofs.roofs[0];
-        (roof.shape, roof.kind)
-    };
-    use hsd::ast::RoofKind::{Bark, CoverTiles, Tiles};
-    use hsd::ast::RoofShape::{Gable, Hip, HipAndGable, Pyramid};
-    let (square, long) = ("0 0, 9 0, 9 8.2, 0 8.2", "0 0, 12 0, 12 8, 0 8");
-    let slanting = "0 0, 9 0, 12 4, 12 8, 0 8";
-    assert_eq!(shape("hall", square, ""), (Pyramid, CoverTiles));
-    assert_eq!(shape("hall", long, ""), (Gable, CoverTiles));
-    assert_eq!(shape("temple", square, ""), (HipAndGable, CoverTiles));
-    assert_eq!(shape("temple", slanting, ""), (Hip, Tiles));
-    assert_eq!(shape("shrine", long, ""), (Gable, Bark));
-    for purpose in ["dwelling", "store", "gate"] {
-        assert_eq!(shape(purpose, square, ""), (Gable, Tiles), "{purpose}");
-    }
-    let own = "<Roofs shape='YOS' kind='Y'/>";
-    assert_eq!(shape("hall", square, own).0, Hip);
-    // An L of a hall is no square, though its bounds are.
-    let corner = "0 0, 9 0, 9 4, 4 4, 4 9, 0 9";
-    assert_eq!(shape("hall", corner, "").0, Gable);
-}
-
-/// A nearly square hall keeps its pyramid behind a porch, which gets a small roof of its own.
-#[test]
-fn a_hall_keeps_its_pyramid_behind_its_porch() {
-    let text = r#"<House use="hall">
-  <Outline points="0 0, 6 0, 6 -2, 9 -2, 9 0, 15 0, 15 14.6, 0 14.6"/>
-</House>
-"#;
-    let run = compile("hall.hsd", text.as_bytes());
-    assert!(!run.has_errors(), "{}", run.short());
-    assert_none(&flaws(&run));
-    let roofs = &run.building.houses[0].roofs;
-    let [plan] = &roofs.plans[..] else {
-        panic!("one storey");
-    };
-    let [_, hall] = &plan.regions[..] else {
-        panic!("{:?}", plan.regions);
-    };
-    assert_eq!(hall.shape, hsd::ast::RoofShape::Pyramid);
-    let ridge = roofs
-        .roofs
-        .iter()
-        .flat_map(|r| r.surface.lines(hsd::building::EdgeKind::Ridge));
-    let longest = ridge.map(|[p, q]| (p - q).length()).fold(0.0, f64::max);
-    assert!(longest < 4.0, "a ridge of {longest} m");
 }

@@ -16,3 +16,4 @@ mod skirts;
 mod stacked;
 mod surface;
 mod whole;
+mod worst;

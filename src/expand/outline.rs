@@ -241,6 +241,19 @@ impl Pass<'_, '_> {
         };
         // Sides that cross as surveyed are reported once they are walls.
         let told = given > 0.0 && outline::are_simple(&rings);
+        let partly =
+            matches!(reason, Crooked::Slants(..)).then(|| square::square_partly(&rings, most));
+        let partly = partly.flatten().filter(|squared| {
+            // A walk begins along an axis.
+            let first = front(
+                outline,
+                &written[0].1,
+                &squared.rings[0],
+                Some(squared.turn),
+            );
+            let (p, q) = outline::ends(&squared.rings[0], first);
+            told && (p.x == q.x || p.y == q.y)
+        });
         if told {
             self.out.push(match reason {
                 Crooked::Slants(ring, side, angle) => {
@@ -254,7 +267,10 @@ impl Pass<'_, '_> {
                 Crooked::Crosses => say::would_cross(span),
             });
         }
-        (None, rings, told)
+        match partly {
+            Some(squared) => (Some(squared.turn), squared.rings, told),
+            None => (None, rings, told),
+        }
     }
 
     /// Returns the walks of a storey that stands on the outline.

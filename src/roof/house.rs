@@ -1,7 +1,7 @@
 //! The roofs of one house, storey by storey: the area that the storey above leaves uncovered is roofed at the top
 //! (docs/evidence.md 3.8), roof lines first, automatic regions for the rest.
 
-use super::partition::{Method, partition_within};
+use super::partition::{Method, partition_broad, partition_within};
 use crate::ast::{RoofMethod, RoofMode, RoofShape};
 use crate::building::{House, HouseRoofs};
 use crate::diagnostic::Diagnostics;
@@ -13,6 +13,7 @@ use crate::roof::budget::SearchBudget;
 use crate::roof::frame::near_side;
 use crate::roof::join::assemble;
 use crate::roof::plan::level::{Level, Point, first_line, is_facade, levels};
+use crate::roof::plan::necks::{self, Necks};
 use crate::roof::plan::roles::regions_by;
 use crate::roof::plan::{MOST_CORNERS, report, spans, street};
 use crate::roof::region::{Region, Ridge, Role};
@@ -33,6 +34,9 @@ use std::cell::{OnceCell, RefCell};
 
 /// Houses with more roof lines get no fix that removes them if they bound no area.
 const MOST_TAKEN_OUT: usize = 16;
+
+/// Roofs are not narrower where another division avoids it, metres.
+const NARROW: f64 = 0.5;
 
 /// Roofs a house, without a cache.
 pub(super) fn roofs(house: &House, out: &mut Diagnostics) -> HouseRoofs {
@@ -168,9 +172,15 @@ struct Storey<'a, 'h> {
 
 impl Storey<'_, '_> {
     fn roof(mut self, done: &mut HouseRoofs, out: &mut Diagnostics) {
-        let level = &self.levels[self.k];
         let upper = self.levels.get(self.k + 1).filter(|u| !u.is_open());
         let plain = |l: &Level<'_>| l.orthogonal;
+        let necks = self.necks(upper);
+        let rest = necks.as_ref().map(|necks| Level {
+            plan: necks.rest.clone(),
+            orthogonal: true,
+            ..self.levels[self.k].clone()
+        });
+        let level = rest.as_ref().unwrap_or(&self.levels[self.k]);
         let context = Context {
             unit: self.house.unit,
             style: &self.house.roofs.style,
@@ -203,6 +213,15 @@ impl Storey<'_, '_> {
                 .map(|line| explicit::planned(line, &context, out)),
         );
         planned.extend(self.pent.map(|cell| self.hang_pent(&context, cell)));
+        if let Some(necks) = necks {
+            let of = Polygonal {
+                house: self.house,
+                context: &context,
+                upper,
+                lines: &[],
+            };
+            planned.extend(of.wings(&necks, done, out));
+        }
         let walls = upper.map_or(vec![], |u| polygonal::walls(self.house, u));
         if !assemble(planned, &walls, &mut done.roofs) {
             let place = self
@@ -211,6 +230,21 @@ impl Storey<'_, '_> {
                 .map_or(level.storey.span, |l| l.line.span);
             out.push(say::too_many_meet(place, level.storey.number));
         }
+    }
+
+    /// Returns the storey divided at the necks of its wings at odd angles; none if it has none, or if one roof over all of it
+    /// is asked for.
+    fn necks(&self, upper: Option<&Level<'_>>) -> Option<Necks> {
+        let (level, roofs) = (&self.levels[self.k], &self.house.roofs);
+        let whole = [RoofShape::Hip, RoofShape::Pyramid, RoofShape::Mansard];
+        let asked = roofs.style.shape.is_some_and(|s| whole.contains(&s.value));
+        let skeleton = roofs.method == RoofMethod::Skeleton || asked;
+        let covered = upper.is_some() || self.lines.iter().any(|l| l.covers());
+        if level.orthogonal || level.is_open() || skeleton || covered {
+            return None;
+        }
+        let automatic = roofs.mode == RoofMode::Auto && !polygonal::is_flat(self.house, level);
+        automatic.then(|| necks::divided(&level.plan)).flatten()
     }
 
     /// Returns true if the author requests one hipped roof over the whole plan rather than a flat one.
@@ -374,8 +408,14 @@ impl Storey<'_, '_> {
         let front = line.and_then(|line| street::street_front(open, line));
         let strips = RefCell::new(vec![]);
         let most = self.widest_span(context.level);
+        let narrow = match method {
+            Method::LeastCut if self.house.roofs.style.shape.is_none() => {
+                (NARROW / self.house.unit * STEPS as f64).floor() as i64
+            }
+            _ => 0,
+        };
         let cut = |open: &Plan| {
-            let cells = partition_within(open, method, self.budget);
+            let cells = partition_broad(open, method, self.budget, narrow);
             let (cells, divided) = spans::divided(cells, most);
             strips.borrow_mut().extend(divided);
             cells

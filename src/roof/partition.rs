@@ -42,6 +42,46 @@ pub fn partition_within(plan: &Plan, method: Method, budget: &SearchBudget) -> V
     }
 }
 
+/// Does the same; where a rectangle is narrower than `least` steps, the other methods are tried, and the division with the
+/// fewest of those is taken.
+pub(in crate::roof) fn partition_broad(
+    plan: &Plan,
+    method: Method,
+    budget: &SearchBudget,
+    least: i64,
+) -> Vec<Cell> {
+    let narrow = |cells: &[Cell]| {
+        let narrow = cells.iter().filter(|c| c.width().min(c.depth()) < least);
+        narrow.count()
+    };
+    let cells = partition_within(plan, method, budget);
+    if narrow(&cells) == 0 {
+        return cells;
+    }
+    let turned = |c: Cell| Cell {
+        a0: c.b0,
+        b0: c.a0,
+        a1: c.b1,
+        b1: c.a1,
+    };
+    let across = Plan {
+        loops: plan
+            .loops
+            .iter()
+            .map(|l| l.iter().map(|p| (p.1, p.0)).collect())
+            .collect(),
+    };
+    let across = slabs::strips(&across).into_iter().map(turned).collect();
+    let methods = [Method::LeastCut, Method::BranchCut, Method::Kd].into_iter();
+    let others = methods.filter(|m| *m != method);
+    let others = others.map(|m| partition_within(plan, m, budget));
+    let strips = [slabs::strips(plan), across].map(merge::merge);
+    let all = std::iter::once(cells).chain(others).chain(strips);
+    // Of equals the first is taken.
+    let best = all.min_by_key(|cells| (narrow(cells), cells.len()));
+    best.unwrap_or_default()
+}
+
 /// Returns the rectangles before merging, sorted by (b0, a0).
 ///
 /// `LeastCut` is exact up to 32 distinct coordinates per axis and greedy (`chord.rs`) above.

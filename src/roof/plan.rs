@@ -1,6 +1,7 @@
 //! The plan of a storey for its roofs: levels, outlines, the street, and the regions with their roles.
 
 pub(in crate::roof) mod level;
+pub(in crate::roof) mod necks;
 pub mod outline;
 pub(in crate::roof) mod report;
 pub mod roles;

@@ -6,6 +6,7 @@
 pub mod board;
 mod broken;
 pub(in crate::roof) mod corners;
+pub(in crate::roof) mod deck;
 pub mod end;
 pub mod flat;
 pub mod form;

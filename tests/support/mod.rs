@@ -15,6 +15,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 pub mod cpu;
+pub mod crossings;
 pub mod depths;
 pub mod maps;
 pub mod shapes;

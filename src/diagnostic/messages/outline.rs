@@ -38,8 +38,8 @@ pub fn squared(points: Span, squared: f64, joined: f64) -> Diagnostic {
 pub fn slants(side: Span, number: usize, angle: f64, most: f64) -> Diagnostic {
     let angle = angle.round();
     let message = text!([number, angle]
-        "the outline is not squared: side {number} slants by {angle} degrees",
-        "辺 {number} が {angle} 度傾いているため、輪郭を直角に直していません"
+        "the outline is not squared as a whole: side {number} slants by {angle} degrees",
+        "辺 {number} が {angle} 度傾いているため、輪郭全体は直角に直していません"
     );
     Diagnostic::note(422, side, message).help(text!([most]
         "roofs are divided into rectangles where every side lies within {most} degrees of right angles; divide the house, or keep the hip roof",

@@ -5,6 +5,10 @@ mod purpose;
 pub use purpose::no_use;
 
 use super::words::short;
+mod angles;
+
+pub use angles::{deck, wings_at_angles};
+
 use crate::diagnostic::{Diagnostic, Edit, Noun, Text, noun};
 use crate::source::Span;
 use crate::text;

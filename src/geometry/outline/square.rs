@@ -93,15 +93,127 @@ pub fn square(rings: &[Ring], most: f64) -> Result<Squared, Crooked> {
         .ok_or(reason)
 }
 
+/// Squares the walls of rings that lie within [`MOST_OFF`] degrees of two axes, and leaves the others slanting between their
+/// corners; none if a corner would move by more than `most` metres, or most of the length slants.
+pub fn square_partly(rings: &[Ring], most: f64) -> Option<Squared> {
+    let mut turn = main_direction(rings);
+    for _ in 0..3 {
+        let straight = |ring: &Ring| -> Vec<_> {
+            let numbers = 0..ring.len();
+            let kept = numbers.filter(|side| axis_within(ring, *side, turn).is_some());
+            kept.map(|side| ends(ring, side)).collect()
+        };
+        turn = direction_of(rings.iter().flat_map(straight));
+    }
+    let about = dvec2(libm::cos(turn), -libm::sin(turn));
+    let mut squared = Squared {
+        turn,
+        rings: Vec::with_capacity(rings.len()),
+        moved: 0.0,
+    };
+    let (mut right, mut whole) = (0.0, 0.0);
+    for ring in rings {
+        let axes: Vec<Option<Axis>> = (0..ring.len())
+            .map(|n| axis_within(ring, n, turn))
+            .collect();
+        let mut made = ring.clone();
+        made.iter_mut()
+            .for_each(|side| side.from = about.rotate(side.from));
+        let places = meeting_partly(&corners(&made), &axes, most);
+        for (n, place) in places.iter().enumerate() {
+            let (p, q) = ends(&made, n);
+            let now = places[(n + 1) % places.len()] - *place;
+            if now.dot(q - p) <= 0.0 {
+                return None;
+            }
+            whole += p.distance(q);
+            right += if axes[n].is_some() {
+                p.distance(q)
+            } else {
+                0.0
+            };
+            squared.moved = squared.moved.max(p.distance(*place));
+        }
+        made.iter_mut()
+            .zip(&places)
+            .for_each(|(side, place)| side.from = *place);
+        squared.rings.push(made);
+    }
+    let sound = squared.moved <= most && right >= 0.5 * whole && are_simple(&squared.rings);
+    sound.then_some(squared)
+}
+
+/// Returns the axis of a side that lies within [`MOST_OFF`] degrees of it, in a frame turned by some radians.
+fn axis_within(ring: &[Side], side: usize, turn: f64) -> Option<Axis> {
+    let (p, q) = ends(ring, side);
+    let way = dvec2(libm::cos(turn), -libm::sin(turn)).rotate(q - p);
+    let [x, y] = way.abs().to_array();
+    let angle = libm::atan2(x.min(y), x.max(y)).to_degrees();
+    (angle <= MOST_OFF).then(|| Axis::of(way))
+}
+
+/// Walls side by side along one axis.
+struct Run {
+    axis: Axis,
+    sides: Vec<usize>,
+    /// Its line and its length.
+    line: f64,
+    length: f64,
+}
+
+/// Returns where walls begin once those with an axis are parallel to it. Walls side by side along one axis share a line, and
+/// so do those on both sides of a slanting wing, if their lines are no farther apart than `most`.
+fn meeting_partly(from: &[DVec2], axes: &[Option<Axis>], most: f64) -> Vec<DVec2> {
+    let n = from.len();
+    let before = |i: usize| (i + n - 1) % n;
+    let mut runs: Vec<Run> = vec![];
+    for first in (0..n).filter(|i| axes[before(*i)] != axes[*i]) {
+        let Some(axis) = axes[first] else { continue };
+        let sides = (0..n).map(|k| (first + k) % n);
+        let sides: Vec<usize> = sides.take_while(|k| axes[*k] == Some(axis)).collect();
+        let walls = || sides.iter().map(|k| (from[*k], from[(k + 1) % n]));
+        let (line, length) = (
+            mean(axis, walls()),
+            walls().map(|(p, q)| p.distance(q)).sum(),
+        );
+        runs.push(Run {
+            axis,
+            sides,
+            line,
+            length,
+        });
+    }
+    for k in 0..runs.len() {
+        let next = (k + 1) % runs.len();
+        let (one, two) = (&runs[k], &runs[next]);
+        let apart = (one.line - two.line).abs();
+        if k != next && one.axis == two.axis && apart > 0.0 && apart <= most {
+            let length = one.length + two.length;
+            let line = (one.line * one.length + two.line * two.length) / length;
+            for run in [k, next] {
+                (runs[run].line, runs[run].length) = (line, length);
+            }
+        }
+    }
+    let mut lines = vec![0.0; n];
+    for run in &runs {
+        run.sides.iter().for_each(|side| lines[*side] = run.line);
+    }
+    let onto = |p: DVec2, side: usize| axes[side].map_or(p, |axis| axis.onto(p, lines[side]));
+    (0..n).map(|i| onto(onto(from[i], i), before(i))).collect()
+}
+
 /// Returns the direction of the axes: directions that differ by right angles count as one, so their fourfold angles agree.
 fn main_direction(rings: &[Ring]) -> f64 {
+    let sides = |ring: &'_ Ring| -> Vec<_> { (0..ring.len()).map(|n| ends(ring, n)).collect() };
+    direction_of(rings.iter().flat_map(sides))
+}
+
+fn direction_of(sides: impl Iterator<Item = (DVec2, DVec2)>) -> f64 {
     let mut sum = DVec2::ZERO;
-    for ring in rings {
-        for side in 0..ring.len() {
-            let (p, q) = ends(ring, side);
-            let angle = 4.0 * libm::atan2(q.y - p.y, q.x - p.x);
-            sum += dvec2(libm::cos(angle), libm::sin(angle)) * p.distance(q);
-        }
+    for (p, q) in sides {
+        let angle = 4.0 * libm::atan2(q.y - p.y, q.x - p.x);
+        sum += dvec2(libm::cos(angle), libm::sin(angle)) * p.distance(q);
     }
     libm::atan2(sum.y, sum.x) / 4.0
 }

@@ -75,7 +75,8 @@ pub fn slab(
     sheet(&pieces, thickness, &coat(kind), f64::MIN)
 }
 
-fn coat(kind: RoofKind) -> Coat {
+/// Returns the finishes of a flat roof.
+pub(super) fn coat(kind: RoofKind) -> Coat {
     // Tiles, boards and thatch cannot lie flat: such a roof is plastered whatever its covering.
     let top = match kind {
         RoofKind::Metal => Finish::Covering(RoofKind::Metal),

@@ -9,8 +9,10 @@ use crate::geometry::STEPS;
 use crate::geometry::plan::slabs;
 use crate::geometry::plan::{Cell, Plan};
 use crate::roof::frame::{Rect, metres};
-use crate::roof::plan::level::Level;
-use crate::roof::plan::{MOST_CORNERS, report};
+use crate::roof::plan::level::{Level, Point};
+use crate::roof::plan::necks::{Necks, Wing};
+use crate::roof::plan::{MOST_CORNERS, report, spans};
+use crate::roof::shape::deck;
 use crate::roof::shape::flat;
 use crate::roof::shape::form::RoofDraft;
 use crate::roof::shape::hipped::Hipped;
@@ -92,16 +94,48 @@ impl Polygonal<'_, '_> {
                 .collect(),
             _ => vec![],
         };
-        let roof = |part: &Part| match flat {
+        let mut roof = |part: &Part| match flat {
             true => self.flat(part),
-            false => self.hipped(part, &walls).unwrap_or_else(|why| {
+            false => self.hipped(part, &walls, out).unwrap_or_else(|why| {
                 let (span, number) = (level.storey.span, level.storey.number);
                 let touching = matches!(why, Invalid::Crosses { .. });
                 out.push(say::no_hipped_roof(span, number, touching));
                 self.flat(part)
             }),
         };
-        parts.iter().map(roof).collect()
+        parts.iter().map(&mut roof).collect()
+    }
+
+    /// Returns the roofs of wings at odd angles, which go on into those of the rest; their regions follow those of the rest.
+    pub(in crate::roof) fn wings(
+        &self,
+        necks: &Necks,
+        done: &mut HouseRoofs,
+        out: &mut Diagnostics,
+    ) -> Vec<RoofDraft> {
+        let (level, unit) = (self.context.level, self.house.unit);
+        let corners = |ring: &[Point]| -> Vec<DVec2> {
+            let at = |steps: i64| steps as f64 / STEPS as f64;
+            ring.iter().map(|p| dvec2(at(p.0), at(p.1))).collect()
+        };
+        let outlines = necks.wings.iter().map(|w| corners(&w.outline)).collect();
+        let regions = report::polygons(level, outlines, RoofShape::Hip).regions;
+        if let Some(plan) = done.plans.last_mut() {
+            plan.regions.extend(regions);
+        }
+        if let (Some(wall), false) = (self.slanting_wall(), self.house.roofs.slant_told) {
+            out.push(say::wings_at_angles(wall.span, level.storey.number));
+        }
+        let roof = |wing: &Wing| {
+            let place = |p: &DVec2| dvec2(-p.x, p.y) * unit;
+            let ring: Vec<DVec2> = corners(&wing.roof).iter().map(place).collect();
+            let [part] = &gathered(&[ring])[..] else {
+                return None;
+            };
+            let roof = self.hipped(part, &[], out);
+            Some(roof.unwrap_or_else(|_| self.flat(part)))
+        };
+        necks.wings.iter().filter_map(roof).collect()
     }
 
     /// Returns true if the roofs over some parts are flat; reports where that or a hip roof may not be what the author
@@ -167,13 +201,30 @@ impl Polygonal<'_, '_> {
         gathered(&loops)
     }
 
-    fn hipped(&self, part: &Part, walls: &[[DVec2; 2]]) -> Result<RoofDraft, Invalid> {
+    fn hipped(
+        &self,
+        part: &Part,
+        walls: &[[DVec2; 2]],
+        out: &mut Diagnostics,
+    ) -> Result<RoofDraft, Invalid> {
         let courts: Vec<_> = part.courts.iter().map(|c| tagged(c, walls)).collect();
         let contours = Contours::new(&tagged(&part.outline, walls), &courts)?;
         let hipped = Hipped::new(&contours)?;
         let base = self.context.level.storey.z1;
-        let look = Look::gable(None, self.context.style, hipped.span(), self.context.unit);
-        let form = hipped.form(base, &look);
+        let wide = hipped.span() > spans::WIDEST && self.context.style.shape.is_none();
+        let span = match wide {
+            true => spans::WIDEST,
+            false => hipped.span(),
+        };
+        let look = Look::gable(None, self.context.style, span, self.context.unit);
+        let mut form = hipped.form(base, &look);
+        if wide {
+            deck::end_at(&mut form, base + look.drop() + look.pitch * span / 2.0);
+            out.push(say::deck(
+                self.context.level.storey.span,
+                self.context.level.storey.number,
+            ));
+        }
         Ok(self.context.of_form(form, RoofShape::Hip, look, base))
     }
 

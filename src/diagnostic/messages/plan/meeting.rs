@@ -20,12 +20,13 @@ pub(crate) enum Meeting {
 /// Two walls cross or touch.
 #[cold]
 pub(crate) fn walls_meet(second: Span, first: Span, crossing: bool, of: Meeting) -> Diagnostic {
-    let message = message(of, crossing);
-    let help = help(of);
-    let code = if crossing { 405 } else { 406 };
+    let (code, message) = match crossing {
+        true => (405, message(of, true)),
+        false => (406, message(of, false)),
+    };
     Diagnostic::error(code, second, message)
         .label(first, text!("the other wall", "相手の壁"))
-        .help(help)
+        .help(help(of))
 }
 
 fn message(of: Meeting, crossing: bool) -> Text {
