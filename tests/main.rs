@@ -49,6 +49,7 @@ mod readme;
 mod real_outlines;
 mod real_roofs;
 mod real_tags;
+mod real_towns;
 mod report;
 mod robust;
 mod roof_gallery;

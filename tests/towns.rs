@@ -1,10 +1,6 @@
-//! Towns: rules evaluated at features, where houses stand, what is reported. Real maps are read where the folder of real
-//! data is at hand; `HSD_DATA=FOLDER cargo test --release towns -- --include-ignored` reads it from elsewhere.
+//! Towns: rules evaluated at features, where houses stand, what is reported.
 
-use crate::support::root;
-use glam::{DVec2, dvec2};
 use hsd::driver::Options;
-use hsd::glam;
 use hsd::town::plan::Plan;
 use hsd::town::stream::TownStream;
 use hsd::town::{TownInput, run};
@@ -14,14 +10,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// A town that has been evaluated.
-struct Built {
-    rows: Vec<BTreeMap<String, String>>,
-    features: usize,
-    built: usize,
-    skipped: usize,
-    houses: usize,
+pub(crate) struct Built {
+    pub(crate) rows: Vec<BTreeMap<String, String>>,
+    pub(crate) features: usize,
+    pub(crate) built: usize,
+    pub(crate) skipped: usize,
+    pub(crate) houses: usize,
     csv: String,
-    found: Vec<String>,
+    pub(crate) found: Vec<String>,
 }
 
 /// Evaluates a town beside maps of these names and texts.
@@ -33,7 +29,8 @@ fn town(text: &str, files: &[(&str, &str)]) -> Built {
     in_folder(text, folder.path(), |_| {})
 }
 
-fn in_folder(text: &str, folder: &Path, look: impl FnOnce(&Plan)) -> Built {
+/// Evaluates a town whose maps lie in a folder; `look` sees its features and streets.
+pub(crate) fn in_folder(text: &str, folder: &Path, look: impl FnOnce(&Plan)) -> Built {
     let name = folder.join("town.hsd");
     let source = Source::new(FileId(0), name.to_string_lossy(), text.as_bytes());
     let world = FolderWorld::new(vec![], 1 << 20).with_roots(vec![folder.to_owned()]);
@@ -94,7 +91,8 @@ fn cells(line: &str) -> Vec<String> {
     all
 }
 
-fn number(row: &BTreeMap<String, String>, name: &str) -> f64 {
+/// Returns a number of a row of the table of decisions.
+pub(crate) fn number(row: &BTreeMap<String, String>, name: &str) -> f64 {
     row[name]
         .parse()
         .unwrap_or_else(|_| panic!("{name} of {row:?}"))
@@ -323,124 +321,4 @@ fn the_block_of_the_examples_is_built() {
     );
     assert_eq!(row("w1")["what"], "outline", "an L");
     assert_eq!(row("e1")["access"], "street");
-}
-
-/// Of Kyoto's houses that see a street, those whose front looks at the nearest one they see from the edge nearest to it.
-/// 88.9 % do; the rest are mostly corner houses that follow their row. The oracle samples outlines and tests sight lines by itself; it shares only the street layer with the placing.
-#[test]
-#[cfg_attr(not(shared_data), ignore = "reads ../shared/data, which is not here")]
-fn fronts_of_kyoto_look_at_the_street() {
-    let data = std::env::var_os("HSD_DATA").map(PathBuf::from);
-    let data = data.unwrap_or_else(|| root().join("../shared/data"));
-    let folder = data.join("osm_kyoto_route18");
-    let text = r#"<Town seed="1998"><Layer name="houses" src="buildings.geojson"/><Layer name="roads" src="roads.geojson"/><for each="houses"><Place type="so-nikai"/></for></Town>"#;
-    let (mut rings, mut streets) = (vec![], vec![]);
-    let found = in_folder(text, &folder, |plan| {
-        rings = plan.layers[0]
-            .lots
-            .iter()
-            .filter_map(|l| Some(l.shape.ring()?.to_vec()))
-            .collect();
-        for lot in &plan.layers[1].lots {
-            let class = plan.layers[1].word(lot, "highway").unwrap_or_default();
-            let half = match &*class {
-                "trunk" | "trunk_link" => 14.0,
-                "primary" | "secondary" => 11.5,
-                "tertiary" => 7.5,
-                "unclassified" => 3.0,
-                "residential" => 2.0,
-                "service" => 1.25,
-                _ => continue,
-            };
-            if let hsd::town::layer::Shape::Lines(lines) = &lot.shape {
-                for ends in lines.iter().flat_map(|l| l.windows(2)) {
-                    streets.push((ends[0], ends[1], half));
-                }
-            }
-        }
-    });
-    assert_eq!(found.features, found.built + found.skipped);
-    assert_eq!(found.features, rings.len());
-    let (mut seen, mut right) = (0, 0);
-    for (number_of, row) in found.rows.iter().enumerate() {
-        if row["what"] != "plot" && row["what"] != "outline" {
-            continue;
-        }
-        let Some(way) = nearest_seen(&rings, number_of, &streets) else {
-            continue;
-        };
-        let facing = number(row, "facing").to_radians();
-        let off = dvec2(facing.sin(), facing.cos())
-            .angle_to(way)
-            .abs()
-            .to_degrees();
-        seen += 1;
-        right += usize::from(off <= 30.0);
-    }
-    let share = 100.0 * right as f64 / seen as f64;
-    println!("{right} of {seen} street houses face it: {share:.1} %");
-    assert!(
-        seen > 1200 && share >= 88.5,
-        "{right} of {seen}: {share:.1} %"
-    );
-}
-
-/// Returns the way from an outline to the nearest street that is seen from it, within 30 m.
-fn nearest_seen(
-    rings: &[Vec<DVec2>],
-    own: usize,
-    streets: &[(DVec2, DVec2, f64)],
-) -> Option<DVec2> {
-    let ring = &rings[own];
-    let near: Vec<&Vec<DVec2>> = rings
-        .iter()
-        .enumerate()
-        .filter(|(n, r)| *n != own && r[0].distance(ring[0]) < 120.0)
-        .map(|(_, r)| r)
-        .collect();
-    let close = |s: &&(DVec2, DVec2, f64)| foot(s.0, s.1, ring[0]).distance(ring[0]) < 100.0;
-    let streets: Vec<_> = streets.iter().filter(close).collect();
-    let mut best: Option<(f64, DVec2)> = None;
-    for n in 0..ring.len() {
-        let (p, q) = (ring[n], ring[(n + 1) % ring.len()]);
-        let outward = dvec2(q.y - p.y, p.x - q.x).normalize_or_zero();
-        let steps = (p.distance(q) / 0.5).ceil().max(1.0) as usize;
-        for step in 0..steps {
-            let eye = p.lerp(q, (step as f64 + 0.5) / steps as f64);
-            for (a, b, half) in &streets {
-                let at = foot(*a, *b, eye);
-                let (way, gap) = (at - eye, (at.distance(eye) - half).max(0.0));
-                if gap > 30.0
-                    || way.dot(outward) <= 0.0
-                    || best.is_some_and(|(least, _)| gap >= least)
-                {
-                    continue;
-                }
-                let end = eye + way.normalize_or_zero() * gap;
-                if !near.iter().any(|r| crosses(r, eye + outward * 0.05, end)) {
-                    best = Some((gap, way));
-                }
-            }
-        }
-    }
-    best.map(|(_, way)| way)
-}
-
-fn foot(a: DVec2, b: DVec2, p: DVec2) -> DVec2 {
-    let way = b - a;
-    let square = way.length_squared();
-    let share = if square > 0.0 {
-        (p - a).dot(way) / square
-    } else {
-        0.0
-    };
-    a + way * share.clamp(0.0, 1.0)
-}
-
-fn crosses(ring: &[DVec2], from: DVec2, to: DVec2) -> bool {
-    let side = |a: DVec2, b: DVec2, p: DVec2| (b - a).perp_dot(p - a);
-    (0..ring.len()).any(|n| {
-        let (p, q) = (ring[n], ring[(n + 1) % ring.len()]);
-        side(p, q, from) * side(p, q, to) < 0.0 && side(from, to, p) * side(from, to, q) < 0.0
-    })
 }

@@ -65,7 +65,15 @@ impl Record {
         let at = lot.shape.centre();
         let frontage = site.frontage();
         let mut measures = String::new();
-        for name in ["area", "vertices", "orthogonal", "street", "left", "right"] {
+        for name in [
+            "area",
+            "vertices",
+            "orthogonal",
+            "street",
+            "left",
+            "right",
+            "through",
+        ] {
             if let crate::ast::town::Known::Value(value) = crate::ast::town::Site::value(site, name)
             {
                 let _ = write!(measures, "{name}={} ", short(&value));

@@ -23,7 +23,7 @@ const FREE: f64 = 1.8;
 /// The turn from which a second side is another front, and the turn from which it is the opposite one, degrees.
 const SECOND: f64 = 45.0;
 const OPPOSITE: f64 = 135.0;
-/// How much farther a second front may be, metres.
+/// How much farther a second front, or the opposite one of a through lot, may be, metres.
 const FARTHER: f64 = 3.0;
 /// A street is wider by this factor.
 const WIDER: f64 = 1.3;
@@ -149,7 +149,7 @@ struct Facing {
     run: usize,
     /// The distance of the wall from the side of the street.
     distance: f64,
-    /// The distance of its middle.
+    /// The distance of its middle, below 0 where the street overlaps the outline.
     middle: f64,
     near: Nearest,
 }
@@ -176,12 +176,12 @@ fn facing(runs: &[Run], pieces: &[Piece]) -> Vec<Facing> {
             };
             let nearer = best
                 .as_ref()
-                .is_none_or(|b| (distance, near.distance) < (b.distance, b.middle));
+                .is_none_or(|b| (distance, near.depth) < (b.distance, b.middle));
             if nearer {
                 best = Some(Facing {
                     run: number,
                     distance,
-                    middle: near.distance,
+                    middle: near.depth,
                     near,
                 });
             }
@@ -240,7 +240,7 @@ pub fn frontage(
         .iter()
         .filter(close)
         .find(|f| (SECOND..=OPPOSITE).contains(&turned(f)));
-    let through = all[1..].iter().any(|f| turned(f) > OPPOSITE);
+    let through = all[1..].iter().filter(close).any(|f| turned(f) > OPPOSITE);
     let chosen = match second {
         Some(second) => corner_front(&runs, first, second, &row()),
         None => first,
@@ -339,9 +339,7 @@ fn sees_street(ring: &[DVec2], pieces: &[Piece], neighbours: &Neighbours<'_>) ->
             let sees = nearest(pieces, eye).is_some_and(|near| {
                 let way = near.point - eye;
                 let outward = way.dot(side.normal()) > 0.0 || near.distance == 0.0;
-                let half = way.length() - near.distance;
-                let end = near.point - way.normalize_or_zero() * half;
-                outward && neighbours.is_free(Segment::new(eye, end))
+                outward && neighbours.is_free(Segment::new(eye, near.side(eye)))
             });
             seen = if sees { seen + step } else { 0.0 };
             if seen >= SEEN || sees && contains(ring, eye) {

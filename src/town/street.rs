@@ -39,6 +39,8 @@ pub struct Streets {
 pub struct Nearest {
     /// The distance of its side, metres; 0 if the place lies in it.
     pub distance: f64,
+    /// The same, below 0 if the place lies in it: of two places in a street the one nearer to its line is less.
+    pub depth: f64,
     /// The point.
     pub point: DVec2,
     /// The direction of the street there.
@@ -122,21 +124,28 @@ impl Streets {
 pub fn nearest<'p>(pieces: impl IntoIterator<Item = &'p Piece>, to: DVec2) -> Option<Nearest> {
     let found = pieces.into_iter().map(|piece| {
         let point = piece.line.nearest(to);
+        let depth = point.distance(to) - piece.half;
         Nearest {
-            distance: (point.distance(to) - piece.half).max(0.0),
+            distance: depth.max(0.0),
+            depth,
             point,
             along: piece.line.direction(),
             street: piece.street,
             width: piece.width,
         }
     });
-    found.reduce(|best, next| match next.distance < best.distance {
+    found.reduce(|best, next| match next.depth < best.depth {
         true => next,
         false => best,
     })
 }
 
 impl Nearest {
+    /// Returns the point of its side on the way from a place.
+    pub fn side(&self, from: DVec2) -> DVec2 {
+        from + (self.point - from).normalize_or_zero() * self.distance
+    }
+
     /// Returns the angle between a normal at a place and the way from there to the street, degrees. Where the street
     /// touches or overlaps the place, its own normal takes the place of the way.
     pub fn faced(&self, normal: DVec2, from: DVec2) -> f64 {
