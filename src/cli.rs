@@ -10,6 +10,7 @@ mod completions;
 mod dump;
 mod explain;
 mod fmt;
+mod init;
 mod language;
 #[cfg(feature = "lsp")]
 mod lsp;
@@ -132,7 +133,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Build(build::Build),
-    Town(build::town::Town),
+    Town(init::TownCommand),
     Check(check::Check),
     Dump(dump::Dump),
     New(new::New),

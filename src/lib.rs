@@ -124,6 +124,9 @@ pub mod driver;
 #[cfg(all(feature = "maps", feature = "models"))]
 #[doc(hidden)]
 pub mod town;
+#[cfg(all(feature = "maps", feature = "models"))]
+#[doc(hidden)]
+pub mod survey;
 #[cfg(any(feature = "lsp", feature = "view"))]
 #[doc(hidden)]
 pub mod ide;

@@ -18,6 +18,7 @@ use crate::source::{Limits, NoFiles, Source, SourceCache, World};
 mod builtin;
 mod columns;
 mod expr;
+pub mod fields;
 pub(crate) mod meanings;
 mod reporter;
 pub mod legacy;

@@ -42,6 +42,10 @@ const WITHOUT_FIXTURE: &[(u16, &str)] = &[
     (1112, "a map: tests/towns.rs"),
     (1115, "a map: tests/towns.rs"),
     (1117, "a map: tests/towns.rs"),
+    (1140, "a map: tests/towns.rs"),
+    (1141, "a map: tests/towns.rs"),
+    (1142, "a map: tests/towns.rs"),
+    (1143, "a map: tests/towns.rs"),
     (
         909,
         "more than 500 messages: tests/parse_legacy.rs, tests/parse_xml",
@@ -115,6 +119,10 @@ const WITHOUT_EXAMPLE: &[(u16, &str)] = &[
     (1112, "the map is not there"),
     (1115, "the map is not there"),
     (1117, "the map is not there"),
+    (1140, "the map is not there"),
+    (1141, "the map is not there"),
+    (1142, "the map is not there"),
+    (1143, "the map is not there"),
 ];
 
 /// Messages of layouts are said by `hsd fmt` alone; they have their own fixtures and test, in tests/convert.rs.

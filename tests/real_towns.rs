@@ -19,6 +19,8 @@ const SEEN: f64 = 1.8;
 const STEP: f64 = 0.3;
 /// The area that houses may share beyond what their outlines do, square metres: the tables round to millimetres.
 const SHARED: f64 = 0.3;
+/// Of an outline drawn inside another one, a rectangle may be larger than its outline by so much.
+const INSIDE: f64 = 1.05;
 
 /// A straight piece of a street: its ends and half its width.
 type Street = (DVec2, DVec2, f64);
@@ -226,7 +228,8 @@ fn overlaps(built: &Built, rings: &[Vec<DVec2>]) -> Vec<(String, String, f64)> {
                 continue;
             }
             let both = shared(a, b);
-            if both > SHARED && both > shared(&rings[*one], &rings[*two]) + SHARED {
+            let before = shared(&rings[*one], &rings[*two]);
+            if both > before * INSIDE + SHARED {
                 let key = |n: usize| built.rows[n]["key"].clone();
                 found.push((key(*one), key(*two), both));
             }

@@ -47,10 +47,7 @@ pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Documen
 }
 
 /// Returns the known word nearest to one.
-pub(super) fn nearest<'k>(
-    word: &str,
-    known: impl Iterator<Item = &'k str> + Clone,
-) -> Option<&'k str> {
+pub fn nearest<'k>(word: &str, known: impl Iterator<Item = &'k str> + Clone) -> Option<&'k str> {
     suggest::Suggest::new().among(word, known)
 }
 

@@ -5,6 +5,7 @@ use super::shape::{area, centroid, cleaned};
 use crate::ast::town::{FieldType, Known, Layer};
 use crate::ast::{self, Value};
 use crate::map::{self, Crs, Datums, Fault, Faults, Geometry, Kind, Options, Transform};
+use crate::parse::fields::{FieldTest, NoTruth};
 use crate::source::World;
 use glam::DVec2;
 use std::collections::BTreeMap;
@@ -97,6 +98,8 @@ pub struct Lots {
 pub struct Raw {
     features: Vec<map::Feature>,
     crs: Crs,
+    /// True if neither the file nor the layer says what the coordinates are.
+    is_guessed: bool,
     lots: Lots,
 }
 
@@ -144,9 +147,11 @@ pub fn read(world: &dyn World, path: &str, layer: &Layer) -> Result<Raw, Fault> 
     let columns = columns
         .map(|(n, column)| (column.name.clone(), n))
         .collect();
+    let crs = known.crs.clone().or(named);
     Ok(Raw {
         features,
-        crs: known.crs.clone().or(named).unwrap_or_else(Crs::wgs84),
+        is_guessed: crs.is_none(),
+        crs: crs.unwrap_or_else(Crs::wgs84),
         lots: Lots {
             layer: layer.clone(),
             lots: vec![],
@@ -163,6 +168,12 @@ impl Raw {
     pub fn extent(&self) -> Option<(Bounds, &Crs)> {
         let points = self.features.iter().flat_map(|f| f.geometry.points());
         Some((bounds(points)?, &self.crs))
+    }
+
+    /// Returns true if the coordinates can only be guessed: no system is named, and they are no degrees.
+    pub fn is_nowhere(&self) -> bool {
+        let mut points = self.features.iter().flat_map(|f| f.geometry.points());
+        self.is_guessed && points.any(|p| self.crs.refuses(p).is_some())
     }
 
     /// Puts the features into the frame of the town.
@@ -259,6 +270,23 @@ fn as_text(value: &map::Value) -> Option<String> {
 }
 
 impl Lots {
+    /// Leaves out the features that do not pass a test; returns how many there were.
+    ///
+    /// # Errors
+    /// If the test has no truth.
+    pub fn keep(&mut self, test: &FieldTest) -> Result<usize, NoTruth> {
+        let before = self.lots.len();
+        let lots = std::mem::take(&mut self.lots);
+        let mut kept = vec![];
+        for lot in lots {
+            if test.holds(|name| self.field(&lot, name))? {
+                kept.push(lot);
+            }
+        }
+        self.lots = kept;
+        Ok(before)
+    }
+
     /// Returns the value of a field of a feature, after what the layer says of it.
     pub fn field(&self, lot: &Lot, name: &str) -> Known {
         let rule = self.layer.fields.iter().find(|f| f.name.value == name);

@@ -2,7 +2,7 @@
 //! feature depends on the town file, the feature and what stands round it; chunks only save time.
 
 use super::decision::{Outcome, Record};
-use super::layer::{self, TownFrame};
+use super::layer::{self, Lots, TownFrame};
 use super::over;
 use super::plan::{LotId, Plan};
 use super::site::LotSite;
@@ -14,11 +14,13 @@ use crate::diagnostic::{Diagnostics, Origin};
 use crate::driver::{FeatureHouse, Options};
 use crate::map::{self, Crs, Datums, Mismatch, Projection, Transform};
 use crate::parse;
+use crate::parse::fields::{FieldTest, NoTruth};
 use crate::parse::xml::{self, FeatureMade, FeatureOf, MissingFields, Trees};
-use crate::source::{Source, SourceCache, Spanned, World};
+use crate::source::{Source, SourceCache, Span, Spanned, World};
 use crate::templates::{EXAMPLES, TYPES};
 use crate::text;
 use glam::DVec2;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The number of features that are evaluated together.
@@ -40,17 +42,20 @@ pub struct TownInput<'a> {
 /// Reads the maps and tables of a town; `None` if its layers cannot be read.
 pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<Plan> {
     let mut raw = vec![];
-    for layer in &town.layers {
-        let path = match path(input, &layer.src) {
+    for written in &town.layers {
+        let path = match path(input, &written.src) {
             Ok(path) => path,
             Err(why) => {
-                out.push(say::no_map(layer.src.span, &layer.src.value, &why));
+                out.push(say::no_map(written.src.span, &written.src.value, &why));
                 continue;
             }
         };
-        match layer::read(input.world, &path, layer) {
+        match layer::read(input.world, &path, written) {
+            Ok(layer) if layer.is_nowhere() => {
+                out.push(say::no_crs(written.src.span, &written.src.value))
+            }
             Ok(layer) => raw.push(layer),
-            Err(fault) => out.push(map::diagnostic(&fault, 1, layer.src.span.into())),
+            Err(fault) => out.push(map::diagnostic(&fault, 1, written.src.span.into())),
         }
     }
     let mut tables = vec![];
@@ -67,7 +72,8 @@ pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<
     let mut layers = vec![];
     for (raw, written) in raw.into_iter().zip(&town.layers) {
         match raw.placed(&frame) {
-            Ok(lots) => {
+            Ok(mut lots) => {
+                keep(&mut lots, out);
                 lots.faults
                     .report(&written.name.value, Some(written.src.span), out);
                 layers.push(lots);
@@ -79,6 +85,40 @@ pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<
         }
     }
     (layers.len() == town.layers.len()).then(|| Plan::new(town.clone(), frame, layers, tables))
+}
+
+/// Returns the place of some bytes of an attribute; the whole of it where it is written with entities.
+fn part(span: Span, value: &str, range: Range<usize>) -> Span {
+    let exact = (span.end - span.start) as usize == value.len() && !range.is_empty();
+    match exact {
+        true => Span {
+            start: span.start + range.start as u32,
+            end: span.start + range.end as u32,
+            ..span
+        },
+        false => span,
+    }
+}
+
+/// Leaves out the features that do not pass the `where` of their layer.
+fn keep(lots: &mut Lots, out: &mut Diagnostics) {
+    let Some(written) = lots.layer.filter.clone() else {
+        return;
+    };
+    let at = |range: Range<usize>| part(written.span, &written.value, range);
+    let kept = FieldTest::read(&written.value).and_then(|test| lots.keep(&test));
+    match kept {
+        Ok(before) if before > 0 && lots.lots.is_empty() => {
+            out.push(say::nothing_passes(written.span, before));
+        }
+        Ok(_) => {}
+        Err(NoTruth::Wanted(range, wanted)) => out.push(say::no_test(at(range), wanted)),
+        Err(NoTruth::Unknown(range, name)) => {
+            let names = lots.names();
+            let near = xml::nearest(&name, names.iter().map(|n| &**n));
+            out.push(say::unknown_field(at(range), &name, near, &names));
+        }
+    }
 }
 
 /// Returns why the coordinates of a map cannot be those of the town.

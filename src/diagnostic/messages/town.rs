@@ -2,7 +2,7 @@
 
 use super::words::{all_of, quote};
 use super::xml::{known, offer};
-use crate::diagnostic::{Diagnostic, Origin, Text};
+use crate::diagnostic::{Diagnostic, Noun, Origin, Text};
 use crate::source::Span;
 use crate::text;
 
@@ -235,5 +235,59 @@ pub fn unknown_crs(span: Span, name: &str) -> Diagnostic {
     Diagnostic::error(1117, span, message).help(text!(
         "write a plane zone of Japan such as `EPSG:6674`, a UTM zone, or `local` for metres as they are",
         "`EPSG:6674` のような平面直角座標系、UTM、そのままのメートルなら `local` と書いてください"
+    ))
+}
+
+/// A `where` that is no test.
+#[cold]
+pub fn no_test(span: Span, wanted: Noun) -> Diagnostic {
+    let message = text!([wanted]
+        "expected {wanted} in the `where` of a layer",
+        "レイヤーの `where` のここには{wanted}が要ります"
+    );
+    Diagnostic::error(1140, span, message).help(text!(
+        "write a test on the fields of the features, such as `building = 'house' and levels > 1`",
+        "`building = 'house' and levels > 1` のように、地物の属性の条件を書いてください"
+    ))
+}
+
+/// A `where` that asks for a field that the layer does not have.
+#[cold]
+pub fn unknown_field(span: Span, name: &str, near: Option<&str>, fields: &[String]) -> Diagnostic {
+    let name = quote(name);
+    let message = text!([name]
+        "no feature of this layer has a field {name}",
+        "このレイヤーの地物に {name} という属性はありません"
+    );
+    let all = known(fields);
+    let found = Diagnostic::error(1141, span, message)
+        .help(text!([all] "the fields are {all}", "属性: {all}"));
+    offer(found, span, near)
+}
+
+/// A layer of which the `where` passes no feature.
+#[cold]
+pub fn nothing_passes(span: Span, features: usize) -> Diagnostic {
+    let message = text!([features]
+        "none of the {features} features of this layer passes its `where`",
+        "このレイヤーの地物 {features} 件のどれも `where` に合いません"
+    );
+    Diagnostic::warning(1142, span, message).help(text!(
+        "compare the test with the values in the map; texts are compared with their case",
+        "地図の値と条件を見比べてください。大文字と小文字は区別されます"
+    ))
+}
+
+/// A map whose file does not say its coordinates, which are no degrees.
+#[cold]
+pub fn no_crs(span: Span, path: &str) -> Diagnostic {
+    let path = quote(path);
+    let message = text!([path]
+        "the file {path} does not say what its coordinates are, and they are no degrees",
+        "{path} には座標系の記載がなく、値は度ではありません"
+    );
+    Diagnostic::error(1143, span, message).help(text!(
+        "say it in the layer: a plane zone such as `crs=\"EPSG:6674\"`, or `crs=\"local\"` for metres as they are",
+        "レイヤーに書いてください。平面直角座標系なら `crs=\"EPSG:6674\"` など、そのままのメートルなら `crs=\"local\"`"
     ))
 }

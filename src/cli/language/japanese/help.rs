@@ -436,6 +436,21 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
         values: &[],
     },
     CommandHelp {
+        path: "town init",
+        about: "地図から最初の町のファイルを書く。書き換えて使う",
+        more: "地図の層が何か（建物、筆、道、地点）を形と属性から見分け、属性の意味（階数、高さ、種別）を推定します。地図は TOWN のフォルダーか、その下に置きます。",
+        examples: "\
+例:
+  hsd town init buildings.geojson roads.geojson -o kyoto.hsd
+  hsd town kyoto.hsd -o kyoto.glb",
+        arguments: &[
+            ("maps", "地図: GeoJSON、シェープファイル、FlatGeobuf、OpenStreetMap、登記所備付地図の XML、CityGML、地点の CSV", ""),
+            ("output", "町をこのファイルに書く", ""),
+            ("force", "すでにあるファイルを置き換える", ""),
+        ],
+        values: &[],
+    },
+    CommandHelp {
         path: "lsp",
         about: "エディターと通信する言語サーバーを起動する",
         more: "Language Server Protocol により、標準入力と標準出力で診断、補完、ホバーなどを提供します。エディターが起動します。設定方法は README にあります。",

@@ -1,0 +1,146 @@
+//! `hsd town init`: writes a first town from maps.
+
+use super::build::town::Town;
+use super::files::output::{self, Files};
+use super::options::report;
+use super::{Exit, Failure, Outcome};
+use crate::diagnostic::{Diagnostics, Language, Origin};
+use crate::fs::FolderWorld;
+use crate::map;
+use crate::report::{Format, Report};
+use crate::source::World;
+use crate::survey::{self, Surveyed};
+use crate::text;
+use clap::{Args, Subcommand};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// `hsd town`: builds, or one of its steps.
+#[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+pub(super) struct TownCommand {
+    #[command(subcommand)]
+    step: Option<Step>,
+
+    #[command(flatten)]
+    build: Option<Town>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Step {
+    Init(Init),
+}
+
+impl TownCommand {
+    pub(super) fn run(&self, language: Language) -> Outcome {
+        match (&self.step, &self.build) {
+            (Some(Step::Init(init)), _) => init.run(language),
+            (None, Some(build)) => build.run(language),
+            (None, None) => Err(Failure::Usage(text!(
+                "name a town file and where to write it: `hsd town TOWN.hsd -o OUT`",
+                "町のファイルと出力先を書いてください: `hsd town TOWN.hsd -o OUT`"
+            ))),
+        }
+    }
+}
+
+/// Write a first town from maps: a source file to change and to build.
+///
+/// Finds what the layers of the maps are (buildings, lots, streets, places) from their geometry and fields, and what
+/// fields mean (storeys, heights, kinds). The maps must lie in the folder of TOWN or below it.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  hsd town init buildings.geojson roads.geojson -o kyoto.hsd
+  hsd town kyoto.hsd -o kyoto.glb")]
+struct Init {
+    /// Maps: GeoJSON, Shapefile, FlatGeobuf, OpenStreetMap, map XML of the land registry, CityGML, CSV of points.
+    #[arg(required = true, value_name = "MAP")]
+    maps: Vec<PathBuf>,
+
+    /// Write the town to this file.
+    #[arg(short, long, value_name = "TOWN")]
+    output: PathBuf,
+
+    /// Replace the file if it exists.
+    #[arg(long)]
+    force: bool,
+}
+
+impl Init {
+    fn run(&self, language: Language) -> Outcome {
+        if self.output.exists() && !self.force {
+            let name = self.output.display();
+            return Err(Failure::Usage(text!([name]
+                "{name} exists; `--force` replaces it",
+                "{name} はすでにあります。置き換えるなら `--force` を付けてください"
+            )));
+        }
+        let folder = output::folder_of(&self.output);
+        let world = FolderWorld::new(vec![], 0).with_roots(vec![folder.to_owned()]);
+        let from = self.output.to_string_lossy();
+        let (mut layers, mut out): (Vec<Surveyed>, _) = (vec![], Diagnostics::new());
+        for map in &self.maps {
+            let src = below(map, folder)?;
+            let path = world.text(&from, &src).map_err(|_| outside(map))?;
+            match survey::survey(&world, &path, &src) {
+                Ok(found) => layers.extend(found),
+                Err(fault) => {
+                    let (layer, key) = (src.as_str().into(), "-".into());
+                    out.push(map::diagnostic(&fault, 1, Origin::Feature { layer, key }));
+                }
+            }
+        }
+        for layer in &layers {
+            layer.faults.report(&layer.src, None, &mut out);
+        }
+        let unread = out.has_errors() && layers.is_empty();
+        let list = out.into_sorted();
+        if !list.is_empty() {
+            let written = Report::new(&[], &list).in_language(language);
+            report(&written, Format::Human, &mut io::stderr())?;
+        }
+        if unread {
+            return Ok(Exit::Errors);
+        }
+        let name = self
+            .output
+            .file_stem()
+            .unwrap_or_default()
+            .to_string_lossy();
+        let town = survey::town(&name, &layers);
+        output::write(&self.output, Files::bytes(town.into_bytes()))?;
+        let (name, count) = (self.output.display(), layers.len());
+        let line = text!([name, count]
+            "{name}: {count} layers; read the comments, then build it with `hsd town {name} -o OUT`",
+            "{name}: レイヤー {count} 枚。注釈を読んでから `hsd town {name} -o OUT` で作れます"
+        );
+        writeln!(io::stderr(), "{}", line.in_language(language))?;
+        Ok(Exit::Done)
+    }
+}
+
+/// Returns the path of a map from the folder of the town.
+fn below(map: &Path, folder: &Path) -> Result<String, Failure> {
+    let real = |path: &Path| {
+        let path = if path.as_os_str().is_empty() {
+            Path::new(".")
+        } else {
+            path
+        };
+        path.canonicalize()
+            .map_err(|e| Failure::at(path.display(), e))
+    };
+    let (map_path, folder) = (real(map)?, real(folder)?);
+    let inside = map_path.strip_prefix(&folder).map_err(|_| outside(map))?;
+    let parts: Vec<_> = inside.iter().map(|part| part.to_string_lossy()).collect();
+    Ok(parts.join("/"))
+}
+
+fn outside(map: &Path) -> Failure {
+    let map = map.display();
+    Failure::Usage(text!([map]
+        "{map} lies outside the folder of the town, and a town reads only what lies below it: write the town beside the map",
+        "{map} は町のフォルダーの外にあります。町が読むのはそのフォルダーより下だけです。町のファイルを地図の隣に書いてください"
+    ))
+}

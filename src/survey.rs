@@ -1,0 +1,285 @@
+//! `hsd town init`: looks at maps, finds what their layers are, and writes a first town.
+//!
+//! | step | file |
+//! |---|---|
+//! | a map is read once: geometry, fields, values | this one |
+//! | fields get a meaning by their names and values | `fields` |
+//! | the town is written | `text` |
+//!
+//! What a layer is follows from its geometry, then from fields that only such layers have, then from the name of its file,
+//! and at last from the size of its outlines. Nothing is certain; the town says what was found and how to change it.
+
+mod fields;
+mod text;
+
+pub use text::town;
+
+use crate::map::{self, Crs, Fault, Faults, Geometry, Options, Value};
+use crate::source::World;
+use crate::town::grid::bounds;
+use fields::Fields;
+use glam::DVec2;
+use std::collections::{BTreeMap, BTreeSet};
+use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
+
+/// Different values of a field that are remembered.
+const MOST_VALUES: usize = 200;
+/// Outlines of which half are larger are blocks of a town, square metres.
+const BLOCK: f64 = 1_500.0;
+
+/// What the features of a layer are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// Outlines of buildings.
+    Houses,
+    /// Plots of land.
+    Lots,
+    /// Streets: lines, or areas of roads.
+    Roads,
+    /// Areas between streets.
+    Blocks,
+    /// Trees.
+    Trees,
+    /// Other areas: water, uses of land.
+    Areas,
+    /// Other lines: walls, hedges, water.
+    Lines,
+    /// Places.
+    Places,
+}
+
+/// A layer of a map.
+#[derive(Debug)]
+pub struct Surveyed {
+    /// The path of its file from the town.
+    pub src: String,
+    /// The theme or layer in the file, if it has several.
+    pub layer: Option<&'static str>,
+    /// What it is.
+    pub kind: Kind,
+    /// The number of its features.
+    pub features: usize,
+    /// What the town must say of its coordinates, if the file does not.
+    pub crs: Option<&'static str>,
+    /// The encoding that the town must name.
+    pub encoding: Option<&'static str>,
+    /// Its fields.
+    pub(in crate::survey) fields: Fields,
+    /// What is wrong with it.
+    pub faults: Faults,
+}
+
+/// A column of a layer and its values.
+#[derive(Debug, Default)]
+pub(in crate::survey) struct Seen {
+    /// The features that have a value.
+    pub(in crate::survey) filled: usize,
+    /// Those of which it is a number.
+    pub(in crate::survey) numbers: usize,
+    /// The values and how often they occur, up to [`MOST_VALUES`] of them.
+    pub(in crate::survey) values: BTreeMap<String, usize>,
+    /// True while no value occurred twice.
+    pub(in crate::survey) is_unique: bool,
+    all: BTreeSet<u64>,
+}
+
+impl Seen {
+    fn add(&mut self, value: &Value) {
+        let text = match value {
+            Value::Null => return,
+            Value::Bool(truth) => if *truth { "yes" } else { "no" }.to_owned(),
+            Value::Integer(n) => n.to_string(),
+            Value::Number(n) => n.to_string(),
+            Value::Text(text) => text.trim().to_owned(),
+        };
+        if text.is_empty() {
+            return;
+        }
+        if self.filled == 0 {
+            self.is_unique = true;
+        }
+        self.filled += 1;
+        self.numbers += usize::from(value.number().is_some());
+        self.is_unique &= self
+            .all
+            .insert(BuildHasherDefault::<DefaultHasher>::default().hash_one(&text));
+        let known = self.values.len() < MOST_VALUES || self.values.contains_key(&text);
+        if known {
+            *self.values.entry(text).or_default() += 1;
+        }
+    }
+}
+
+/// What was read of a layer.
+#[derive(Default)]
+struct Read {
+    features: usize,
+    points: usize,
+    lines: usize,
+    sizes: Vec<f64>,
+    bounds: Option<[DVec2; 2]>,
+    seen: Vec<Seen>,
+    crs: Option<Crs>,
+    columns: Vec<String>,
+    faults: Faults,
+}
+
+/// Surveys a map: a path that the world has found, and how the town will name it. Data of OpenStreetMap have several
+/// layers.
+///
+/// # Errors
+/// If it cannot be read at all, or has no features.
+pub fn survey(world: &dyn World, path: &str, src: &str) -> Result<Vec<Surveyed>, Fault> {
+    const THEMES: [&str; 4] = ["building", "highway", "natural", "barrier"];
+    let name = src.to_lowercase();
+    let is_osm = [".osm", ".pbf", ".osm.gz", ".osm.bz2"]
+        .iter()
+        .any(|end| name.ends_with(end));
+    if !is_osm {
+        return Ok(vec![survey_layer(world, path, src, None)?]);
+    }
+    let mut found = vec![];
+    for theme in THEMES {
+        let layer = survey_layer(world, path, src, Some(theme))?;
+        if layer.features > 0 {
+            found.push(layer);
+        }
+    }
+    Ok(found)
+}
+
+fn survey_layer(
+    world: &dyn World,
+    path: &str,
+    src: &str,
+    layer: Option<&'static str>,
+) -> Result<Surveyed, Fault> {
+    let options = Options {
+        layer: layer.map(Into::into),
+        ..Options::default()
+    };
+    let read = read(world, path, &options)?;
+    let fields = Fields::new(&read.columns, read.seen, read.features);
+    let degrees = read
+        .bounds
+        .is_none_or(|b| b.iter().all(|p| Crs::wgs84().refuses(*p).is_none()));
+    let stem = src.rsplit(['/', '\\']).next().unwrap_or(src).to_lowercase();
+    let geometry = (read.points, read.lines);
+    Ok(Surveyed {
+        kind: kind(&stem, layer, &fields, geometry, read.sizes),
+        src: src.to_owned(),
+        layer,
+        features: read.features,
+        crs: match read.crs {
+            Some(_) => None,
+            None if degrees => None,
+            None => Some("local"),
+        },
+        encoding: None,
+        fields,
+        faults: read.faults,
+    })
+}
+
+/// Reads all features of a layer.
+fn read(world: &dyn World, path: &str, options: &Options) -> Result<Read, Fault> {
+    let mut reader = map::open(world, path, options)?;
+    let mut read = Read::default();
+    while let Some(next) = reader.next() {
+        reader
+            .remarks()
+            .into_iter()
+            .for_each(|f| read.faults.push(f));
+        let feature = match next {
+            Ok(feature) => feature,
+            Err(fault) => {
+                read.faults.push(fault);
+                continue;
+            }
+        };
+        read.features += 1;
+        match &feature.geometry {
+            Geometry::Points(_) => read.points += 1,
+            Geometry::Lines(_) => read.lines += 1,
+            Geometry::Areas(areas) => {
+                let size = areas.iter().map(|a| a.outline.signed_area().abs() / 2.0);
+                read.sizes.push(size.fold(0.0, f64::max));
+            }
+        }
+        let own = bounds(feature.geometry.points());
+        read.bounds = match (read.bounds, own) {
+            (Some([a, b]), Some([c, d])) => Some([a.min(c), b.max(d)]),
+            (known, own) => known.or(own),
+        };
+        for (column, value) in &feature.fields {
+            if read.seen.len() <= *column {
+                read.seen.resize_with(column + 1, Seen::default);
+            }
+            read.seen[*column].add(value);
+        }
+    }
+    reader
+        .remarks()
+        .into_iter()
+        .for_each(|f| read.faults.push(f));
+    let known = reader.layer();
+    read.crs = known.crs.clone();
+    let columns = known.columns.list().iter();
+    read.columns = columns.map(|c| c.name.to_string()).collect();
+    read.seen.resize_with(read.columns.len(), Seen::default);
+    // Sizes in degrees become square metres of the latitude of Japan, which is near enough to tell houses from blocks.
+    let is_degrees = known.crs.as_ref().is_none_or(Crs::is_degrees);
+    if is_degrees && let Some([_, high]) = read.bounds {
+        let metres = 111_320.0 * 111_320.0 * libm::cos(high.y.to_radians());
+        read.sizes.iter_mut().for_each(|size| *size *= metres);
+    }
+    Ok(read)
+}
+
+/// Decides what a layer is.
+fn kind(
+    stem: &str,
+    theme: Option<&str>,
+    fields: &Fields,
+    (points, lines): (usize, usize),
+    mut sizes: Vec<f64>,
+) -> Kind {
+    let named = |words: &[&str]| words.iter().any(|word| stem.contains(word));
+    let roads = ["road", "street", "highway", "tran", "道", "通"];
+    if points >= lines && points > sizes.len() {
+        let trees = fields.says("natural", "tree") || named(&["tree", "樹", "木"]);
+        return if trees { Kind::Trees } else { Kind::Places };
+    }
+    if lines > sizes.len() {
+        let is_road = theme == Some("highway") || fields.has(fields::ROADS) || named(&roads);
+        let is_water = named(&["water", "river", "coast", "水", "川"]);
+        return match is_road && !is_water {
+            true => Kind::Roads,
+            false => Kind::Lines,
+        };
+    }
+    let is_water = named(&["water", "river", "landuse", "land_use", "水", "用途地域"]);
+    if theme == Some("building") || fields.has(fields::BUILDINGS) {
+        return Kind::Houses;
+    }
+    if fields.has(fields::LOTS) || named(&["fude", "lot", "parcel", "筆", "地番"]) {
+        return Kind::Lots;
+    }
+    if is_water || matches!(theme, Some("natural" | "barrier")) {
+        return Kind::Areas;
+    }
+    if named(&["build", "house", "bldg", "tatemono", "建物", "家屋"]) {
+        return Kind::Houses;
+    }
+    if fields.has(fields::BLOCKS) || named(&["block", "街区", "町割"]) {
+        return Kind::Blocks;
+    }
+    if fields.has(fields::ROADS) || named(&roads) {
+        return Kind::Roads;
+    }
+    sizes.sort_by(f64::total_cmp);
+    match sizes.get(sizes.len() / 2) {
+        Some(half) if *half > BLOCK => Kind::Areas,
+        _ => Kind::Houses,
+    }
+}
