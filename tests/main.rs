@@ -31,6 +31,7 @@ mod language;
 mod legacy_grammar;
 mod lower;
 mod lsp;
+mod first_towns;
 mod fixes;
 mod maps;
 mod mistakes;

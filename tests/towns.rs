@@ -291,6 +291,66 @@ fn mistakes_are_named() {
 }
 
 #[test]
+fn a_layer_leaves_out_what_does_not_pass_its_where() {
+    let built = |test: &str| {
+        let text = rules(r#"<for each="houses"><Place type="so-nikai"/></for>"#);
+        let text = text.replace(r#"key="key"/>"#, &format!(r#"key="key" where="{test}"/>"#));
+        let found = town(
+            &text,
+            &[("houses.geojson", &map(ROW)), ("roads.geojson", ROAD)],
+        );
+        let keys: Vec<String> = found.rows.iter().map(|r| r["key"].clone()).collect();
+        (keys.join(" "), found.found.join(" "))
+    };
+    assert_eq!(
+        built("levels > 1 and key != 'shed'"),
+        ("bb ccc".into(), String::new())
+    );
+    assert_eq!(built("levels > 9").1, "HSD1142");
+    assert_eq!(built("levls > 1").1, "HSD1141");
+    assert_eq!(built("levels >").1, "HSD1140");
+    assert_eq!(built("levels + 1").1, "HSD1140", "no truth");
+}
+
+#[test]
+fn a_misspelt_field_of_a_where_names_the_nearest_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("houses.geojson"), map(ROW)).expect("is written");
+    let text = r#"<Town><Layer name="houses" src="houses.geojson" crs="local" where="levls > 1"/><for each="houses"><Place type="so-nikai"/></for></Town>"#;
+    let name = folder.path().join("town.hsd");
+    let source = Source::new(FileId(0), name.to_string_lossy(), text.as_bytes());
+    let world = FolderWorld::new(vec![], 1 << 20).with_roots(vec![folder.path().to_owned()]);
+    let (options, mut out) = (Options::default(), Diagnostics::new());
+    let input = TownInput {
+        source: &source,
+        world: &world,
+        options: &options,
+    };
+    hsd::town::check(input, &mut out);
+    let list = out.into_sorted();
+    let [found] = &list[..] else {
+        panic!("{list:?}")
+    };
+    assert!(format!("{found:?}").contains("levels"), "{found:?}");
+}
+
+/// Metres without a word about their plane could stand anywhere.
+#[test]
+fn a_map_without_coordinates_stops_the_town() {
+    let csv = "x,y,name\n-21000,-110000,a\n-21010,-110020,b\n";
+    let text = |crs: &str| {
+        format!(
+            r#"<Town><Layer name="places" src="places.csv"{crs}/><for each="places"><Place type="hiraya" on="centre"/></for></Town>"#
+        )
+    };
+    let built = |crs: &str| town(&text(crs), &[("places.csv", csv)]);
+    let found = built("");
+    assert_eq!((found.found, found.houses), (vec!["HSD1143".to_owned()], 0));
+    assert_eq!(built(r#" crs="EPSG:6674""#).houses, 2);
+    assert_eq!(built(r#" crs="local""#).houses, 2);
+}
+
+#[test]
 fn what_cannot_stand_is_refused_with_its_reason() {
     let narrow = small(
         r#"<for each="houses"><Place type="so-nikai" on="plot"/></for>"#,

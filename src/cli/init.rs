@@ -11,36 +11,55 @@ use crate::report::{Format, Report};
 use crate::source::World;
 use crate::survey::{self, Surveyed};
 use crate::text;
-use clap::{Args, Subcommand};
+use clap::{ArgMatches, Args, Command, Error, FromArgMatches, Subcommand};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// `hsd town`: builds, or one of its steps.
-#[derive(Debug, Args)]
-#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
-pub(super) struct TownCommand {
-    #[command(subcommand)]
-    step: Option<Step>,
-
-    #[command(flatten)]
-    build: Option<Town>,
+/// `hsd town`: builds a town, or one of its steps. It has the arguments and the help of [`Town`].
+#[derive(Debug)]
+pub(super) enum TownCommand {
+    Build(Box<Town>),
+    Step(Step),
 }
 
 #[derive(Debug, Subcommand)]
-enum Step {
+pub(super) enum Step {
     Init(Init),
 }
 
 impl TownCommand {
     pub(super) fn run(&self, language: Language) -> Outcome {
-        match (&self.step, &self.build) {
-            (Some(Step::Init(init)), _) => init.run(language),
-            (None, Some(build)) => build.run(language),
-            (None, None) => Err(Failure::Usage(text!(
-                "name a town file and where to write it: `hsd town TOWN.hsd -o OUT`",
-                "町のファイルと出力先を書いてください: `hsd town TOWN.hsd -o OUT`"
-            ))),
+        match self {
+            TownCommand::Build(build) => build.run(language),
+            TownCommand::Step(Step::Init(init)) => init.run(language),
         }
+    }
+}
+
+impl Args for TownCommand {
+    fn augment_args(command: Command) -> Command {
+        Step::augment_subcommands(Town::augment_args(command))
+            .args_conflicts_with_subcommands(true)
+            .subcommand_negates_reqs(true)
+            .subcommand_required(false)
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        TownCommand::augment_args(command)
+    }
+}
+
+impl FromArgMatches for TownCommand {
+    fn from_arg_matches(found: &ArgMatches) -> Result<TownCommand, Error> {
+        match found.subcommand_name() {
+            Some(_) => Step::from_arg_matches(found).map(TownCommand::Step),
+            None => Town::from_arg_matches(found).map(|t| TownCommand::Build(Box::new(t))),
+        }
+    }
+
+    fn update_from_arg_matches(&mut self, found: &ArgMatches) -> Result<(), Error> {
+        *self = TownCommand::from_arg_matches(found)?;
+        Ok(())
     }
 }
 
@@ -53,7 +72,7 @@ impl TownCommand {
 Examples:
   hsd town init buildings.geojson roads.geojson -o kyoto.hsd
   hsd town kyoto.hsd -o kyoto.glb")]
-struct Init {
+pub(super) struct Init {
     /// Maps: GeoJSON, Shapefile, FlatGeobuf, OpenStreetMap, map XML of the land registry, CityGML, CSV of points.
     #[arg(required = true, value_name = "MAP")]
     maps: Vec<PathBuf>,

@@ -4,7 +4,7 @@
 use super::fault::{Fault, Kind};
 use super::feature::{Area, Chain, Feature, Geometry, Layer, Place, Value};
 use super::input::Input;
-use super::xml::{Element, Token, Xml};
+use super::xml::{Element, Elements, Xml, next_feature};
 use super::{Crs, Options, Reader};
 use glam::{DVec2, dvec2};
 use std::sync::Arc;
@@ -35,7 +35,6 @@ pub(super) struct CityGml {
     crs_is_given: bool,
     /// True if the file has north before east.
     north_first: bool,
-    is_over: bool,
     thing: Option<Thing>,
 }
 
@@ -75,7 +74,6 @@ impl CityGml {
             number: 0,
             crs_is_given: options.crs.is_some(),
             north_first: false,
-            is_over: false,
             thing: None,
         })
     }
@@ -284,37 +282,35 @@ fn positions(text: &str, size: usize, north_first: bool, ring: &mut Chain) {
     }
 }
 
+impl Elements for CityGml {
+    fn xml(&mut self) -> &mut Xml {
+        &mut self.xml
+    }
+
+    fn start(&mut self, element: &Element, at: u64) {
+        CityGml::start(self, element, at);
+    }
+
+    fn text(&mut self, text: &str) {
+        if let Some(thing) = &mut self.thing {
+            thing.text.push_str(text);
+        }
+    }
+
+    fn end(&mut self) -> Option<Result<Feature, Fault>> {
+        CityGml::end(self)
+    }
+
+    fn is_inside(&self) -> bool {
+        !self.path.is_empty()
+    }
+}
+
 impl Iterator for CityGml {
     type Item = Result<Feature, Fault>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        while !self.is_over {
-            let at = self.xml.at();
-            match self.xml.next() {
-                Ok(Some(Token::Start(element))) => self.start(&element, at),
-                Ok(Some(Token::Text(text))) => {
-                    if let Some(thing) = &mut self.thing {
-                        thing.text.push_str(&text);
-                    }
-                }
-                Ok(Some(Token::End)) => {
-                    if let Some(found) = self.end() {
-                        return Some(found);
-                    }
-                }
-                Ok(None) => {
-                    self.is_over = true;
-                    let what = "the file ends in the middle";
-                    let fault = Fault::of_file(&self.file, Kind::Damaged { what }).at(at);
-                    return (!self.path.is_empty()).then_some(Err(fault));
-                }
-                Err(fault) => {
-                    self.is_over = true;
-                    return Some(Err(fault));
-                }
-            }
-        }
-        None
+        next_feature(self)
     }
 }
 

@@ -6,7 +6,7 @@
 use super::fault::{Fault, Kind};
 use super::feature::{Area, Chain, Feature, Geometry, Layer, Place, Value};
 use super::input::Input;
-use super::xml::{Element, Token, Xml};
+use super::xml::{Element, Elements, Xml, next_feature};
 use super::{Crs, Options, Reader};
 use glam::{DVec2, dvec2};
 use std::collections::HashMap;
@@ -26,7 +26,6 @@ pub(super) struct Moj {
     path: Vec<Box<str>>,
     number: u64,
     crs_is_given: bool,
-    is_over: bool,
     /// The thing that is being read.
     thing: Thing,
 }
@@ -74,7 +73,6 @@ impl Moj {
             path: vec![],
             number: 0,
             crs_is_given: options.crs.is_some(),
-            is_over: false,
             thing: Thing::default(),
         })
     }
@@ -260,33 +258,33 @@ impl Space {
     }
 }
 
+impl Elements for Moj {
+    fn xml(&mut self) -> &mut Xml {
+        &mut self.xml
+    }
+
+    fn start(&mut self, element: &Element, at: u64) {
+        Moj::start(self, element, at);
+    }
+
+    fn text(&mut self, text: &str) {
+        Moj::text(self, text);
+    }
+
+    fn end(&mut self) -> Option<Result<Feature, Fault>> {
+        Moj::end(self)
+    }
+
+    fn is_inside(&self) -> bool {
+        !self.path.is_empty()
+    }
+}
+
 impl Iterator for Moj {
     type Item = Result<Feature, Fault>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        while !self.is_over {
-            let at = self.xml.at();
-            match self.xml.next() {
-                Ok(Some(Token::Start(element))) => self.start(&element, at),
-                Ok(Some(Token::Text(text))) => self.text(&text),
-                Ok(Some(Token::End)) => {
-                    if let Some(found) = self.end() {
-                        return Some(found);
-                    }
-                }
-                Ok(None) => {
-                    self.is_over = true;
-                    let what = "the file ends in the middle";
-                    let fault = Fault::of_file(&self.file, Kind::Damaged { what }).at(at);
-                    return (!self.path.is_empty()).then_some(Err(fault));
-                }
-                Err(fault) => {
-                    self.is_over = true;
-                    return Some(Err(fault));
-                }
-            }
-        }
-        None
+        next_feature(self)
     }
 }
 

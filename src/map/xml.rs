@@ -1,6 +1,7 @@
 //! XML of maps as a stream of elements. Entities are not expanded beyond those of XML itself, so no file can blow up.
 
 use super::fault::{Fault, Kind};
+use super::feature::Feature;
 use super::input::Input;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
@@ -36,6 +37,53 @@ pub(super) struct Xml {
     reader: Reader<Input>,
     buffer: Vec<u8>,
     file: Arc<str>,
+    /// True once nothing more can be read.
+    is_over: bool,
+}
+
+/// A reader that makes features of elements.
+pub(super) trait Elements {
+    /// Returns the stream.
+    fn xml(&mut self) -> &mut Xml;
+
+    /// An element begins at this byte.
+    fn start(&mut self, element: &Element, at: u64);
+
+    /// Characters follow.
+    fn text(&mut self, text: &str);
+
+    /// The element ends, and perhaps a feature with it.
+    fn end(&mut self) -> Option<Result<Feature, Fault>>;
+
+    /// Returns true while an element is open.
+    fn is_inside(&self) -> bool;
+}
+
+/// Reads on until a feature is complete; `None` at the end of the file.
+pub(super) fn next_feature(reader: &mut impl Elements) -> Option<Result<Feature, Fault>> {
+    while !reader.xml().is_over {
+        let at = reader.xml().at();
+        match reader.xml().next() {
+            Ok(Some(Token::Start(element))) => reader.start(&element, at),
+            Ok(Some(Token::Text(text))) => reader.text(&text),
+            Ok(Some(Token::End)) => {
+                if let Some(found) = reader.end() {
+                    return Some(found);
+                }
+            }
+            Ok(None) => {
+                reader.xml().is_over = true;
+                let what = "the file ends in the middle";
+                let fault = Fault::of_file(&reader.xml().file, Kind::Damaged { what }).at(at);
+                return reader.is_inside().then_some(Err(fault));
+            }
+            Err(fault) => {
+                reader.xml().is_over = true;
+                return Some(Err(fault));
+            }
+        }
+    }
+    None
 }
 
 impl Xml {
@@ -51,6 +99,7 @@ impl Xml {
             reader,
             buffer: vec![],
             file: file.clone(),
+            is_over: false,
         })
     }
 

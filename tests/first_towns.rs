@@ -1,0 +1,224 @@
+//! `hsd town init`: what maps are taken for, and that the towns written build at once.
+
+use crate::support::root;
+use crate::towns::in_folder;
+use hsd::FolderWorld;
+use hsd::source::World;
+use hsd::survey::{Kind, Surveyed, survey, town};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Surveys maps in a folder.
+fn surveyed(folder: &Path, maps: &[&str]) -> Vec<Surveyed> {
+    let world = FolderWorld::new(vec![], 0).with_roots(vec![folder.to_owned()]);
+    let from = folder.join("town.hsd");
+    let mut all = vec![];
+    for map in maps {
+        let path = world.text(&from.to_string_lossy(), map).expect("is there");
+        all.extend(survey(&world, &path, map).unwrap_or_else(|e| panic!("{map}: {e:?}")));
+    }
+    all
+}
+
+fn kinds(layers: &[Surveyed]) -> Vec<(Kind, usize)> {
+    layers.iter().map(|l| (l.kind, l.features)).collect()
+}
+
+/// Writes a town for maps and evaluates it; returns its text and the number of houses.
+fn first_town(folder: &Path, maps: &[&str]) -> (String, usize) {
+    let layers = surveyed(folder, maps);
+    let text = town("town", &layers);
+    let built = in_folder(&text, folder, |_| {});
+    // What a map has faults of is said again; what the rules ask for is there.
+    for code in &built.found {
+        let of_map = code.starts_with("HSD10");
+        let known = of_map || ["HSD1108", "HSD1110", "HSD1112"].contains(&code.as_str());
+        assert!(known, "{maps:?}: {code}\n{text}");
+    }
+    assert_eq!(built.features, built.built + built.skipped);
+    (text, built.houses)
+}
+
+fn written(name: &str, text: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join(name), text).expect("is written");
+    folder
+}
+
+fn squares(fields: &[&str]) -> String {
+    let features: Vec<String> = fields
+        .iter()
+        .enumerate()
+        .map(|(n, fields)| {
+            let (x, y) = (135.75 + n as f64 * 0.0002, 35.0);
+            let (e, n) = (x + 0.00008, y + 0.0001);
+            format!(
+                r#"{{"type":"Feature","properties":{{{fields}}},"geometry":{{"type":"Polygon","coordinates":[[[{x},{y}],[{e},{y}],[{e},{n}],[{x},{n}],[{x},{y}]]]}}}}"#
+            )
+        })
+        .collect();
+    format!(
+        r#"{{"type":"FeatureCollection","features":[{}]}}"#,
+        features.join(",")
+    )
+}
+
+#[test]
+fn fields_say_what_a_layer_is_and_what_is_built() {
+    let buildings = squares(&[
+        r#""building":"yes","building:levels":2,"fid":1"#,
+        r#""building":"temple","fid":2"#,
+        r#""building":"shed","fid":3"#,
+        r#""building":"yes","building:levels":"7","fid":4"#,
+    ]);
+    let folder = written("map.geojson", &buildings);
+    let layers = surveyed(folder.path(), &["map.geojson"]);
+    assert_eq!(kinds(&layers), [(Kind::Houses, 4)]);
+    let (text, houses) = first_town(folder.path(), &["map.geojson"]);
+    assert_eq!(houses, 3, "all but the shed");
+    for wanted in [
+        r#"key="fid""#,
+        r#"<Field name="levels" from="building:levels" type="number" default="2"/>"#,
+        "kind = 'shed'",
+        "kind = 'temple'",
+        "levels > 3",
+    ] {
+        assert!(text.contains(wanted), "{wanted} in {text}");
+    }
+}
+
+#[test]
+fn japanese_fields_are_known() {
+    let buildings = squares(&[
+        r#""建物ID":"a","階数":"2","用途":"住宅""#,
+        r#""建物ID":"b","階数":"1","用途":"土蔵""#,
+        r#""建物ID":"c","階数":"5","用途":"共同住宅""#,
+    ]);
+    let folder = written("建物.geojson", &buildings);
+    let (text, houses) = first_town(folder.path(), &["建物.geojson"]);
+    assert_eq!(houses, 3);
+    for wanted in ["key=\"建物ID\"", "from=\"階数\"", "kind = '土蔵'"] {
+        assert!(text.contains(wanted), "{wanted} in {text}");
+    }
+}
+
+#[test]
+fn maps_of_the_tests_become_towns() {
+    let folder = root().join("tests/data");
+    for (map, kind) in [
+        ("houses.geojson", Kind::Houses),
+        ("houses.fgb", Kind::Houses),
+        ("houses.shp", Kind::Houses),
+        ("houses.gml", Kind::Houses),
+        ("hamlet.osm", Kind::Houses),
+        ("street.geojson", Kind::Roads),
+    ] {
+        let layers = surveyed(&folder, &[map]);
+        assert!(
+            layers.iter().any(|l| l.kind == kind),
+            "{map}: {:?}",
+            kinds(&layers)
+        );
+        first_town(&folder, &[map]);
+    }
+}
+
+fn data(folder: &str) -> PathBuf {
+    let data = std::env::var_os("HSD_DATA").map(PathBuf::from);
+    data.unwrap_or_else(|| root().join("../shared/data"))
+        .join(folder)
+}
+
+#[test]
+#[cfg_attr(not(shared_data), ignore = "reads ../shared/data, which is not here")]
+fn real_maps_become_towns() {
+    use Kind::{Areas, Blocks, Houses, Lines, Lots, Places, Roads, Trees};
+    let maps: &[(&str, &[&str], &[Kind], usize)] = &[
+        (
+            "osm_kyoto_route18",
+            &[
+                "buildings.geojson",
+                "roads.geojson",
+                "trees.geojson",
+                "hedges.geojson",
+            ],
+            &[Houses, Roads, Trees, Lines],
+            1600,
+        ),
+        (
+            "plateau_kyoto_roads",
+            &["roads_tran.geojson", "blocks_derived.geojson"],
+            &[Roads, Blocks],
+            0,
+        ),
+        (
+            "osm_kyoto_streets",
+            &["streets.geojson", "water.geojson"],
+            &[Roads, Lines],
+            0,
+        ),
+        (
+            "osm_tokyo_asakusa",
+            &[
+                "buildings.geojson",
+                "roads.geojson",
+                "trees.geojson",
+                "barriers.geojson",
+                "landuse.geojson",
+            ],
+            &[Houses, Roads, Trees, Lines, Areas],
+            1300,
+        ),
+        (
+            "osm_meijimura",
+            &["MeijiMura.osm.pbf"],
+            &[Houses, Roads],
+            100,
+        ),
+        (
+            "osm_meijimura",
+            &["MeijiMura.osm.gz"],
+            &[Houses, Roads],
+            100,
+        ),
+        (
+            "plateau_tokyo_yanaka",
+            &["buildings.geojson"],
+            &[Houses],
+            1200,
+        ),
+        (
+            "plateau_tokyo_yanaka",
+            &["shapefile_cp932/tatemono.shp"],
+            &[Houses],
+            1200,
+        ),
+        ("moj_parcels", &["joetsu_15222.geojson"], &[Lots], 100),
+        (
+            "moj_parcels",
+            &["joetsu_shapefile_cp932/fude.shp"],
+            &[Lots],
+            100,
+        ),
+        ("moj_parcels", &["12103-0400-76.xml"], &[Lots], 0),
+        (
+            "edo_codh",
+            &[
+                "edo-machiya-areas.geojson",
+                "edo-places.geojson",
+                "edo-coastline-clip.geojson",
+            ],
+            &[Areas, Places, Lines],
+            0,
+        ),
+    ];
+    for (folder, maps, wanted, least) in maps {
+        let folder = data(folder);
+        let layers = surveyed(&folder, maps);
+        let found: Vec<Kind> = layers.iter().map(|l| l.kind).collect();
+        assert_eq!(found[..wanted.len()], **wanted, "{maps:?}");
+        let (_, houses) = first_town(&folder, maps);
+        println!("{maps:?}: {:?}, {houses} houses", kinds(&layers));
+        assert!(houses >= *least, "{maps:?}: {houses}");
+    }
+}
