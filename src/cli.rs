@@ -10,7 +10,6 @@ mod completions;
 mod dump;
 mod explain;
 mod fmt;
-mod init;
 mod language;
 #[cfg(feature = "lsp")]
 mod lsp;
@@ -133,7 +132,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Build(build::Build),
-    Town(init::TownCommand),
+    Town(build::init::TownCommand),
     Check(check::Check),
     Dump(dump::Dump),
     New(new::New),

@@ -32,6 +32,7 @@ const ORDER: &[(&str, Part)] = &[
     ("backend", Verb),
     ("driver", Shell),
     ("town", Shell),
+    ("survey", Shell),
     ("facade", Shell),
     ("ide", Shell),
     ("report", Shell),

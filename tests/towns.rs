@@ -307,9 +307,14 @@ fn a_layer_leaves_out_what_does_not_pass_its_where() {
         ("bb ccc".into(), String::new())
     );
     assert_eq!(built("levels > 9").1, "HSD1142");
-    assert_eq!(built("levls > 1").1, "HSD1141");
-    assert_eq!(built("levels >").1, "HSD1140");
-    assert_eq!(built("levels + 1").1, "HSD1140", "no truth");
+    for (test, code) in [
+        ("levls > 1", "HSD1141"),
+        ("levels >", "HSD1140"),
+        ("levels + 1", "HSD1140"),
+    ] {
+        let found = built(test).1;
+        assert!(found.contains(code), "{test}: {found}");
+    }
 }
 
 #[test]
@@ -328,9 +333,8 @@ fn a_misspelt_field_of_a_where_names_the_nearest_one() {
     };
     hsd::town::check(input, &mut out);
     let list = out.into_sorted();
-    let [found] = &list[..] else {
-        panic!("{list:?}")
-    };
+    let wrong = list.iter().find(|d| d.code.to_string() == "HSD1141");
+    let found = wrong.expect("the field is not there");
     assert!(format!("{found:?}").contains("levels"), "{found:?}");
 }
 

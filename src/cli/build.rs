@@ -3,6 +3,7 @@
 mod bake;
 mod statistics;
 mod streamed;
+pub(in crate::cli) mod init;
 pub(in crate::cli) mod town;
 mod variants;
 pub(in crate::cli) mod watch;

@@ -1,9 +1,9 @@
 //! `hsd town init`: writes a first town from maps.
 
-use super::build::town::Town;
-use super::files::output::{self, Files};
-use super::options::report;
-use super::{Exit, Failure, Outcome};
+use super::town::Town;
+use crate::cli::files::output::{self, Files};
+use crate::cli::options::report;
+use crate::cli::{Exit, Failure, Outcome};
 use crate::diagnostic::{Diagnostics, Language, Origin};
 use crate::fs::FolderWorld;
 use crate::map;
@@ -17,18 +17,18 @@ use std::path::{Path, PathBuf};
 
 /// `hsd town`: builds a town, or one of its steps. It has the arguments and the help of [`Town`].
 #[derive(Debug)]
-pub(super) enum TownCommand {
+pub(in crate::cli) enum TownCommand {
     Build(Box<Town>),
     Step(Step),
 }
 
 #[derive(Debug, Subcommand)]
-pub(super) enum Step {
+pub(in crate::cli) enum Step {
     Init(Init),
 }
 
 impl TownCommand {
-    pub(super) fn run(&self, language: Language) -> Outcome {
+    pub(in crate::cli) fn run(&self, language: Language) -> Outcome {
         match self {
             TownCommand::Build(build) => build.run(language),
             TownCommand::Step(Step::Init(init)) => init.run(language),
@@ -72,7 +72,7 @@ impl FromArgMatches for TownCommand {
 Examples:
   hsd town init buildings.geojson roads.geojson -o kyoto.hsd
   hsd town kyoto.hsd -o kyoto.glb")]
-pub(super) struct Init {
+pub(in crate::cli) struct Init {
     /// Maps: GeoJSON, Shapefile, FlatGeobuf, OpenStreetMap, map XML of the land registry, CityGML, CSV of points.
     #[arg(required = true, value_name = "MAP")]
     maps: Vec<PathBuf>,
