@@ -14,7 +14,10 @@ const pageOf = script => `<!doctype html><meta charset="utf-8"><link rel="icon" 
 <style>body { margin: 0 }</style>
 <script type="importmap">{ "imports": {
   "three": "/node_modules/three/build/three.module.js",
-  "three/addons/": "/node_modules/three/examples/jsm/" } }</script>
+  "three/addons/": "/node_modules/three/examples/jsm/",
+  "three/examples/jsm/": "/node_modules/three/examples/jsm/",
+  "3d-tiles-renderer/three": "/node_modules/3d-tiles-renderer/build/index.three.js",
+  "3d-tiles-renderer/three/plugins": "/node_modules/3d-tiles-renderer/build/index.three-plugins.js" } }</script>
 <script type="module" src="/${script}"></script>`;
 
 /** The path of the first of these programs on the PATH. */
@@ -31,13 +34,14 @@ function program(...names) {
   throw new Error(`none of ${names.join(', ')} is installed`);
 }
 
-/** Serves the Nth file as `/models/N`, everything else from this folder and from `node_modules`. */
-function serve(script, files) {
+/** Serves the Nth file as `/models/N`, a folder as `/town/`, everything else from this folder and from `node_modules`. */
+function serve(script, files, town) {
   return http.createServer(async (request, response) => {
     const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));
     const model = path.match(/^\/models\/(\d+)$/);
     try {
       const body = path === '/' ? pageOf(script)
+        : path.startsWith('/town/') ? await readFile(join(town, path.slice('/town'.length)))
         : await readFile(model ? files[model[1]] : join(path.startsWith('/node_modules/') ? folder : here, path));
       response.setHeader('content-type', path === '/' ? types['.html'] : types[extname(path)] ?? 'application/octet-stream');
       response.end(body);
@@ -60,8 +64,8 @@ export function browser() {
  * Opens a script of this folder in a page of the given size and calls `use(page, problems)`, where `problems` collects the
  * warnings and errors of the console. The script sets `window.ready`.
  */
-export async function withPage({ script, files, width = 640, height = 480 }, use) {
-  const server = serve(script, files);
+export async function withPage({ script, files = [], town, width = 640, height = 480 }, use) {
+  const server = serve(script, files, town);
   await new Promise(done => server.once('listening', done));
   const running = await browser();
   try {

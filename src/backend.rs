@@ -13,6 +13,7 @@ pub mod images;
 pub mod regions_svg;
 pub mod sound;
 pub mod stl;
+pub mod tileset;
 
 use std::borrow::Cow;
 

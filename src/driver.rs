@@ -17,6 +17,8 @@ mod parts;
 #[cfg(feature = "models")]
 mod stream;
 #[cfg(feature = "models")]
+mod tile;
+#[cfg(feature = "models")]
 mod variants;
 
 pub use crate::expand::{HouseContext, HouseId};
@@ -29,6 +31,8 @@ pub(crate) use parts::BESIDE as PARTS_BESIDE;
 pub use parts::catalog;
 #[cfg(feature = "models")]
 pub use stream::{Sink, Streamed, stream, stream_town};
+#[cfg(feature = "models")]
+pub use tile::{TileDriver, TileHouses, TileScene};
 
 use crate::ast::{Document, NamedView, Parameter};
 use crate::building::Building;
@@ -78,6 +82,7 @@ impl Options {
         tessellate::Options {
             detail: self.detail,
             triangles: self.expand.limits.triangles,
+            town: false,
         }
     }
 }

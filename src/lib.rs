@@ -127,6 +127,9 @@ pub mod town;
 #[cfg(all(feature = "maps", feature = "models"))]
 #[doc(hidden)]
 pub mod survey;
+#[cfg(all(feature = "maps", feature = "models"))]
+#[doc(hidden)]
+pub mod tiles;
 #[cfg(any(feature = "lsp", feature = "view"))]
 #[doc(hidden)]
 pub mod ide;

@@ -25,7 +25,7 @@ mod rings;
 mod shapefile;
 mod xml;
 
-pub use crs::{Crs, Datum, Datums, Mismatch, Outside, Projection, Transform};
+pub use crs::{Crs, Datum, Datums, Mismatch, Outside, Projection, Transform, on_globe};
 pub use fault::{Fault, Kind, Which};
 pub use feature::{
     Area, Chain, Column, ColumnType, Columns, Feature, Geometry, Layer, Place, Value,

@@ -74,6 +74,8 @@ pub struct Options {
     pub detail: Detail,
     /// The most triangles that a house may show.
     pub triangles: usize,
+    /// True in a town: joinery that is shown by images shares few of them, which are coarser.
+    pub town: bool,
 }
 
 impl From<Detail> for Options {
@@ -82,6 +84,7 @@ impl From<Detail> for Options {
         Options {
             detail,
             triangles: Limits::default().triangles,
+            town: false,
         }
     }
 }
@@ -106,11 +109,12 @@ impl<'c> Tessellator<'c> {
 
     /// Tessellates some houses, the first of which has this number in the run, counted from 1.
     pub fn houses(&self, houses: &[Built], first: usize) -> HouseDrafts {
-        let Options { detail, triangles } = self.options;
+        let Options { detail, town, .. } = self.options;
+        let triangles = self.options.triangles;
         let mut walker = Walker {
             catalog: self.catalog,
             detail,
-            store: Store::new(detail, &self.bank),
+            store: Store::new((detail, town), &self.bank),
             roofs: Roofs::default(),
             fitting_meshes: FittingMeshes::default(),
             rooms: Rooms::default(),

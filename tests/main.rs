@@ -65,6 +65,7 @@ mod streams;
 mod tea_shop_pictures;
 mod tessellate;
 mod textures;
+mod tiles;
 mod towns;
 mod tutorial;
 mod twins;

@@ -33,6 +33,7 @@ const ORDER: &[(&str, Part)] = &[
     ("driver", Shell),
     ("town", Shell),
     ("survey", Shell),
+    ("tiles", Shell),
     ("facade", Shell),
     ("ide", Shell),
     ("report", Shell),

@@ -17,17 +17,22 @@ mod buffer;
 #[cfg(feature = "compress")]
 mod compress;
 mod container;
+mod json_file;
 mod materials;
 mod nodes;
 mod shading;
 mod shapes;
 mod spool;
+mod table;
+mod tile;
 mod writer;
 
 #[cfg(feature = "compress")]
 pub use compress::Ktx2;
 pub use container::Glb;
 pub use spool::{NewSpool, Spool, in_memory};
+pub use table::FeatureRow;
+pub use tile::{TileContent, TileWriter, graphics_bytes};
 pub use writer::Writer;
 #[cfg(feature = "view")]
 pub(crate) use writer::{glb_of_houses, written_nodes};

@@ -4,6 +4,7 @@ mod bake;
 mod statistics;
 mod streamed;
 pub(in crate::cli) mod init;
+mod tiled;
 pub(in crate::cli) mod town;
 mod variants;
 pub(in crate::cli) mod watch;

@@ -16,7 +16,7 @@ use crate::program::PictureId;
 use crate::roof::KeptRoofs;
 use crate::scene::{Counter, Material, ScenePart, Stats};
 use crate::source::{Source, Span, World};
-use crate::tessellate::{HouseDrafts, SceneBuilder, Tessellator};
+use crate::tessellate::{self, HouseDrafts, SceneBuilder, Tessellator};
 use std::borrow::Cow;
 use std::io;
 use std::time::Duration;
@@ -146,7 +146,7 @@ impl Left {
     }
 }
 
-/// Makes the houses of an expansion; `apart` = they must not stand in each other.
+/// Makes the houses of an expansion; `apart` = they must not stand in each other, unlike those of a town.
 fn run_houses(
     (sources, world, options): (&[&Source], &dyn World, &Options),
     mut expansion: Expansion<'_>,
@@ -156,7 +156,11 @@ fn run_houses(
     (out, sink): (&mut Diagnostics, &mut Sink<'_>),
     times: &mut Vec<(&'static str, Duration)>,
 ) -> io::Result<Left> {
-    let tessellator = Tessellator::new(catalog, options.shapes());
+    let shapes = tessellate::Options {
+        town: !apart,
+        ..options.shapes()
+    };
+    let tessellator = Tessellator::new(catalog, shapes);
     let mut town = Town {
         world,
         options,

@@ -1,15 +1,18 @@
 //! Coordinate reference systems: what the numbers of a map mean. An own table of EPSG codes ([`table`]), names as files
-//! write them ([`names`]), WKT ([`wkt`]), conversions by proj4rs ([`transform`]).
+//! write them ([`names`]), WKT ([`wkt`]), conversions by proj4rs ([`transform`]), the place on
+//! the globe ([`globe`]).
 //!
 //! Whatever order an authority gives the axes, here x is east and y is north; readers swap what their format has the
 //! other way round.
 
+mod globe;
 mod names;
 mod table;
 mod transform;
 mod wkt;
 mod zones;
 
+pub use globe::on_globe;
 pub use transform::{Datums, Mismatch, Transform};
 
 use glam::DVec2;

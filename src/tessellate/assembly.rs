@@ -64,6 +64,13 @@ impl SceneBuilder {
         }
     }
 
+    /// Leaves the relief of baked pages out: they are seen from afar.
+    #[must_use]
+    pub fn without_relief(mut self) -> SceneBuilder {
+        self.atlas.flat = true;
+        self
+    }
+
     /// Adds houses behind those that are there.
     pub fn add(&mut self, houses: HouseDrafts) {
         let HouseDrafts {
@@ -189,7 +196,7 @@ impl SceneBuilder {
         if let Some(known) = self.spots.get(&image.digest) {
             return Some(*known);
         }
-        let spot = self.atlas.place(&pixels?);
+        let spot = self.atlas.place(pixels?.as_ref());
         self.spots.insert(image.digest, spot);
         Some(spot)
     }

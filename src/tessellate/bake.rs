@@ -41,6 +41,13 @@ pub(super) const OLD: Lens = Lens {
     panes: false,
 };
 
+/// For images of whole parts in a town, of which there are hundreds of sizes and which are seen from across the street: two
+/// pixels for a lattice bar with its gap.
+pub(super) const FAR: Lens = Lens {
+    density: 40.0,
+    panes: false,
+};
+
 /// Rays per pixel in each direction.
 const FINE: usize = 2;
 

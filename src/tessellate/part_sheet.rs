@@ -41,7 +41,7 @@ const PAPER: [u8; 3] = [0xf6, 0xf3, 0xec];
 /// Returns a scene of all parts, one row per class, from the front row to the back.
 pub fn scene(parts: &[&PartDef], detail: Detail) -> Scene {
     let bank = Bank::default();
-    let mut store = Store::new(detail, &bank);
+    let mut store = Store::new((detail, false), &bank);
     let mut nodes = vec![Node::new(None, Kind::House, "parts".into(), DVec3::ZERO)];
     let classes = parts.chunk_by(|a, b| a.class() == b.class());
     for (row, class) in classes.enumerate() {

@@ -71,6 +71,8 @@ pub(super) struct Store<'b> {
     bank: &'b Bank,
     drafts: Vec<Arc<MeshDraft>>,
     detail: Detail,
+    /// True if images are those of a town.
+    town: bool,
     /// The weather that applies to the meshes under construction.
     pub(super) weather: Weather,
     cache: HashMap<(Key, Weather), MeshId, BuildHasherDefault<NumberHasher>>,
@@ -79,12 +81,13 @@ pub(super) struct Store<'b> {
 }
 
 impl<'b> Store<'b> {
-    /// Creates an empty store for meshes of this detail.
-    pub(super) fn new(detail: Detail, bank: &'b Bank) -> Store<'b> {
+    /// Creates an empty store for meshes of this detail, with images for a town or for a house.
+    pub(super) fn new((detail, town): (Detail, bool), bank: &'b Bank) -> Store<'b> {
         Store {
             bank,
             drafts: vec![],
             detail,
+            town,
             weather: Weather::None,
             cache: HashMap::default(),
             last: None,

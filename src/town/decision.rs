@@ -1,13 +1,14 @@
 //! The table of decisions: a line a feature, and what the report says of all.
 
 use super::layer::Lot;
+use super::plan::LotId;
 use super::shape::{Segment, azimuth};
 use super::site::{Decision, LotSite};
 use crate::ast::Value;
-use crate::diagnostic::{Code, Language, Severity, Text};
+use crate::diagnostic::{Code, Diagnostics, Language, Origin, Severity, Text};
 use crate::map::{self, Fault};
 use crate::source::Span;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 use std::sync::Arc;
 
@@ -29,6 +30,10 @@ pub enum Outcome {
 /// What was decided about a feature.
 #[derive(Clone, Debug)]
 pub struct Record {
+    /// The feature.
+    pub id: LotId,
+    /// The place in the town file of the element that made its house.
+    pub span: Option<Span>,
     /// Its layer.
     pub layer: Arc<str>,
     /// Its key.
@@ -61,7 +66,7 @@ pub const HEAD: &str = "key,layer,rule,type,x,y,facing,front_x1,front_y1,front_x
 
 impl Record {
     /// Begins the record of a feature.
-    pub fn new(layer: &Arc<str>, lot: &Lot, site: &LotSite<'_>) -> Record {
+    pub fn new(id: LotId, layer: &Arc<str>, lot: &Lot, site: &LotSite<'_>) -> Record {
         let at = lot.shape.centre();
         let frontage = site.frontage();
         let mut measures = String::new();
@@ -80,6 +85,8 @@ impl Record {
             }
         }
         Record {
+            id,
+            span: None,
             layer: layer.clone(),
             key: lot.key.clone(),
             rule: 0,
@@ -176,6 +183,47 @@ impl Record {
     }
 }
 
+/// What the ledger of a town keeps of a feature.
+#[derive(Debug)]
+pub struct Entry {
+    /// The feature.
+    pub id: LotId,
+    /// Its line of the table.
+    pub line: String,
+    /// True if something stands on it.
+    pub built: bool,
+    /// Why nothing does.
+    pub skipped: Option<SkippedFeature>,
+    /// How its geometry was changed.
+    pub corrected: Option<SkippedFeature>,
+}
+
+impl Entry {
+    /// Returns what is kept of a record.
+    pub fn of(record: &Record) -> Entry {
+        let mut line = String::new();
+        record.line(&mut line);
+        let of = |code: &str, reason: String| SkippedFeature {
+            layer: record.layer.to_string(),
+            key: record.key.to_string(),
+            code: code.to_owned(),
+            reason,
+        };
+        let built = matches!(record.outcome, Outcome::Built);
+        let left = record.parts_left;
+        Entry {
+            id: record.id,
+            line,
+            built,
+            skipped: (!built).then(|| {
+                let (what, why) = record.what();
+                of(what, why)
+            }),
+            corrected: (left > 0).then(|| of("parts", format!("{left} smaller parts left out"))),
+        }
+    }
+}
+
 /// Returns a value with at most three decimals.
 fn short(value: &Value) -> String {
     match value {
@@ -205,7 +253,7 @@ pub struct TownReport {
 }
 
 /// A feature in a report.
-#[derive(Debug, Serialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct SkippedFeature {
     /// Its layer.
     pub layer: String,
@@ -234,24 +282,24 @@ impl TownReport {
     }
 
     /// Adds a feature.
-    pub fn add(&mut self, record: &Record, parts_left: usize) {
+    pub fn add(&mut self, entry: Entry) {
         self.features += 1;
-        let of = |code: &str, reason: String| SkippedFeature {
-            layer: record.layer.to_string(),
-            key: record.key.to_string(),
-            code: code.to_owned(),
-            reason,
-        };
-        if parts_left > 0 {
-            let reason = format!("{parts_left} smaller parts left out");
-            self.corrected.push(of("parts", reason));
-        }
-        match record.outcome {
-            Outcome::Built => self.built += 1,
-            _ => {
-                let (what, why) = record.what();
-                self.skipped.push(of(what, why));
-            }
-        }
+        self.built += usize::from(entry.built);
+        self.corrected.extend(entry.corrected);
+        self.skipped.extend(entry.skipped);
     }
+}
+
+/// Returns what was found in the houses of features while they were made.
+pub fn problems(found: &Diagnostics) -> Vec<SkippedFeature> {
+    let of = |d: &crate::diagnostic::Diagnostic| match &d.origin {
+        Origin::Feature { layer, key } => Some(SkippedFeature {
+            layer: layer.to_string(),
+            key: key.to_string(),
+            code: d.code.to_string(),
+            reason: d.message.in_language(Language::English).to_string(),
+        }),
+        Origin::Source(_) => None,
+    };
+    found.iter().filter_map(of).collect()
 }

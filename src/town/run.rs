@@ -323,7 +323,7 @@ fn record(
 ) -> Record {
     let layer: Arc<str> = plan.layers[id.0].layer.name.value.as_str().into();
     let lot = plan.lot(id);
-    let mut record = Record::new(&layer, lot, site);
+    let mut record = Record::new(id, &layer, lot, site);
     record.problem = made.problem;
     record.outcome = match made.rules {
         0 => Outcome::NoRule,
@@ -348,8 +348,9 @@ fn record(
                 houses: own,
                 parameters,
                 stood,
-                ..
+                span,
             } => {
+                record.span = Some(span);
                 record.outcome = Outcome::Built;
                 record.kind = kind;
                 record.evidence = evidence;

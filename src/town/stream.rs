@@ -1,6 +1,6 @@
 //! The houses of a town one after another, and the ledger of what became of its features.
 
-use super::decision::{HEAD, Outcome, TownReport};
+use super::decision::{Entry, HEAD, Outcome, TownReport};
 use super::plan::Plan;
 use super::run::{Chunk, TownHouses, TownInput};
 use crate::diagnostic::Diagnostics;
@@ -15,7 +15,7 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 const AHEAD: usize = 8;
 
 /// What became of the features of a town so far.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Ledger {
     /// The table of decisions.
     pub decisions: String,
@@ -23,6 +23,7 @@ pub struct Ledger {
     pub report: TownReport,
     /// True if something is missing that the author wanted.
     pub incomplete: bool,
+    entries: Vec<Entry>,
     found: Diagnostics,
     missing: MissingFields,
     /// How many features no rule takes, by layer.
@@ -48,15 +49,7 @@ impl<'a> TownStream<'a> {
             houses: TownHouses::new(input, plan),
             ready: VecDeque::new(),
             next: 0,
-            ledger: Ledger {
-                decisions: HEAD.to_owned(),
-                report: TownReport::default(),
-                incomplete: false,
-                found: Diagnostics::new(),
-                missing: MissingFields::new(),
-                unruled: BTreeMap::new(),
-                included: vec![],
-            },
+            ledger: Ledger::default(),
         }
     }
 
@@ -71,26 +64,7 @@ impl<'a> TownStream<'a> {
             .collect();
         let more = !made.is_empty();
         for chunk in made {
-            self.ready.extend(chunk.houses);
-            for record in &chunk.records {
-                record.line(&mut self.ledger.decisions);
-                self.ledger.report.add(record, record.parts_left);
-                self.ledger.incomplete |= !record.is_wanted();
-                if let Outcome::NoRule = record.outcome {
-                    *self
-                        .ledger
-                        .unruled
-                        .entry(record.layer.to_string())
-                        .or_default() += 1;
-                }
-            }
-            self.ledger.found.push_new(chunk.found);
-            for (place, count) in chunk.missing {
-                *self.ledger.missing.entry(place).or_default() += count;
-            }
-            if self.ledger.included.is_empty() {
-                self.ledger.included = chunk.included;
-            }
+            self.ready.extend(self.ledger.add(chunk));
         }
         more
     }
@@ -98,32 +72,69 @@ impl<'a> TownStream<'a> {
     /// Evaluates what is left, and returns the ledger. Reports fields that are missing and features that no rule takes.
     pub fn finish(mut self, out: &mut Diagnostics) -> (Ledger, Vec<Source>) {
         while self.refill() {}
-        let mut ledger = self.ledger;
-        out.append(std::mem::take(&mut ledger.found));
+        self.ledger.finish(self.plan, out)
+    }
+}
+
+impl Ledger {
+    /// Enters some features; returns their houses.
+    pub fn add(&mut self, chunk: Chunk) -> Vec<FeatureHouse> {
+        for record in &chunk.records {
+            self.entries.push(Entry::of(record));
+            self.incomplete |= !record.is_wanted();
+            if let Outcome::NoRule = record.outcome {
+                *self.unruled.entry(record.layer.to_string()).or_default() += 1;
+            }
+        }
+        self.found.push_new(chunk.found);
+        for (place, count) in chunk.missing {
+            *self.missing.entry(place).or_default() += count;
+        }
+        if self.included.is_empty() {
+            self.included = chunk.included;
+        }
+        chunk.houses
+    }
+
+    /// Closes it: features in the order of their files, whatever the order in which they came. Reports what concerns all.
+    pub fn finish(mut self, plan: &Plan, out: &mut Diagnostics) -> (Ledger, Vec<Source>) {
+        out.append(std::mem::take(&mut self.found));
+        self.entries.sort_by_key(|entry| entry.id);
+        self.decisions = HEAD.to_owned();
+        for entry in std::mem::take(&mut self.entries) {
+            self.decisions.push_str(&entry.line);
+            self.report.add(entry);
+        }
         let mut told = BTreeSet::new();
-        for ((span, name), count) in &ledger.missing {
+        for ((span, name), count) in &self.missing {
             if told.insert(name.clone()) {
                 out.push(say::field_missing(*span, name, *count));
             }
         }
-        let town = &self.plan.town;
-        for layer in &self.plan.layers {
+        for layer in &plan.layers {
             let name = &layer.layer.name.value;
-            if town.rules.iter().any(|rule| rule.each.value == *name) {
-                ledger.incomplete |= !layer.unread.is_empty();
+            if plan.town.rules.iter().any(|rule| rule.each.value == *name) {
+                self.incomplete |= !layer.unread.is_empty();
                 layer
                     .unread
                     .iter()
-                    .for_each(|f| ledger.report.unread(name, f));
+                    .for_each(|f| self.report.unread(name, f));
             }
         }
-        for layer in &town.layers {
+        self.report_layers(plan, out);
+        let included = std::mem::take(&mut self.included);
+        (self, included)
+    }
+
+    /// Reports features that no rule takes, keys of several features and a town without streets.
+    fn report_layers(&self, plan: &Plan, out: &mut Diagnostics) {
+        for layer in &plan.town.layers {
             let name = &layer.name.value;
-            if let Some(count) = ledger.unruled.get(name) {
+            if let Some(count) = self.unruled.get(name) {
                 out.push(say::nothing_made(layer.name.span, name, *count));
             }
         }
-        for layer in &self.plan.layers {
+        for layer in &plan.layers {
             let mut keys = BTreeSet::new();
             let twice = layer.lots.iter().filter(|lot| !keys.insert(&lot.key));
             let twice: BTreeSet<String> = twice.map(|lot| lot.key.to_string()).collect();
@@ -133,11 +144,9 @@ impl<'a> TownStream<'a> {
                 out.push(say::same_keys(name.span, &name.value, &twice));
             }
         }
-        if self.plan.has_no_streets() {
-            out.push(say::no_streets(town.span));
+        if plan.has_no_streets() {
+            out.push(say::no_streets(plan.town.span));
         }
-        let included = std::mem::take(&mut ledger.included);
-        (ledger, included)
     }
 }
 

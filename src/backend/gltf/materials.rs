@@ -171,7 +171,11 @@ impl<'a> Materials<'a> {
 
     /// Returns the images as files in the folder of the model.
     pub(super) fn files(&self, root: &mut Root, stem: &str) -> Vec<OutFile<'a>> {
-        let folder = picture_folder(stem);
+        self.files_in(root, &picture_folder(stem))
+    }
+
+    /// Returns the images as files in a folder, a path relative to the model.
+    pub(super) fn files_in(&self, root: &mut Root, folder: &str) -> Vec<OutFile<'a>> {
         let file = |picture: &Picture<'a>| {
             let name = format!("{folder}/{}", picture.name);
             root.images.push(Image {

@@ -1,44 +1,52 @@
 //! `hsd town`: builds a town from its maps.
 
-use super::streamed;
+use super::tiled::{FEATURE, Wish, tables};
+use super::{streamed, tiled};
 use crate::backend::gltf::{Spool, Writer};
 use crate::cli::files::input::Inputs;
 use crate::cli::files::output::{self, Files};
 use crate::cli::files::terminal::counted;
-use crate::cli::options::{DetailArgs, InputArgs, report};
+use crate::cli::options::{InputArgs, exit, report};
 use crate::cli::{Exit, Failure, Outcome};
-use crate::diagnostic::{Diagnostics, Language, Noun, noun};
+use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
 use crate::report::{Format, Report};
+use crate::scene::Detail;
 use crate::source::Source;
 use crate::text;
+use crate::town::decision::problems;
 use crate::town::stream::{Ledger, TownStream};
 use crate::town::{Plan, TownInput, run};
 use clap::Args;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-const FEATURE: Noun = noun("feature", "地物{}件");
-
 /// Build a town from the layers of maps that a town file names.
 ///
-/// OUT is a model (.glb), or a folder for `town.glb`. Beside the model stand `decisions.csv`, with a line for each feature,
-/// and `report.json`. The exit status is 1 if a feature has no house that nobody asked to skip.
+/// OUT is a folder for 3D Tiles, whose root is `tileset.json`, or one model (.glb). In the folder or beside the model stand
+/// `decisions.csv`, with a line for each feature, and `report.json`. Tiles that are there already and would be the same are
+/// kept, so a run that was interrupted goes on. The exit status is 1 if a feature has no house that nobody asked to skip.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  hsd town kyoto.hsd -o kyoto/       write kyoto/town.glb, kyoto/decisions.csv and kyoto/report.json
+  hsd town kyoto.hsd -o kyoto/       write kyoto/tileset.json with its tiles, kyoto/decisions.csv and kyoto/report.json
   hsd town kyoto.hsd -o kyoto.glb --param year=1928")]
 pub(in crate::cli) struct Town {
     #[command(flatten)]
     input_args: InputArgs,
 
-    /// Write the model to this file or folder.
+    /// Write tiles to this folder, or one model to this file.
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
 
-    #[command(flatten)]
-    detail_args: DetailArgs,
+    /// Set the levels of detail of tiles, or that of a model: 0 walls and roofs, 1 a texture per part, 2 openings and heavy
+    /// bars as geometry, 3 everything as geometry [default: those of `Tiles`, or 0,1,3; 3 for a model].
+    #[arg(long, value_name = "0..3", value_delimiter = ',', value_parser = clap::value_parser!(u8).range(0..=3))]
+    detail: Vec<u8>,
+
+    /// Print triangles, bytes and an estimate of graphics memory of the tiles.
+    #[arg(long)]
+    stats: bool,
 
     /// Print only diagnostics.
     #[arg(short, long)]
@@ -58,7 +66,7 @@ impl Town {
         let limits = self.input_args.limits();
         let inputs = Inputs::read(std::slice::from_ref(input), limits.bytes, &mut out)?;
         let options = driver::Options {
-            detail: self.detail_args.detail(),
+            detail: Detail::ALL[usize::from(self.detail.iter().copied().max().unwrap_or(3))],
             ..self.input_args.options(&inputs, &mut out)?
         };
         let world = self.input_args.world(&self.input_args.inputs);
@@ -87,7 +95,33 @@ impl Town {
                 return Ok(Exit::Errors);
             }
         };
-        self.build(input, read, &plan, out, language)
+        match self.is_model()? {
+            true => self.build(input, read, &plan, out, language),
+            false => self.tiles(input, read, &plan, out, language),
+        }
+    }
+
+    /// Builds a town in tiles.
+    fn tiles(
+        &self,
+        input: TownInput<'_>,
+        read: driver::Read,
+        plan: &Plan,
+        out: Diagnostics,
+        language: Language,
+    ) -> Outcome {
+        let wish = Wish {
+            output: &self.output,
+            levels: (!self.detail.is_empty()).then(|| self.detail.clone()),
+            stats: self.stats,
+            quiet: self.quiet,
+        };
+        let (incomplete, included, out) = tiled::build(&wish, input, (read, plan), out, language)?;
+        let spoiled = out.has_errors();
+        let mut sources = vec![input.source.clone()];
+        sources.extend(included);
+        self.print(&sources, out, language)?;
+        Ok(exit(incomplete || spoiled))
     }
 
     /// Builds a town and writes its files.
@@ -100,7 +134,7 @@ impl Town {
         language: Language,
     ) -> Outcome {
         let mut houses = TownStream::new(input, plan);
-        let model = self.model()?;
+        let model = self.output.clone();
         let failed = |error| Failure::at(model.display(), error);
         let folder = streamed::spool_folder(&model);
         let new = || -> io::Result<Box<dyn Spool>> { streamed::spool(&folder) };
@@ -114,7 +148,9 @@ impl Town {
             &mut |part, images| writer.add(part, images),
         )
         .map_err(failed)?;
-        let (ledger, included) = houses.finish(&mut out);
+        let corrected = problems(&out);
+        let (mut ledger, included) = houses.finish(&mut out);
+        ledger.report.corrected.extend(corrected);
         let spoiled = out.has_errors();
         let mut sources = vec![input.source.clone()];
         sources.extend(included);
@@ -124,7 +160,7 @@ impl Town {
         }
         let glb = writer.glb(&streamed.materials, &streamed.library, &streamed.grown);
         let size = output::write(&model, Files::glb(glb.map_err(failed)?))?;
-        self.tables(&model, &ledger)?;
+        tables(&model, &ledger)?;
         self.summary(&model, size, &ledger, streamed.houses, language)?;
         Ok(match ledger.incomplete {
             true => Exit::Errors,
@@ -155,37 +191,19 @@ impl Town {
         Ok(())
     }
 
-    /// Returns the path of the model; makes the folder.
-    fn model(&self) -> Result<PathBuf, Failure> {
-        let is_model = self.output.extension().is_some_and(|e| e == "glb");
-        if is_model {
-            return Ok(self.output.clone());
+    /// Returns true if one model is to be written.
+    fn is_model(&self) -> Result<bool, Failure> {
+        match self.output.extension() {
+            Some(extension) if extension == "glb" => Ok(true),
+            Some(other) if !self.output.is_dir() => {
+                let other = other.to_string_lossy();
+                Err(Failure::Usage(text!([other]
+                    "a town is written to a folder or a `.glb`, not to `.{other}`",
+                    "町の出力先はフォルダーか `.glb` です。`.{other}` には書けません"
+                )))
+            }
+            _ => Ok(false),
         }
-        if let Some(other) = self.output.extension() {
-            let other = other.to_string_lossy();
-            return Err(Failure::Usage(text!([other]
-                "a town is written to a folder or a `.glb`, not to `.{other}`",
-                "町の出力先はフォルダーか `.glb` です。`.{other}` には書けません"
-            )));
-        }
-        std::fs::create_dir_all(&self.output).map_err(|e| Failure::at(self.output.display(), e))?;
-        Ok(self.output.join("town.glb"))
-    }
-
-    /// Writes the table of decisions and the report beside the model.
-    fn tables(&self, model: &Path, ledger: &Ledger) -> Result<(), Failure> {
-        let json = serde_json::to_vec_pretty(&ledger.report).map_err(|e| Failure::json(&e))?;
-        let beside = |name: &str| match self.output.extension() {
-            Some(_) => model.with_extension(name),
-            None => model.with_file_name(name),
-        };
-        for (name, bytes) in [
-            ("decisions.csv", ledger.decisions.clone().into_bytes()),
-            ("report.json", json),
-        ] {
-            output::write(&beside(name), Files::bytes(bytes))?;
-        }
-        Ok(())
     }
 
     fn print(

@@ -94,6 +94,17 @@ impl Temporary {
         self.file.as_file_mut()
     }
 
+    /// Gives the file its name unless there is one of that name; returns whether it got it.
+    pub(in crate::cli) fn persist_new(self, target: &Path) -> io::Result<bool> {
+        let named = match self.file.persist_noclobber(target) {
+            Ok(_) => true,
+            Err(failed) if failed.error.kind() == io::ErrorKind::AlreadyExists => false,
+            Err(failed) => return Err(failed.error),
+        };
+        drop(self.guarded);
+        Ok(named)
+    }
+
     /// Gives the file its name; one that exists is replaced.
     pub(in crate::cli) fn persist(self, target: &Path) -> io::Result<()> {
         self.file.persist(target).map_err(|e| e.error)?;

@@ -33,6 +33,8 @@ pub(in crate::tessellate) struct Atlas {
     pages: Vec<Page>,
     /// The shelves of pages that still take images.
     shelves: Vec<Shelf>,
+    /// True if only colours are encoded.
+    pub(in crate::tessellate) flat: bool,
 }
 
 /// A page and its content so far.
@@ -68,15 +70,18 @@ impl Pixels {
         }
     }
 
-    /// Encodes the page down to a row, its maps at the same time.
-    fn encode(self, used: u32, holes: bool) -> Baked {
+    /// Encodes the page down to a row, its maps at the same time; only the colours if it is flat.
+    fn encode(self, used: u32, holes: bool, flat: bool) -> Baked {
         let color = cut(self.color, used);
         let (normal, orm) = (cut(self.normal, used), cut(self.orm, used));
         let color = move || match holes {
             true => png(color.into(), false),
             false => jpeg(&DynamicImage::from(color).into_rgb8(), 90),
         };
-        let relief = move || rayon::join(|| jpeg(&normal, 92), || png(orm.into(), false));
+        let relief = move || match flat {
+            true => (vec![], vec![]),
+            false => rayon::join(|| jpeg(&normal, 92), || png(orm.into(), false)),
+        };
         let (color, (normal, orm)) = rayon::join(color, relief);
         Baked {
             color: color.into(),
@@ -178,7 +183,7 @@ impl Atlas {
         let used = used.next_multiple_of(4).min(SIDE);
         let grown = SIDE as f32 / used as f32;
         *content = match std::mem::replace(content, Content::Closing) {
-            Content::Open(pixels) => Content::Closed(pixels.encode(used, *holes), grown),
+            Content::Open(pixels) => Content::Closed(pixels.encode(used, *holes, self.flat), grown),
             other => other,
         };
         self.shelves.retain(|s| s.page as usize != page);

@@ -33,10 +33,12 @@ pub(in crate::tessellate) struct ImageQuad {
     pub(in crate::tessellate) shade: usize,
 }
 
-/// A baked image. Its pixels are there until the atlas takes them, so that a town does not keep them all.
+/// A baked image. Its pixels are there until the atlas takes them, so that a run does not keep them all; those of a town are
+/// small and few, and stay for the atlases of all tiles.
 #[derive(Debug)]
 pub(in crate::tessellate) struct BakedImage {
-    pixels: Mutex<Option<Picture>>,
+    pixels: Mutex<Option<Arc<Picture>>>,
+    stays: bool,
     pub(in crate::tessellate) digest: Digest,
 }
 
@@ -74,22 +76,26 @@ impl MeshDraft {
 }
 
 impl BakedImage {
-    pub(super) fn new(picture: Picture) -> BakedImage {
+    pub(super) fn new(picture: Picture, stays: bool) -> BakedImage {
         let mut hasher = XxHash3_128::new();
         hasher.write(&picture.color.width().to_le_bytes());
         hasher.write(picture.color.as_raw());
         hasher.write(picture.normal.as_raw());
         hasher.write(picture.orm.as_raw());
         BakedImage {
-            pixels: Mutex::new(Some(picture)),
+            pixels: Mutex::new(Some(Arc::new(picture))),
+            stays,
             digest: hasher.finish_128(),
         }
     }
 
-    /// Returns its pixels the first time.
-    pub(in crate::tessellate) fn take(&self) -> Option<Picture> {
+    /// Returns its pixels, the first time or always.
+    pub(in crate::tessellate) fn take(&self) -> Option<Arc<Picture>> {
         let mut pixels = self.pixels.lock().unwrap_or_else(PoisonError::into_inner);
-        pixels.take()
+        match self.stays {
+            true => pixels.clone(),
+            false => pixels.take(),
+        }
     }
 }
 

@@ -6,7 +6,7 @@
 use crate::catalog::PartDef;
 use crate::material::SurfaceId;
 use crate::scene::Detail;
-use crate::tessellate::bake::{OLD, WALL, bake};
+use crate::tessellate::bake::{FAR, OLD, WALL, bake};
 use crate::tessellate::mesh::Bodies;
 use crate::tessellate::mesh::panel::{Panel, Rect, panes};
 use crate::tessellate::part;
@@ -21,9 +21,9 @@ use std::sync::Arc;
 impl PartKey {
     /// Returns the key of the images on this part: joinery is baked for sizes in steps and stretched to its own, by a
     /// thirty-second at most, so that walls of a hundred different heights need a few images only. Weathered joinery has
-    /// many more images of each size; it is stretched by a sixteenth at most.
-    fn of_images(self, aged: bool) -> PartKey {
-        let steps = if aged { FEW_STEPS } else { STEPS };
+    /// many more images of each size; it is stretched by a sixteenth at most. In a town, where walls of any length are filled
+    /// with parts of any width, by an eighth.
+    fn of_images(self, steps: u32) -> PartKey {
         let in_steps = |length| in_steps(length, steps);
         PartKey {
             share: Share::default(),
@@ -50,6 +50,9 @@ const STEPS: u32 = 4;
 
 /// The same for weathered joinery.
 const FEW_STEPS: u32 = 3;
+
+/// The same in a town.
+const TOWN_STEPS: u32 = 2;
 
 /// Rounds a length to one of `2^steps` steps between a power of two and the next.
 fn in_steps(length: u32, steps: u32) -> u32 {
@@ -108,7 +111,11 @@ impl Store<'_> {
     }
 
     fn image_key(&self, key: PartKey) -> PartKey {
-        key.of_images(self.weather != Weather::None)
+        key.of_images(match self.weather {
+            _ if self.town => TOWN_STEPS,
+            Weather::None => STEPS,
+            _ => FEW_STEPS,
+        })
     }
 
     /// Returns the areas of the panels of a key; `None` if there are no panels, or if one step of size makes the difference
@@ -145,10 +152,15 @@ impl Store<'_> {
     }
 
     fn panel_image(&self, panel: &Panel, look: &PanelLook) -> PanelImage {
-        let lens = if look.surfaces.is_empty() { WALL } else { OLD };
+        let lens = match (self.town, self.detail) {
+            (true, Detail::Flat) => FAR,
+            (true, _) => OLD,
+            (false, _) if look.surfaces.is_empty() => WALL,
+            (false, _) => OLD,
+        };
         let picture = bake(&panel.soups, |id| look.shown(id), panel.rect, lens);
         PanelImage {
-            baked: picture.map(|picture| Arc::new(BakedImage::new(picture))),
+            baked: picture.map(|picture| Arc::new(BakedImage::new(picture, self.town))),
             panes: panes(panel)
                 .map(|(glass, rect)| (glass, panel.rect.shares_of(rect)))
                 .collect(),
@@ -158,11 +170,11 @@ impl Store<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{FEW_STEPS, STEPS};
+    use super::{FEW_STEPS, STEPS, TOWN_STEPS};
 
     #[test]
     fn sizes_of_images_are_near_those_of_parts() {
-        for (share, in_steps) in [(32, STEPS), (16, FEW_STEPS)]
+        for (share, in_steps) in [(32, STEPS), (16, FEW_STEPS), (8, TOWN_STEPS)]
             .map(|(share, steps)| (share, move |length| super::in_steps(length, steps)))
         {
             let mut steps: Vec<u32> = (1..60_000).map(in_steps).collect();

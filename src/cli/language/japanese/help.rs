@@ -424,13 +424,25 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
     CommandHelp {
         path: "town",
         about: "町のファイルに書いた地図のレイヤーから町を作る",
-        more: "OUT はモデル (.glb) か、`town.glb` を書くフォルダーです。モデルの横に、地物ごとに一行の `decisions.csv` と `report.json` を書きます。省くと書いていない地物に建物が無ければ、終了コードは 1 です。",
+        more: "OUT は 3D Tiles を書くフォルダー(根は `tileset.json`)か、一つのモデル (.glb) です。フォルダーの中、またはモデルの横に、地物ごとに一行の `decisions.csv` と `report.json` を書きます。\
+               前からあって同じになるタイルはそのまま使うので、中断した実行は続きから進みます。省くと書いていない地物に建物が無ければ、終了コードは 1 です。",
         examples: "\
 例:
-  hsd town kyoto.hsd -o kyoto/       kyoto/town.glb、kyoto/decisions.csv、kyoto/report.json を書く
+  hsd town kyoto.hsd -o kyoto/       kyoto/tileset.json とタイル、kyoto/decisions.csv、kyoto/report.json を書く
   hsd town kyoto.hsd -o kyoto.glb --param year=1928",
         arguments: &[
-            ("output", "モデルをこのファイルかフォルダーに書く", ""),
+            (
+                "output",
+                "タイルをこのフォルダーに、または一つのモデルをこのファイルに書く",
+                "",
+            ),
+            (
+                "detail",
+                "タイルの詳細度をコンマで区切って、またはモデルの詳細度を指定する。0 は壁と屋根、1 は部材ごとにテクスチャー、\
+                 2 は開口と太い桟を立体に、3 はすべてを立体に [既定値: `Tiles` のもの、なければ 0,1,3。モデルは 3]",
+                "",
+            ),
+            ("stats", "タイルの三角形、バイト数、描画メモリーの見積もりを表示する", ""),
             ("quiet", "指摘だけを表示する", ""),
         ],
         values: &[],

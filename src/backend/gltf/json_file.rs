@@ -1,0 +1,108 @@
+//! The JSON and the buffer of a `.glb` in memory whose arrays have views of their own, as tables of features want them.
+
+use glam::DVec3;
+use serde_json::{Value, json};
+
+/// Returns an accessor of a whole view.
+pub(super) fn accessor(view: usize, component: u32, count: usize, kind: &str) -> Value {
+    json!({ "bufferView": view, "componentType": component, "count": count, "type": kind })
+}
+
+/// The JSON of a file in the making.
+pub(super) struct File {
+    root: Value,
+    views: Vec<Value>,
+    accessors: Vec<Value>,
+}
+
+impl File {
+    /// Creates one without arrays.
+    pub(super) fn new(root: Value) -> File {
+        File {
+            root,
+            views: vec![],
+            accessors: vec![],
+        }
+    }
+
+    /// Adds a view of the buffer, which begins at a multiple of eight; with the stride and target of vertices or
+    /// indices. A stride of 0 is none.
+    pub(super) fn view(
+        &mut self,
+        bin: &mut Vec<u8>,
+        vertices: Option<(usize, u32)>,
+        write: impl FnOnce(&mut Vec<u8>),
+    ) -> usize {
+        bin.resize(bin.len().next_multiple_of(8), 0);
+        let start = bin.len();
+        write(bin);
+        let mut view = json!({
+            "buffer": 0, "byteOffset": start, "byteLength": bin.len() - start,
+        });
+        if let Some((stride, target)) = vertices {
+            view["target"] = json!(target);
+            if stride > 0 {
+                view["byteStride"] = json!(stride);
+            }
+        }
+        self.views.push(view);
+        self.views.len() - 1
+    }
+
+    /// Adds an accessor; returns its number.
+    pub(super) fn accessor(&mut self, accessor: Value) -> usize {
+        self.accessors.push(accessor);
+        self.accessors.len() - 1
+    }
+
+    /// Adds the mesh, its node and the extensions.
+    pub(super) fn finish(
+        &mut self,
+        bin: &mut Vec<u8>,
+        primitives: Vec<Value>,
+        table: Value,
+        centre: DVec3,
+    ) {
+        bin.resize(bin.len().next_multiple_of(4), 0);
+        let root = &mut self.root;
+        root["accessors"] = json!(self.accessors);
+        root["bufferViews"] = json!(self.views);
+        root["buffers"] = json!([{ "byteLength": bin.len() }]);
+        root["meshes"] = json!([{ "primitives": primitives }]);
+        root["nodes"] = json!([{ "mesh": 0, "translation": [centre.x, centre.z, 0.0 - centre.y] }]);
+        root["scenes"] = json!([{ "nodes": [0] }]);
+        root["scene"] = json!(0);
+        let mut used = root["extensionsUsed"]
+            .as_array()
+            .cloned()
+            .unwrap_or_default();
+        let quantized = ["KHR_mesh_quantization"];
+        let own = ["EXT_mesh_features", "EXT_structural_metadata"];
+        used.extend(own.into_iter().chain(quantized).map(Value::from));
+        root["extensionsUsed"] = json!(used);
+        let mut required = root["extensionsRequired"].as_array().cloned();
+        required
+            .get_or_insert_default()
+            .extend(quantized.map(Value::from));
+        root["extensionsRequired"] = json!(required);
+        root["extensions"]["EXT_structural_metadata"] = table;
+    }
+
+    /// Puts JSON and buffer into a container.
+    pub(super) fn packed(&self, bin: &[u8]) -> Vec<u8> {
+        let mut json = serde_json::to_vec(&self.root).unwrap_or_default();
+        json.resize(json.len().next_multiple_of(4), b' ');
+        let length = 12 + 8 + json.len() + 8 + bin.len();
+        let mut out = Vec::with_capacity(length);
+        out.extend(b"glTF");
+        for number in [2, length as u32, json.len() as u32] {
+            out.extend(number.to_le_bytes());
+        }
+        out.extend(b"JSON");
+        out.extend(json);
+        out.extend((bin.len() as u32).to_le_bytes());
+        out.extend(b"BIN\0");
+        out.extend(bin);
+        out
+    }
+}

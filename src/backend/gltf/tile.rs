@@ -1,0 +1,295 @@
+//! The content of a tile (3D Tiles 1.1): the houses of some features as few primitives, one for each material, whose vertices
+//! name their feature (`EXT_mesh_features`); a table tells what is known of each (`EXT_structural_metadata`).
+//!
+//! All primitives share their vertices. They count from the middle of the tile, so that f32 resolves a fraction of a
+//! millimetre. Normals are bytes (`KHR_mesh_quantization`); at detail 0 there are none, and readers shade flat.
+
+use super::arrays::{turned, write_floats};
+use super::bare::Bare;
+use super::json_file::{File, accessor};
+use super::materials::{MaterialRefs, Materials};
+use super::table::{FeatureRow, Table};
+use super::writer::root;
+use crate::backend::{Images, OutFile, images, sound};
+use crate::scene::{Detail, Material, Primitive, ScenePart};
+use glam::{DVec2, DVec3};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::io::Cursor;
+
+/// A file of a tile.
+pub struct TileContent<'a> {
+    /// The `.glb`.
+    pub glb: Vec<u8>,
+    /// The images that it names, below the folder given for them.
+    pub textures: Vec<OutFile<'a>>,
+    /// The box of all vertices: least and greatest metres east, north and up in the frame of the town.
+    pub bounds: [DVec3; 2],
+    /// The number of its triangles.
+    pub triangles: usize,
+    /// An estimate of the bytes that its arrays take on a graphics card.
+    pub arrays: usize,
+}
+
+/// Takes the houses of a tile one after another.
+pub struct TileWriter {
+    centre: DVec3,
+    detail: Detail,
+    materials: MaterialRefs,
+    positions: Vec<[f32; 3]>,
+    normals: Vec<[f32; 3]>,
+    uvs: Vec<[f32; 2]>,
+    features: Vec<f32>,
+    /// The indices of each material, by its number in the file.
+    batches: Vec<Vec<u32>>,
+    bounds: Option<[DVec3; 2]>,
+}
+
+/// The way from the frame of a node to that of the town.
+#[derive(Clone, Copy)]
+struct Pose {
+    at: DVec3,
+    turn: DVec2,
+}
+
+impl Pose {
+    fn point(self, [x, y, z]: [f32; 3]) -> DVec3 {
+        let across = self.turn.rotate(DVec2::new(x.into(), y.into()));
+        self.at + DVec3::new(across.x, across.y, z.into())
+    }
+
+    fn normal(self, [x, y, z]: [f32; 3]) -> [f32; 3] {
+        let across = self.turn.rotate(DVec2::new(x.into(), y.into()));
+        [across.x as f32, across.y as f32, z]
+    }
+}
+
+impl TileWriter {
+    /// Creates a tile without houses round a place in the frame of the town.
+    pub fn new(detail: Detail, centre: DVec3) -> TileWriter {
+        let mut materials = MaterialRefs::default();
+        // Relief is nothing from afar.
+        materials.flat = detail <= Detail::Flat;
+        TileWriter {
+            centre,
+            detail,
+            materials,
+            positions: vec![],
+            normals: vec![],
+            uvs: vec![],
+            features: vec![],
+            batches: vec![],
+            bounds: None,
+        }
+    }
+
+    /// Adds houses that stand on a feature, given by its row in the table.
+    pub fn add(&mut self, part: ScenePart<'_>, feature: u32, images: &dyn Images) {
+        let mut poses: Vec<Option<Pose>> = Vec::with_capacity(part.nodes.len());
+        for (i, node) in part.nodes.iter().enumerate() {
+            let above = match part.parent(i) {
+                Some(parent) => poses[parent],
+                None => Some(Pose {
+                    at: DVec3::ZERO,
+                    turn: DVec2::X,
+                }),
+            };
+            let own = above.filter(|_| sound::node(node)).map(|above| {
+                let across = above.turn.rotate(node.at.truncate());
+                Pose {
+                    at: above.at + across.extend(node.at.z),
+                    turn: above.turn.rotate(node.turn).normalize_or(DVec2::X),
+                }
+            });
+            poses.push(own);
+            let mesh = node.mesh.and_then(|id| part.mesh(id));
+            let (Some(mesh), Some(pose)) = (mesh, own) else {
+                continue;
+            };
+            let sound = |p: &&Primitive| sound::primitive(p, part.materials);
+            let list: Vec<&Primitive> = mesh.primitives.iter().filter(sound).collect();
+            match self.detail {
+                Detail::Body => self.bare(&list, part, (pose, feature), images),
+                _ => self.whole(&list, part, (pose, feature), images),
+            }
+        }
+    }
+
+    /// Adds primitives that share vertices without normals.
+    fn bare(
+        &mut self,
+        list: &[&Primitive],
+        part: ScenePart<'_>,
+        (pose, feature): (Pose, u32),
+        images: &dyn Images,
+    ) {
+        let known: Vec<_> = list
+            .iter()
+            .map(|p| {
+                let material = &part.materials[p.material.0 as usize];
+                (*p, self.materials.of(p.material, material, images))
+            })
+            .collect();
+        let bare = Bare::of(&known);
+        let first = self.vertices(&bare.positions, (pose, feature));
+        self.uvs.extend(&bare.uvs);
+        for ((_, material), indices) in known.iter().zip(bare.indices) {
+            self.indices(material.number.value(), first, &indices);
+        }
+    }
+
+    /// Adds primitives with their normals.
+    fn whole(
+        &mut self,
+        list: &[&Primitive],
+        part: ScenePart<'_>,
+        (pose, feature): (Pose, u32),
+        images: &dyn Images,
+    ) {
+        for p in list {
+            let material = &part.materials[p.material.0 as usize];
+            let known = self.materials.of(p.material, material, images);
+            let first = self.vertices(&p.positions, (pose, feature));
+            self.normals
+                .extend(p.normals.iter().map(|n| pose.normal(*n)));
+            let metres = known.metres.unwrap_or(1.0);
+            let uvs = p.uvs.iter().map(|[u, v]| match known.metres {
+                Some(_) => [u / metres, 1.0 - v / metres],
+                None => [0.0; 2],
+            });
+            self.uvs.extend(uvs);
+            self.indices(known.number.value(), first, &p.indices);
+        }
+    }
+
+    /// Adds vertices; returns the number of the first.
+    fn vertices(&mut self, points: &[[f32; 3]], (pose, feature): (Pose, u32)) -> u32 {
+        let first = self.positions.len() as u32;
+        for point in points {
+            let local = (pose.point(*point) - self.centre).as_vec3();
+            // The box is that of the numbers in the file.
+            let at = local.as_dvec3() + self.centre;
+            let [low, high] = self.bounds.get_or_insert([at; 2]);
+            (*low, *high) = (low.min(at), high.max(at));
+            self.positions.push(local.to_array());
+        }
+        self.features.resize(self.positions.len(), feature as f32);
+        first
+    }
+
+    fn indices(&mut self, material: usize, first: u32, indices: &[u32]) {
+        if self.batches.len() <= material {
+            self.batches.resize(material + 1, vec![]);
+        }
+        self.batches[material].extend(indices.iter().map(|i| first + i));
+    }
+
+    /// Returns the file; `None` if nothing is to be seen. Images are named below `folder`, a relative reference. `materials`
+    /// are those of the scene.
+    pub fn content<'a>(
+        self,
+        materials: &'a [Material],
+        images: &'a dyn Images,
+        rows: &[FeatureRow],
+        folder: &str,
+    ) -> Option<TileContent<'a>> {
+        let bounds = self.bounds?;
+        let mut root = root();
+        let known = Materials::new(&self.materials, materials, images, &mut root);
+        let textures = known.files_in(&mut root, folder);
+        let mut bin = vec![];
+        let mut file = File::new(serde_json::to_value(&root).unwrap_or_default());
+        let attributes = self.attributes(&mut file, &mut bin);
+        let primitives = self.primitives(&mut file, &mut bin, &attributes, rows.len());
+        let arrays = bin.len();
+        let table = Table::new(rows).written(&mut file, &mut bin);
+        file.finish(&mut bin, primitives, table, self.centre);
+        let triangles = self.batches.iter().map(|b| b.len() / 3).sum();
+        Some(TileContent {
+            glb: file.packed(&bin),
+            textures,
+            bounds,
+            triangles,
+            arrays,
+        })
+    }
+
+    /// Writes the arrays of all vertices; returns the attributes of every primitive.
+    fn attributes(&self, file: &mut File, bin: &mut Vec<u8>) -> Value {
+        let count = self.positions.len();
+        let mut attributes = BTreeMap::new();
+        let view = file.view(bin, Some((12, 34962)), |out| {
+            write_floats(out, &self.positions, turned);
+        });
+        let (low, high) = super::arrays::bounds([&*self.positions]);
+        let mut points = accessor(view, 5126, count, "VEC3");
+        points["min"] = json!(low.map(f64::from));
+        points["max"] = json!(high.map(f64::from));
+        attributes.insert("POSITION", file.accessor(points));
+        if !self.normals.is_empty() {
+            let view = file.view(bin, Some((4, 34962)), |out| {
+                for normal in &self.normals {
+                    let [x, y, z] = turned(super::shading::unit(*normal));
+                    let byte = |x: f32| (x * 127.0).round() as i8 as u8;
+                    out.extend([byte(x), byte(y), byte(z), 0]);
+                }
+            });
+            let mut normals = accessor(view, 5120, count, "VEC3");
+            normals["normalized"] = json!(true);
+            attributes.insert("NORMAL", file.accessor(normals));
+        }
+        let view = file.view(bin, Some((8, 34962)), |out| {
+            write_floats(out, &self.uvs, |uv| uv);
+        });
+        attributes.insert(
+            "TEXCOORD_0",
+            file.accessor(accessor(view, 5126, count, "VEC2")),
+        );
+        let view = file.view(bin, Some((4, 34962)), |out| {
+            out.extend(self.features.iter().flat_map(|id| id.to_le_bytes()));
+        });
+        let ids = accessor(view, 5126, count, "SCALAR");
+        attributes.insert("_FEATURE_ID_0", file.accessor(ids));
+        json!(attributes)
+    }
+
+    /// Writes the indices of each material; returns the primitives.
+    fn primitives(
+        &self,
+        file: &mut File,
+        bin: &mut Vec<u8>,
+        attributes: &Value,
+        features: usize,
+    ) -> Vec<Value> {
+        let short = self.positions.len() <= 65_535;
+        let shown = self.batches.iter().enumerate();
+        let shown = shown.filter(|(_, batch)| !batch.is_empty());
+        let list: Vec<(usize, &Vec<u32>)> = shown.collect();
+        let mut primitives = vec![];
+        for (material, batch) in list {
+            let view = file.view(bin, Some((0, 34963)), |out| match short {
+                true => out.extend(batch.iter().flat_map(|i| (*i as u16).to_le_bytes())),
+                false => out.extend(batch.iter().flat_map(|i| i.to_le_bytes())),
+            });
+            let kind = if short { 5123 } else { 5125 };
+            let indices = file.accessor(accessor(view, kind, batch.len(), "SCALAR"));
+            primitives.push(json!({
+                "attributes": attributes,
+                "indices": indices,
+                "material": material,
+                "mode": 4,
+                "extensions": { "EXT_mesh_features": { "featureIds": [
+                    { "featureCount": features, "attribute": 0, "propertyTable": 0 }
+                ] } },
+            }));
+        }
+        primitives
+    }
+}
+
+/// Returns an estimate of the bytes that an image takes on a graphics card: four a pixel, and a third more for its smaller
+/// copies.
+pub fn graphics_bytes(image: &[u8]) -> u64 {
+    let size = images::size(Cursor::new(image));
+    size.map_or(0, |(w, h)| u64::from(w) * u64::from(h) * 4 * 4 / 3)
+}

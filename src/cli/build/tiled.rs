@@ -1,0 +1,258 @@
+//! `hsd town` to a folder: a town in tiles.
+
+use crate::ast;
+use crate::cli::Failure;
+use crate::cli::files::output::write_all;
+use crate::cli::files::temporary::Temporary;
+use crate::cli::files::terminal::{HOUSE, bytes, counted};
+use crate::diagnostic::{Diagnostics, Language, Noun, Text, noun};
+use crate::driver;
+use crate::source::Source;
+use crate::text;
+use crate::tiles::TileStore;
+use crate::tiles::record::{LevelRecord, TileRecord};
+use crate::tiles::run::{self, TileJob, TiledTown};
+use crate::town::stream::Ledger;
+use crate::town::{Plan, TownInput};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+
+/// The noun for features of maps.
+pub(super) const FEATURE: Noun = noun("feature", "地物{}件");
+
+const TILE: Noun = noun("tile", "タイル{}枚");
+
+/// The folders in which a town's own files stand; what else is in them is swept away.
+const FOLDERS: [&str; 2] = ["tiles", "textures"];
+
+/// A folder that takes the files of tiles.
+struct Folder(PathBuf);
+
+impl Folder {
+    /// Makes the folder of a town.
+    fn new(path: &Path) -> io::Result<Folder> {
+        for folder in FOLDERS {
+            fs::create_dir_all(path.join(folder))?;
+        }
+        Ok(Folder(path.to_owned()))
+    }
+
+    /// Removes the files that the town does not have: of other inputs, or left by a run that was killed.
+    fn sweep(&self, town: &TiledTown) -> io::Result<()> {
+        let own = town.files();
+        for folder in FOLDERS {
+            for entry in fs::read_dir(self.0.join(folder))? {
+                let entry = entry?;
+                let name = format!("{folder}/{}", entry.file_name().to_string_lossy());
+                if !own.contains(&name) && entry.file_type()?.is_file() {
+                    fs::remove_file(entry.path())?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl TileStore for Folder {
+    fn read(&self, name: &str) -> Option<Vec<u8>> {
+        fs::read(self.0.join(name)).ok()
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.0.join(name).is_file()
+    }
+
+    fn commit(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
+        let target = self.0.join(name);
+        let folder = target.parent().unwrap_or(&self.0);
+        let mut file = Temporary::new_in(folder)?;
+        file.as_file_mut().write_all(bytes)?;
+        file.as_file_mut().sync_all()?;
+        if file.persist_new(&target)? || fs::read(&target)? == bytes {
+            return Ok(());
+        }
+        // An image that has changed since.
+        let mut file = Temporary::new_in(folder)?;
+        file.as_file_mut().write_all(bytes)?;
+        file.as_file_mut().sync_all()?;
+        file.persist(&target)
+    }
+}
+
+/// What is wanted of a town in tiles.
+pub(super) struct Wish<'a> {
+    /// The folder.
+    pub(super) output: &'a Path,
+    /// The levels of detail, where they are not those of the town file.
+    pub(super) levels: Option<Vec<u8>>,
+    /// True if triangles, bytes and memory are told.
+    pub(super) stats: bool,
+    /// True if only diagnostics are.
+    pub(super) quiet: bool,
+}
+
+/// Writes the table of decisions and the report into a folder, or beside a model.
+pub(super) fn tables(output: &Path, ledger: &Ledger) -> Result<(), Failure> {
+    let json = serde_json::to_vec_pretty(&ledger.report).map_err(|e| Failure::json(&e))?;
+    let beside = |name: &str| match output.is_dir() {
+        true => output.join(name),
+        false => output.with_extension(name),
+    };
+    let decisions = ledger.decisions.clone().into_bytes();
+    write_all(vec![
+        (beside("decisions.csv"), decisions),
+        (beside("report.json"), json),
+    ])
+}
+
+/// Builds a town in tiles below a folder; returns whether something is missing that the author wanted, the files that were
+/// read, and what was found.
+pub(super) fn build(
+    wish: &Wish<'_>,
+    input: TownInput<'_>,
+    (read, plan): (driver::Read, &Plan),
+    mut out: Diagnostics,
+    language: Language,
+) -> Result<(bool, Vec<Source>, Diagnostics), Failure> {
+    let failed = |error| Failure::at(wish.output.display(), error);
+    let folder = Folder::new(wish.output).map_err(failed)?;
+    let division = ast::town::Tiles {
+        detail: wish
+            .levels
+            .clone()
+            .unwrap_or(plan.town.tiles.detail.clone()),
+        ..plan.town.tiles.clone()
+    };
+    let parts: Vec<&Source> = input
+        .options
+        .catalogs
+        .iter()
+        .chain(&read.included)
+        .collect();
+    let year = year(&read);
+    let job = TileJob {
+        input,
+        plan,
+        catalog: &read.catalog,
+        parts: &parts,
+        year: year.as_deref(),
+        division: &division,
+        threads: rayon::current_num_threads(),
+    };
+    let bar = bar(plan.lots().len(), wish.quiet, language);
+    let made = run::run(job, &folder, &|features| bar.inc(features as u64), &mut out);
+    bar.finish_and_clear();
+    let made = made.map_err(failed)?;
+    let tileset = made.tileset(plan);
+    tables(wish.output, &made.ledger)?;
+    write_all(vec![(wish.output.join("tileset.json"), tileset)])?;
+    folder.sweep(&made).map_err(failed)?;
+    if !wish.quiet {
+        for line in lines(wish, &made) {
+            writeln!(io::stderr(), "{}", line.in_language(language))?;
+        }
+    }
+    if wish.stats {
+        writeln!(io::stderr(), "{}", statistics(&made).in_language(language))?;
+    }
+    Ok((made.ledger.incomplete, made.included, out))
+}
+
+/// Returns the value of the parameter `year` in this run, if the town has one.
+fn year(read: &driver::Read) -> Option<String> {
+    let mut all = read.documents.iter().flat_map(|d| &d.parameters);
+    let found = all.find(|p| p.name == "year")?;
+    found.value.as_ref().map(ToString::to_string)
+}
+
+/// Returns a bar with rate and time left, hidden where nobody looks.
+fn bar(features: usize, quiet: bool, language: Language) -> ProgressBar {
+    if quiet || !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template(language.choose(
+        "{bar:40} {pos}/{len} features, {per_sec}, {eta} left",
+        "{bar:40} {pos}/{len} 件、{per_sec}、残り {eta}",
+    ));
+    let bar = ProgressBar::new(features as u64);
+    style.map_or(bar.clone(), |style| bar.with_style(style))
+}
+
+/// Returns what is told of a town: what was built, and what its heights mean.
+fn lines(wish: &Wish<'_>, made: &TiledTown) -> Vec<Text> {
+    let (name, report) = (wish.output.display(), &made.ledger.report);
+    let (features, built) = (counted(report.features, FEATURE), report.built);
+    let houses = counted(made.tiles.iter().map(|t| t.houses).sum(), HOUSE);
+    let tiles = counted(made.tiles.len(), TILE);
+    let levels = made.tiles.iter().flat_map(|t| &t.levels);
+    let size = bytes(levels.map(|l| l.bytes as usize).sum());
+    let kept = made.kept;
+    let mut lines = vec![text!([name, features, built, houses, tiles, size]
+        "{name}: {features}, {built} of them built, {houses} in {tiles}, {size}",
+        "{name}: {features}、うち {built} 件に{houses}、{tiles}、{size}"
+    )];
+    if kept > 0 {
+        lines.push(text!([kept]
+            "  {kept} of the tiles were there already",
+            "  うち {kept} 枚は前からあったものです"
+        ));
+    }
+    lines.push(match made.placed {
+        true => text!(
+            "  heights: 0 is the ellipsoid of the globe, which in Japan lies some 25 to 45 m below sea level",
+            "  高さ: 0 は地球楕円体の面です。日本では海面より 25〜45 m ほど低くなります"
+        ),
+        false => text!(
+            "  the maps are in local metres, so the tiles stand nowhere on the globe: name a plane with `crs` to place them",
+            "  地図が局所座標なので、タイルは地球上に置かれません。置くには `crs` で座標系を指定してください"
+        ),
+    });
+    lines
+}
+
+/// Returns triangles, bytes and an estimate of graphics memory for each level of all tiles, for the busiest tile, and for the
+/// view of the start, which shows the farthest level of all.
+fn statistics(made: &TiledTown) -> Text {
+    let details: BTreeMap<u8, Vec<(&TileRecord, &LevelRecord)>> = made
+        .tiles
+        .iter()
+        .flat_map(|tile| tile.levels.iter().map(move |level| (tile, level)))
+        .fold(BTreeMap::new(), |mut all, (tile, level)| {
+            all.entry(level.detail).or_default().push((tile, level));
+            all
+        });
+    let mut rows = vec![];
+    for (detail, levels) in &details {
+        rows.push(row(&format!("detail {detail}"), levels));
+    }
+    let all = details.values().flatten();
+    if let Some(busiest) = all.max_by_key(|(_, level)| level.arrays) {
+        let name = format!("{}, detail {}", busiest.0.tile, busiest.1.detail);
+        rows.push(row(&name, &[*busiest]));
+    }
+    let rows = rows.join("\n");
+    text!([rows]
+        "  {rows}\n  (triangles, files, graphics memory with textures; the view of the start shows the first line at most)",
+        "  {rows}\n  (三角形、ファイル、テクスチャーを含む描画メモリー。はじめの視野は最大で一行目です)"
+    )
+}
+
+fn row(name: &str, levels: &[(&TileRecord, &LevelRecord)]) -> String {
+    let sum = |of: fn(&LevelRecord) -> u64| levels.iter().map(|(_, l)| of(l)).sum::<u64>();
+    let textures: BTreeMap<&str, u64> = levels
+        .iter()
+        .flat_map(|(tile, level)| level.textures.iter().map(|n| &tile.textures[*n]))
+        .map(|texture| (&*texture.file, texture.graphics))
+        .collect();
+    let graphics = sum(|l| l.arrays) + textures.values().sum::<u64>();
+    let (triangles, files) = (sum(|l| l.triangles as u64), sum(|l| l.bytes));
+    let mib = |bytes: u64| bytes as f64 / f64::from(1 << 20);
+    format!(
+        "{name:<24} {triangles:>10} {:>9.1} MiB {:>9.1} MiB",
+        mib(files),
+        mib(graphics)
+    )
+}

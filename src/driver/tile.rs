@@ -1,0 +1,149 @@
+//! The houses of a tile: made once, and shown at each level of detail. A tile is small, so its houses are kept while its
+//! levels are made; nothing else is.
+
+use super::Options;
+use super::house::{Expansion, FeatureHouse};
+use super::models::{not_shown, use_by};
+use crate::backend::images::Library;
+use crate::backend::sound;
+use crate::building::Built;
+use crate::catalog::Catalog;
+use crate::diagnostic::messages::limits::too_many_triangles;
+use crate::diagnostic::messages::pictures as say;
+use crate::diagnostic::{Diagnostics, Origin};
+use crate::program::PictureId;
+use crate::scene::{Detail, Scene};
+use crate::source::{Source, World};
+use crate::tessellate::{self, SceneBuilder, Tessellator};
+use std::ops::Range;
+use std::slice;
+
+/// What the tiles of a town have in common.
+pub struct TileDriver<'a> {
+    source: &'a Source,
+    catalog: &'a Catalog,
+    world: &'a dyn World,
+    options: &'a Options,
+    /// One for each level of detail; they share the parts of all tiles.
+    tessellators: Vec<(Detail, Tessellator<'a>)>,
+}
+
+/// The houses of a tile.
+pub struct TileHouses {
+    /// In their order; `None` for one that would exceed a limit.
+    houses: Vec<(Option<Built>, Origin)>,
+    /// The images of their parts.
+    pub library: Library,
+    /// The paths of these images.
+    pub pictures: Vec<String>,
+}
+
+/// A level of a tile.
+pub struct TileScene {
+    /// Its houses.
+    pub scene: Scene,
+    /// The nodes of each house, by its number in the tile; empty for one that is left out.
+    pub houses: Vec<Range<usize>>,
+    /// The images, with the pages that were baked for this level.
+    pub library: Library,
+}
+
+impl<'a> TileDriver<'a> {
+    /// Creates one for a town of these levels of detail.
+    pub fn new(
+        source: &'a Source,
+        catalog: &'a Catalog,
+        (world, options): (&'a dyn World, &'a Options),
+        levels: &[Detail],
+    ) -> TileDriver<'a> {
+        let tessellator = |detail: &Detail| {
+            let shapes = tessellate::Options {
+                detail: *detail,
+                town: true,
+                ..options.shapes()
+            };
+            (*detail, Tessellator::new(catalog, shapes))
+        };
+        TileDriver {
+            source,
+            catalog,
+            world,
+            options,
+            tessellators: levels.iter().map(tessellator).collect(),
+        }
+    }
+
+    /// Makes the houses of a tile.
+    pub fn houses(&self, houses: Vec<FeatureHouse>, out: &mut Diagnostics) -> TileHouses {
+        let origins: Vec<Origin> = houses.iter().map(|h| h.origin.clone()).collect();
+        let (world, options) = (self.world, &self.options.expand);
+        let houses = houses.into_iter();
+        let mut expansion = Expansion::of_town(houses, self.catalog, self.source, world, options);
+        let roofs = self.options.roofs.as_ref();
+        let mut made: Vec<Option<Built>> = vec![];
+        while let Some(batch) = expansion.batch(usize::MAX) {
+            for (built, found) in batch
+                .finish(self.catalog, roofs, |_, houses| houses)
+                .into_iter()
+                .flatten()
+            {
+                made.push(built);
+                out.append(found);
+            }
+        }
+        let pictures = expansion.into_images();
+        let mut library = Library::default();
+        let limits = &options.limits;
+        for (id, picture) in (0..).zip(&pictures) {
+            library.add(&picture.path, world, limits.pixels, |error| {
+                let uses = |b: &Built| use_by(b, PictureId(id));
+                let used = made.iter().flatten().find_map(uses).unwrap_or_default();
+                out.push(not_shown(error, &picture.path, used, limits));
+            });
+        }
+        TileHouses {
+            houses: made.into_iter().zip(origins).collect(),
+            library,
+            pictures: pictures.into_iter().map(|p| p.path).collect(),
+        }
+    }
+
+    /// Returns the houses of a tile at a level of detail.
+    pub fn level(&self, made: &TileHouses, detail: Detail, out: &mut Diagnostics) -> TileScene {
+        let found = self.tessellators.iter().find(|(own, _)| *own == detail);
+        let (_, tessellator) = found.expect("levels are those of the town");
+        let mut scene = SceneBuilder::new(detail).without_relief();
+        let most = self.options.expand.limits.triangles;
+        let mut houses = vec![];
+        for (number, (built, origin)) in made.houses.iter().enumerate() {
+            let before = scene.part().nodes.len();
+            if let Some(built) = built {
+                scene.add(tessellator.houses(slice::from_ref(built), number + 1));
+            }
+            let mut found = Diagnostics::new();
+            for place in scene.take_oversized() {
+                found.push(too_many_triangles(place, most));
+            }
+            out.append(found.of_feature(origin));
+            houses.push(before..scene.part().nodes.len());
+        }
+        let scene = scene.finish(made.pictures.clone());
+        // To look at a house is to look at all meshes; nearly always nothing is wrong with any.
+        let flawed = sound::flaws(scene.whole()).next().is_some();
+        for (nodes, (_, origin)) in houses.iter().zip(&made.houses).filter(|_| flawed) {
+            if let Some(flaw) = sound::flaws(scene.part(nodes.clone())).next() {
+                let mut found = Diagnostics::new();
+                let place = flaw.span.unwrap_or_default();
+                found.push(say::shape_left_out(place, &flaw.name));
+                out.append(found.of_feature(origin));
+            }
+        }
+        let mut library = made.library.clone();
+        library.bake(&scene.baked);
+        TileScene {
+            scene,
+            houses,
+            library,
+        }
+    }
+}

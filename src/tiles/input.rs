@@ -1,0 +1,107 @@
+//! What a tile is made from: the houses that the rules make of its features. Their hash names its files, so a tile whose
+//! houses are the same is not made again, whatever else has changed in the town file.
+
+use super::mesh::Tile;
+use crate::backend::gltf::FeatureRow;
+use crate::driver::FeatureHouse;
+use crate::print::essence;
+use crate::scene::Detail;
+use crate::source::Source;
+use crate::town::decision::Record;
+use crate::town::run::{Chunk, TownHouses};
+use crate::town::{Plan, TownInput};
+use twox_hash::XxHash3_128;
+
+/// Counts up when the files of a tile change their form.
+const FORM: u32 = 1;
+
+/// A tile whose rules have been evaluated.
+pub struct TileInput {
+    /// What became of its features, without the houses.
+    pub chunk: Chunk,
+    /// Its houses.
+    pub houses: Vec<FeatureHouse>,
+    /// The row of each house in the table.
+    pub row_of: Vec<u32>,
+    /// The features on which houses stand.
+    pub rows: Vec<FeatureRow>,
+    /// The hash of all that its files depend on.
+    pub hash: String,
+}
+
+/// What the hashes of all tiles begin with.
+#[derive(Clone)]
+pub struct TileSalt(Vec<u8>);
+
+impl TileSalt {
+    /// Collects what all tiles depend on: the program, the options, the levels and custom parts.
+    pub fn new(input: TownInput<'_>, levels: &[Detail], parts: &[&Source]) -> TileSalt {
+        let expand = &input.options.expand;
+        let mut salt = format!(
+            "{} {FORM} {levels:?} {:?} {:?}",
+            env!("CARGO_PKG_VERSION"),
+            expand.seed,
+            expand.limits
+        );
+        for source in parts {
+            salt.push_str(source.text());
+        }
+        TileSalt(salt.into_bytes())
+    }
+}
+
+/// Evaluates the rules at the features of a tile. `year` is the year of the town, if it has one.
+pub fn evaluate(
+    town: &TownHouses<'_>,
+    tile: &Tile,
+    (plan, source): (&Plan, &Source),
+    year: Option<&str>,
+    salt: &TileSalt,
+) -> TileInput {
+    let mut chunk = town.evaluate(&tile.lots);
+    let houses = std::mem::take(&mut chunk.houses);
+    let (mut rows, mut row_of) = (vec![], vec![]);
+    for record in chunk.records.iter().filter(|record| record.houses > 0) {
+        row_of.extend(std::iter::repeat_n(rows.len() as u32, record.houses));
+        rows.push(row(record, (plan, source), year));
+    }
+    let mut hasher = XxHash3_128::new();
+    hasher.write(&salt.0);
+    hasher.write(format!("{:?} {rows:?}", tile.centre).as_bytes());
+    for house in &houses {
+        hasher.write(house.name.as_bytes());
+        hasher.write(&essence(&house.house));
+        hasher.write(&essence(&house.plain));
+    }
+    TileInput {
+        chunk,
+        houses,
+        row_of,
+        rows,
+        hash: format!("{:016x}", hasher.finish_128() as u64),
+    }
+}
+
+/// Returns what the table of a tile tells of a feature.
+fn row(record: &Record, (plan, source): (&Plan, &Source), year: Option<&str>) -> FeatureRow {
+    let parameters = record.parameters.iter();
+    let own = parameters.clone().find(|(name, _)| name == "year");
+    let parameters: Vec<String> = parameters.map(|(n, v)| format!("{n}={v}")).collect();
+    let span = record.span.filter(|span| span.file == source.id());
+    FeatureRow {
+        key: record.key.to_string(),
+        layer: record.layer.to_string(),
+        kind: record.kind.clone(),
+        year: match own {
+            Some((_, year)) => year.to_string(),
+            None => year.unwrap_or_default().to_owned(),
+        },
+        evidence: match &plan.layers[record.id.0].layer.evidence {
+            Some(map) if record.evidence.is_empty() => map.value.clone(),
+            _ => record.evidence.clone(),
+        },
+        parameters: parameters.join(" "),
+        rule: record.rule as u32,
+        line: span.map_or(0, |span| source.line_column(span).0 as u32),
+    }
+}

@@ -1,0 +1,162 @@
+//! Makes the files of a tile.
+
+use super::input::TileInput;
+use super::mesh::Tile;
+use super::record::{LevelRecord, MM, TextureRecord, TileRecord};
+use crate::backend::gltf::{TileContent, TileWriter, graphics_bytes};
+use crate::backend::images::Library;
+use crate::backend::{Images, OutFile, PictureBytes, SurfaceFiles};
+use crate::diagnostic::Diagnostics;
+use crate::driver::TileDriver;
+use crate::scene::Detail;
+use crate::source::World;
+use crate::town::decision::problems;
+use std::borrow::Cow;
+use twox_hash::XxHash3_128;
+
+/// The folder of images, as tiles name it.
+const FOLDER: &str = "../textures";
+
+/// A tile that has been made.
+pub struct MadeTile {
+    /// What is known of it.
+    pub record: TileRecord,
+    /// Its files, those that others name first.
+    pub files: Vec<(String, Vec<u8>)>,
+    /// What was found.
+    pub found: Diagnostics,
+}
+
+/// Makes the files of a tile at each level of detail, given from far to near.
+pub fn make(
+    driver: &TileDriver<'_>,
+    tile: &Tile,
+    input: TileInput,
+    levels: &[Detail],
+    world: &dyn World,
+) -> MadeTile {
+    let mut found = Diagnostics::new();
+    let (row_of, rows, hash) = (input.row_of, input.rows, input.hash);
+    let made = driver.houses(input.houses, &mut found);
+    let mut files = Files::default();
+    for detail in levels {
+        let level = driver.level(&made, *detail, &mut found);
+        let shown = TileImages(&level.library);
+        let mut writer = TileWriter::new(*detail, tile.centre);
+        for (nodes, row) in level.houses.iter().zip(&row_of) {
+            writer.add(level.scene.part(nodes.clone()), *row, &shown);
+        }
+        let content = writer.content(&level.scene.materials, &shown, &rows, FOLDER);
+        if let Some(content) = content {
+            let name = format!("tiles/{}-{hash}-{}.glb", tile.key.stem(), *detail as u8);
+            files.add(name, *detail, content);
+        }
+    }
+    let record = TileRecord {
+        tile: tile.key.stem(),
+        inputs: hash,
+        houses: row_of.len(),
+        levels: files.levels,
+        textures: files.textures,
+        pictures: picture_hashes(&made.pictures, world),
+        corrected: problems(&found),
+    };
+    MadeTile {
+        record,
+        files: files.images.into_iter().chain(files.contents).collect(),
+        found,
+    }
+}
+
+/// The files of a tile so far.
+#[derive(Default)]
+struct Files {
+    levels: Vec<LevelRecord>,
+    contents: Vec<(String, Vec<u8>)>,
+    /// The images of all levels, and the same with their bytes.
+    textures: Vec<TextureRecord>,
+    images: Vec<(String, Vec<u8>)>,
+}
+
+impl Files {
+    /// Adds a level.
+    fn add(&mut self, file: String, detail: Detail, content: TileContent<'_>) {
+        let [low, high] = content.bounds;
+        let image = |texture: OutFile<'_>| {
+            let file = texture.name.trim_start_matches("../").to_owned();
+            let known = self.textures.iter().position(|t| t.file == file);
+            known.unwrap_or_else(|| {
+                self.textures.push(TextureRecord {
+                    file: file.clone(),
+                    graphics: graphics_bytes(&texture.bytes),
+                });
+                self.images.push((file, texture.bytes.into_owned()));
+                self.textures.len() - 1
+            })
+        };
+        self.levels.push(LevelRecord {
+            detail: detail as u8,
+            file: file.clone(),
+            bytes: content.glb.len() as u64,
+            triangles: content.triangles,
+            arrays: content.arrays as u64,
+            low: (low * MM).floor().to_array().map(|x| x as i64),
+            high: (high * MM).ceil().to_array().map(|x| x as i64),
+            textures: content.textures.into_iter().map(image).collect(),
+        });
+        self.contents.push((file, content.glb));
+    }
+}
+
+/// Returns the paths of images with the hashes of their bytes.
+fn picture_hashes(paths: &[String], world: &dyn World) -> Vec<(String, String)> {
+    let hash = |path: &String| (path.clone(), picture_hash(path, world));
+    paths.iter().map(hash).collect()
+}
+
+/// Returns the hash of an image; empty if it cannot be read.
+pub fn picture_hash(path: &str, world: &dyn World) -> String {
+    let bytes = world.picture_bytes(path);
+    bytes.map_or(String::new(), |bytes| named_by(&bytes))
+}
+
+/// Returns a name for some bytes.
+fn named_by(bytes: &[u8]) -> String {
+    format!("{:016x}", XxHash3_128::oneshot(bytes) as u64)
+}
+
+/// The images of a tile under names that are the same in all tiles of a town: those of surfaces have their own, others that
+/// of their content. Pages of joinery have no relief, which is nothing from where they are shown.
+struct TileImages<'a>(&'a Library);
+
+impl TileImages<'_> {
+    fn named<'p>(picture: PictureBytes<'p>) -> PictureBytes<'p> {
+        let (stem, extension) = picture.name.rsplit_once('.').unwrap_or((&picture.name, ""));
+        let stem = stem.split('_').next().unwrap_or_default();
+        let name = format!("{stem}-{}.{extension}", named_by(picture.bytes));
+        PictureBytes {
+            name: Cow::Owned(name),
+            bytes: picture.bytes,
+        }
+    }
+}
+
+impl Images for TileImages<'_> {
+    fn files(&self, look: &str) -> Option<SurfaceFiles<'_>> {
+        self.0.files(look)
+    }
+
+    fn picture(&self, index: u32) -> Option<PictureBytes<'_>> {
+        self.0.picture(index).map(TileImages::named)
+    }
+
+    fn baked(&self, index: u32) -> Option<SurfaceFiles<'_>> {
+        let page = self.0.baked(index)?;
+        Some(SurfaceFiles {
+            color: TileImages::named(page.color),
+            normal: None,
+            orm: None,
+            ..page
+        })
+    }
+}

@@ -1,0 +1,252 @@
+//! All tiles of a town: those that are there are kept, the others are made, each by one thread from beginning to end.
+
+use super::TileStore;
+use super::input::{TileSalt, evaluate};
+use super::make::{make, picture_hash};
+use super::mesh::{Tile, tiles};
+use super::record::{TileRecord, record_file};
+use crate::ast::town::Tiles;
+use crate::backend::tileset;
+use crate::catalog::Catalog;
+use crate::diagnostic::Diagnostics;
+use crate::driver::TileDriver;
+use crate::map::on_globe;
+use crate::scene::Detail;
+use crate::source::Source;
+use crate::town::run::{Chunk, TownHouses};
+use crate::town::stream::Ledger;
+use crate::town::{Plan, TownInput};
+use std::collections::BTreeSet;
+use std::io;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+
+/// A town to be built in tiles.
+#[derive(Clone, Copy)]
+pub struct TileJob<'a> {
+    /// The town file, its maps and options.
+    pub input: TownInput<'a>,
+    /// The town.
+    pub plan: &'a Plan,
+    /// The catalogue with its custom parts.
+    pub catalog: &'a Catalog,
+    /// The sources of custom parts.
+    pub parts: &'a [&'a Source],
+    /// The year of the town, if it has one.
+    pub year: Option<&'a str>,
+    /// How it is divided, and the levels of detail.
+    pub division: &'a Tiles,
+    /// The number of threads.
+    pub threads: usize,
+}
+
+/// A town in tiles.
+#[derive(Debug)]
+pub struct TiledTown {
+    /// What became of its features.
+    pub ledger: Ledger,
+    /// Its tiles with houses, in the order of their keys.
+    pub tiles: Vec<TileRecord>,
+    /// The number of those that were there already.
+    pub kept: usize,
+    /// Types and files that were read.
+    pub included: Vec<Source>,
+    /// True if it stands somewhere on the globe.
+    pub placed: bool,
+}
+
+/// What a thread made of a tile.
+struct Done {
+    chunk: Chunk,
+    record: Option<TileRecord>,
+    found: Diagnostics,
+    kept: bool,
+}
+
+/// Makes the tiles that are missing, and writes the tileset last. `progress` is called with the number of features and of
+/// houses of a tile when it is done.
+///
+/// # Errors
+/// Those of the store.
+pub fn run(
+    job: TileJob<'_>,
+    store: &dyn TileStore,
+    progress: &(dyn Fn(usize) + Sync),
+    out: &mut Diagnostics,
+) -> io::Result<TiledTown> {
+    let tiles = tiles(job.plan, job.division);
+    let levels: Vec<Detail> = levels(job.division);
+    let maker = Maker {
+        job,
+        store,
+        town: TownHouses::new(job.input, job.plan),
+        driver: TileDriver::new(
+            job.input.source,
+            job.catalog,
+            (job.input.world, job.input.options),
+            &levels,
+        ),
+        salt: TileSalt::new(job.input, &levels, job.parts),
+        levels,
+    };
+    let mut town = TiledTown {
+        ledger: Ledger::default(),
+        tiles: vec![],
+        kept: 0,
+        included: vec![],
+        placed: false,
+    };
+    for done in maker.all(&tiles, progress)? {
+        town.ledger.add(done.chunk);
+        town.kept += usize::from(done.kept);
+        if let Some(record) = done.record {
+            town.ledger
+                .report
+                .corrected
+                .extend(record.corrected.clone());
+            town.tiles.push(record);
+        }
+        out.append(done.found);
+    }
+    let (ledger, included) = town.ledger.finish(job.plan, out);
+    let frame = &job.plan.frame;
+    let transform = on_globe(&frame.crs, frame.origin);
+    Ok(TiledTown {
+        ledger,
+        included,
+        placed: transform.is_some(),
+        ..town
+    })
+}
+
+impl TiledTown {
+    /// Returns `tileset.json`.
+    pub fn tileset(&self, plan: &Plan) -> Vec<u8> {
+        let places: Vec<_> = self.tiles.iter().map(TileRecord::place).collect();
+        let frame = &plan.frame;
+        tileset::tileset(&places, on_globe(&frame.crs, frame.origin))
+    }
+
+    /// Returns the names of all files in the folders of tiles and textures.
+    pub fn files(&self) -> BTreeSet<String> {
+        let own = |tile: &TileRecord| {
+            let files: Vec<String> = tile.files().map(str::to_owned).collect();
+            files.into_iter().chain([tile.file()])
+        };
+        self.tiles.iter().flat_map(own).collect()
+    }
+}
+
+/// Returns the levels of detail, from far to near.
+fn levels(division: &Tiles) -> Vec<Detail> {
+    let numbers: BTreeSet<u8> = division.detail.iter().copied().collect();
+    let level = |number: u8| Detail::ALL[usize::from(number).min(3)];
+    numbers.into_iter().map(level).collect()
+}
+
+struct Maker<'a> {
+    job: TileJob<'a>,
+    store: &'a dyn TileStore,
+    town: TownHouses<'a>,
+    driver: TileDriver<'a>,
+    salt: TileSalt,
+    levels: Vec<Detail>,
+}
+
+impl Maker<'_> {
+    /// Makes all tiles; returns what was made in their order. The first error stops all threads.
+    fn all(&self, tiles: &[Tile], progress: &(dyn Fn(usize) + Sync)) -> io::Result<Vec<Done>> {
+        let next = AtomicUsize::new(0);
+        let made: Mutex<Vec<Option<Done>>> = Mutex::new(tiles.iter().map(|_| None).collect());
+        let failed: Mutex<Option<io::Error>> = Mutex::new(None);
+        let work = || {
+            // A tile is the work of one thread: no more tiles are in memory than there are threads.
+            let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+            loop {
+                let number = next.fetch_add(1, Ordering::Relaxed);
+                let Some(tile) = tiles.get(number) else {
+                    return;
+                };
+                let done = match &alone {
+                    Ok(pool) => pool.install(|| self.one(tile, number == 0)),
+                    Err(_) => self.one(tile, number == 0),
+                };
+                match done {
+                    Ok(done) => locked(&made)[number] = Some(done),
+                    Err(error) => {
+                        next.store(tiles.len(), Ordering::Relaxed);
+                        locked(&failed).get_or_insert(error);
+                        return;
+                    }
+                }
+                progress(tile.lots.len());
+            }
+        };
+        thread::scope(|scope| {
+            for _ in 0..self.job.threads.clamp(1, tiles.len().max(1)) {
+                scope.spawn(work);
+            }
+        });
+        if let Some(error) = failed.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            return Err(error);
+        }
+        let made = made.into_inner().unwrap_or_else(PoisonError::into_inner);
+        Ok(made.into_iter().flatten().collect())
+    }
+
+    /// Makes a tile, unless it is there. Only the first tells which files were read.
+    fn one(&self, tile: &Tile, first: bool) -> io::Result<Done> {
+        let (plan, input) = (self.job.plan, self.job.input);
+        let (source, world) = ((plan, input.source), input.world);
+        let mut input = evaluate(&self.town, tile, source, self.job.year, &self.salt);
+        if !first {
+            input.chunk.included.clear();
+        }
+        let mut done = Done {
+            chunk: Chunk {
+                houses: vec![],
+                records: std::mem::take(&mut input.chunk.records),
+                found: std::mem::take(&mut input.chunk.found),
+                missing: std::mem::take(&mut input.chunk.missing),
+                included: std::mem::take(&mut input.chunk.included),
+            },
+            record: None,
+            found: Diagnostics::new(),
+            kept: false,
+        };
+        if input.houses.is_empty() {
+            return Ok(done);
+        }
+        if let Some(known) = self.known(tile, &input.hash) {
+            done.kept = true;
+            done.record = Some(known);
+            return Ok(done);
+        }
+        let made = make(&self.driver, tile, input, &self.levels, world);
+        for (name, bytes) in &made.files {
+            self.store.commit(name, bytes)?;
+        }
+        let mut json = serde_json::to_vec(&made.record)?;
+        json.push(b'\n');
+        // Last: whoever finds it finds the others too.
+        self.store.commit(&made.record.file(), &json)?;
+        done.found = made.found;
+        done.record = Some(made.record);
+        Ok(done)
+    }
+
+    /// Returns the record of a tile whose files are all there.
+    fn known(&self, tile: &Tile, hash: &str) -> Option<TileRecord> {
+        let bytes = self.store.read(&record_file(&tile.key.stem(), hash))?;
+        let record: TileRecord = serde_json::from_slice(&bytes).ok()?;
+        let world = self.job.input.world;
+        let same = |(path, hash): &(String, String)| picture_hash(path, world) == *hash;
+        let there = record.files().all(|name| self.store.has(name));
+        (there && record.pictures.iter().all(same)).then_some(record)
+    }
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}

@@ -1,0 +1,499 @@
+//! Towns in tiles: the rules of 3D Tiles, checked by an own reader; the same bytes from any number of threads and after any
+//! interruption; only what has changed is made again.
+
+use crate::support::root;
+use hsd::ast::town::Tiles;
+use hsd::driver::Options;
+use hsd::glam::{DVec3, dvec3};
+use hsd::tiles::TileStore;
+use hsd::tiles::run::{TileJob, TiledTown, run};
+use hsd::town::{self, TownInput};
+use hsd::{Diagnostics, FileId, FolderWorld, Source};
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::io;
+use std::path::Path;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Files in memory.
+#[derive(Default)]
+struct Memory {
+    files: Mutex<BTreeMap<String, Vec<u8>>>,
+    /// The number of files after which it breaks.
+    most: Option<usize>,
+    written: AtomicUsize,
+}
+
+impl TileStore for Memory {
+    fn read(&self, name: &str) -> Option<Vec<u8>> {
+        self.files
+            .lock()
+            .expect("no test panics")
+            .get(name)
+            .cloned()
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.read(name).is_some()
+    }
+
+    fn commit(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
+        if self.most == Some(self.written.fetch_add(1, Ordering::SeqCst)) {
+            return Err(io::Error::other("the power is gone"));
+        }
+        let mut files = self.files.lock().expect("no test panics");
+        let kept = files
+            .entry(name.to_owned())
+            .or_insert_with(|| bytes.to_vec());
+        assert_eq!(kept, bytes, "{name} is written twice alike");
+        Ok(())
+    }
+}
+
+/// A town that has been built.
+struct Built {
+    town: TiledTown,
+    files: BTreeMap<String, Vec<u8>>,
+    tileset: Value,
+}
+
+impl Built {
+    /// The bytes of everything.
+    fn all(&self) -> (String, BTreeMap<String, Vec<u8>>, String) {
+        let decisions = self.town.ledger.decisions.clone();
+        (self.tileset.to_string(), self.files.clone(), decisions)
+    }
+}
+
+fn build(text: &str, folder: &Path, store: &Memory, threads: usize) -> io::Result<Built> {
+    let name = folder.join("town.hsd");
+    let source = Source::new(FileId(0), name.to_string_lossy(), text.as_bytes());
+    let world = FolderWorld::new(vec![], 1 << 20).with_roots(vec![folder.to_owned()]);
+    let (options, mut out) = (Options::default(), Diagnostics::new());
+    let mut read = hsd::driver::documents(&[&source], &world, &options, &mut out);
+    let written = read.documents.iter_mut().find_map(|d| d.town.take());
+    let written = written.expect("is a town");
+    let input = TownInput {
+        source: &source,
+        world: &world,
+        options: &options,
+    };
+    let plan = town::run::plan(input, &written, &mut out).expect("its maps are read");
+    let division: Tiles = written.tiles.clone();
+    let job = TileJob {
+        input,
+        plan: &plan,
+        catalog: &read.catalog,
+        parts: &[],
+        year: Some("1928"),
+        division: &division,
+        threads,
+    };
+    let town = run(job, store, &|_| {}, &mut out)?;
+    assert!(!out.has_errors(), "{:?}", out.iter().collect::<Vec<_>>());
+    let tileset = serde_json::from_slice(&town.tileset(&plan)).expect("is JSON");
+    let files = store.files.lock().expect("no test panics").clone();
+    Ok(Built {
+        town,
+        files,
+        tileset,
+    })
+}
+
+/// A folder with a map of rows of houses along streets, in a plane zone near Kyoto or in local metres.
+fn map(rows: usize) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (mut houses, mut roads) = (vec![], vec![]);
+    for row in 0..rows {
+        let y = row as f64 * 60.0 - 90.0;
+        roads.push(format!(
+            r#"{{"type":"Feature","properties":{{"width":4}},"geometry":{{"type":"LineString","coordinates":[[-120,{0}],[120,{0}]]}}}}"#,
+            y - 3.0
+        ));
+        for n in 0..12 {
+            let (x, w) = (f64::from(n) * 9.0 - 60.0, 4.0 + f64::from(n % 3));
+            let (e, north) = (x + w, y + 8.0);
+            houses.push(format!(
+                r#"{{"type":"Feature","properties":{{"key":"h{row}-{n}","quarter":"{}"}},"geometry":{{"type":"Polygon","coordinates":[[[{x},{y}],[{e},{y}],[{e},{north}],[{x},{north}],[{x},{y}]]]}}}}"#,
+                if n < 5 { "west" } else { "東" }
+            ));
+        }
+    }
+    for (name, list) in [("houses.geojson", houses), ("roads.geojson", roads)] {
+        let text = format!(
+            r#"{{"type":"FeatureCollection","features":[{}]}}"#,
+            list.join(",")
+        );
+        fs::write(folder.path().join(name), text).expect("is written");
+    }
+    folder
+}
+
+fn text(rules: &str, tiles: &str) -> String {
+    format!(
+        "<Town seed=\"1\">\n<Layer name=\"houses\" src=\"houses.geojson\" crs=\"local\" key=\"key\" evidence=\"a drawing\"/>\n<Layer name=\"roads\" src=\"roads.geojson\" crs=\"local\"/>\n{rules}\n{tiles}</Town>"
+    )
+}
+
+const RULES: &str = "<for each=\"houses\"><random><choice weight=\"1\"><Place type=\"so-nikai\"/></choice>\n<choice weight=\"1\"><Place type=\"kanban\"/></choice></random></for>";
+
+/// A `.glb`: its JSON and its buffer.
+struct Glb {
+    json: Value,
+    bin: Vec<u8>,
+}
+
+impl Glb {
+    fn new(bytes: &[u8]) -> Glb {
+        let number = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().expect("four"));
+        assert_eq!(&bytes[..4], b"glTF");
+        assert_eq!(number(8) as usize, bytes.len(), "the length in the header");
+        let json = 20 + number(12) as usize;
+        Glb {
+            json: serde_json::from_slice(&bytes[20..json]).expect("is JSON"),
+            bin: bytes[json + 8..].to_vec(),
+        }
+    }
+
+    fn view(&self, number: &Value) -> &[u8] {
+        let view = &self.json["bufferViews"][number.as_u64().expect("a view") as usize];
+        let of = |name: &str| view[name].as_u64().unwrap_or(0) as usize;
+        assert!(
+            of("byteOffset").is_multiple_of(8),
+            "tables want multiples of 8"
+        );
+        &self.bin[of("byteOffset")..of("byteOffset") + of("byteLength")]
+    }
+
+    fn floats(&self, accessor: &Value) -> Vec<f32> {
+        let accessor = &self.json["accessors"][accessor.as_u64().expect("an accessor") as usize];
+        let bytes = self.view(&accessor["bufferView"]);
+        let four = |b: &[u8]| f32::from_le_bytes(b.try_into().expect("four"));
+        bytes.chunks_exact(4).map(four).collect()
+    }
+
+    /// The vertices in the frame of the tileset, z up, with their feature.
+    fn vertices(&self) -> Vec<(DVec3, usize)> {
+        let first = &self.json["meshes"][0]["primitives"][0]["attributes"];
+        let at = self.json["nodes"][0]["translation"]
+            .as_array()
+            .expect("is moved");
+        let at: Vec<f64> = at.iter().filter_map(Value::as_f64).collect();
+        let points = self.floats(&first["POSITION"]);
+        let features = self.floats(&first["_FEATURE_ID_0"]);
+        assert_eq!(points.len(), 3 * features.len());
+        let of = |(p, id): (&[f32], f32)| {
+            let [x, y, z] = [0, 1, 2].map(|k| f64::from(p[k]) + at[k]);
+            (dvec3(x, -z, y), id as usize)
+        };
+        points.chunks_exact(3).zip(features).map(of).collect()
+    }
+
+    /// A column of texts of its table.
+    fn texts(&self, name: &str) -> Vec<String> {
+        let table = &self.json["extensions"]["EXT_structural_metadata"]["propertyTables"][0];
+        let column = &table["properties"][name];
+        let values = self.view(&column["values"]);
+        let offsets = self.view(&column["stringOffsets"]).chunks_exact(4);
+        let offsets: Vec<usize> = offsets
+            .map(|b| u32::from_le_bytes(b.try_into().expect("four")) as usize)
+            .collect();
+        assert_eq!(
+            offsets.len() as u64,
+            table["count"].as_u64().expect("a count") + 1
+        );
+        let text = |w: &[usize]| String::from_utf8(values[w[0]..w[1]].to_vec()).expect("is UTF-8");
+        offsets.windows(2).map(text).collect()
+    }
+
+    fn lines(&self) -> Vec<u32> {
+        let table = &self.json["extensions"]["EXT_structural_metadata"]["propertyTables"][0];
+        let bytes = self
+            .view(&table["properties"]["line"]["values"])
+            .chunks_exact(4);
+        bytes
+            .map(|b| u32::from_le_bytes(b.try_into().expect("four")))
+            .collect()
+    }
+}
+
+/// What a walk over a tileset finds: the keys of features by depth of contents.
+#[derive(Default)]
+struct Found {
+    keys: BTreeMap<usize, Vec<String>>,
+    uris: BTreeSet<String>,
+}
+
+/// Checks a tile and those below it against the rules of 3D Tiles.
+fn check(tile: &Value, above: Option<&Value>, level: usize, built: &Built, found: &mut Found) {
+    let volume = |t: &Value| -> Vec<f64> {
+        let list = t["boundingVolume"]["box"].as_array().expect("a box");
+        list.iter().filter_map(Value::as_f64).collect()
+    };
+    let own = volume(tile);
+    assert_eq!(own.len(), 12);
+    let corners = |b: &[f64]| {
+        let (m, h) = (dvec3(b[0], b[1], b[2]), dvec3(b[3], b[7], b[11]));
+        (m - h - 1e-6, m + h + 1e-6)
+    };
+    let (low, high) = corners(&own);
+    let error = tile["geometricError"].as_f64().expect("an error");
+    if let Some(above) = above {
+        let (from, to) = corners(&volume(above));
+        assert!(from.cmple(low + 2e-6).all() && (high - 2e-6).cmple(to).all());
+        assert!(error <= above["geometricError"].as_f64().expect("an error"));
+    }
+    let mut next = level;
+    if let Some(uri) = tile["content"]["uri"].as_str() {
+        next += 1;
+        assert!(found.uris.insert(uri.to_owned()), "{uri} is named once");
+        let glb = Glb::new(
+            built
+                .files
+                .get(uri)
+                .unwrap_or_else(|| panic!("{uri} is there")),
+        );
+        let vertices = glb.vertices();
+        let keys = glb.texts("key");
+        let shown: BTreeSet<usize> = vertices.iter().map(|(_, id)| *id).collect();
+        assert_eq!(
+            shown,
+            (0..keys.len()).collect(),
+            "every feature shows something"
+        );
+        for (p, _) in &vertices {
+            assert!(low.cmple(*p).all() && p.cmple(high).all(), "{p} in {uri}");
+        }
+        for image in glb.json["images"].as_array().into_iter().flatten() {
+            let image = image["uri"]
+                .as_str()
+                .expect("images stand beside the tiles");
+            let name = image
+                .strip_prefix("../")
+                .expect("above the folder of tiles");
+            assert!(built.files.contains_key(name), "{name} is there");
+        }
+        found.keys.entry(level).or_default().extend(keys);
+    }
+    let below = tile["children"].as_array().into_iter().flatten();
+    for child in below {
+        if tile["content"].is_object() {
+            assert!(
+                child["geometricError"].as_f64() < Some(error),
+                "errors shrink"
+            );
+        }
+        check(child, Some(tile), next, built, found);
+    }
+}
+
+fn checked(built: &Built) -> Found {
+    let mut found = Found::default();
+    assert_eq!(built.tileset["asset"]["version"], "1.1");
+    assert_eq!(built.tileset["root"]["refine"], "REPLACE");
+    let whole = built.tileset["geometricError"].as_f64();
+    assert!(whole >= built.tileset["root"]["geometricError"].as_f64());
+    check(&built.tileset["root"], None, 0, built, &mut found);
+    for keys in found.keys.values_mut() {
+        keys.sort();
+    }
+    let contents = built.files.keys().filter(|name| name.ends_with(".glb"));
+    assert_eq!(contents.count(), found.uris.len(), "no tile is forgotten");
+    found
+}
+
+#[test]
+fn every_feature_is_in_one_tile_of_each_level() {
+    let folder = map(4);
+    let text = text(RULES, "<Tiles size=\"50\" detail=\"0,2,3\"/>");
+    let built = build(&text, folder.path(), &Memory::default(), 2).expect("nothing fails");
+    let found = checked(&built);
+    let mut keys: Vec<String> = (0..4)
+        .flat_map(|row| (0..12).map(move |n| format!("h{row}-{n}")))
+        .collect();
+    keys.sort();
+    assert_eq!(found.keys.len(), 3, "levels");
+    for level in found.keys.values() {
+        assert_eq!(*level, keys);
+    }
+    assert!(built.town.tiles.len() >= 8, "{}", built.town.tiles.len());
+    assert_eq!(built.town.ledger.report.built, 48);
+    assert!(!built.town.placed && built.tileset["root"]["transform"].is_null());
+    let stems: Vec<&str> = built.town.tiles.iter().map(|t| &*t.tile).collect();
+    assert!(
+        stems.contains(&"-1_0") && stems.contains(&"0_-1"),
+        "{stems:?}"
+    );
+}
+
+#[test]
+fn tables_of_tiles_tell_what_is_known_of_a_house() {
+    let folder = map(1);
+    let text = text(RULES, "<Tiles by=\"quarter\" detail=\"0\"/>");
+    let built = build(&text, folder.path(), &Memory::default(), 1).expect("nothing fails");
+    checked(&built);
+    assert_eq!(built.town.tiles.len(), 2, "one for each value");
+    for tile in &built.town.tiles {
+        let glb = Glb::new(&built.files[&tile.levels[0].file]);
+        assert!(glb.texts("evidence").iter().all(|e| e == "a drawing"));
+        assert!(glb.texts("year").iter().all(|y| y == "1928"));
+        for (kind, line) in glb.texts("type").iter().zip(glb.lines()) {
+            let wanted = if kind == "so-nikai" { 4 } else { 5 };
+            assert_eq!(line, wanted, "{kind} stands there in the file");
+        }
+        assert!(
+            glb.texts("parameters")
+                .iter()
+                .all(|p| p.contains("frontage="))
+        );
+    }
+}
+
+#[test]
+fn threads_change_no_byte() {
+    let folder = map(3);
+    let text = text(RULES, "<Tiles size=\"40\" detail=\"0,1\"/>");
+    let of = |threads| {
+        let built = build(&text, folder.path(), &Memory::default(), threads);
+        built.expect("nothing fails").all()
+    };
+    let one = of(1);
+    assert!(one == of(2) && one == of(7));
+}
+
+#[test]
+fn a_run_that_was_interrupted_goes_on() {
+    let folder = map(2);
+    let text = text(RULES, "<Tiles size=\"40\" detail=\"0\"/>");
+    let whole = build(&text, folder.path(), &Memory::default(), 1).expect("nothing fails");
+    let mut kept = 0;
+    for most in (0..whole.files.len()).step_by(3) {
+        let store = Memory {
+            most: Some(most),
+            ..Memory::default()
+        };
+        build(&text, folder.path(), &store, 2)
+            .err()
+            .expect("it breaks");
+        let store = Memory {
+            files: store.files,
+            ..Memory::default()
+        };
+        let again = build(&text, folder.path(), &store, 2).expect("nothing fails");
+        assert!(again.all() == whole.all(), "after {most} files");
+        kept += again.town.kept;
+    }
+    assert!(kept > 0, "some tiles were there already");
+}
+
+/// All files below a folder.
+fn tree(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut all = BTreeMap::new();
+    for below in ["", "tiles", "textures"] {
+        for entry in fs::read_dir(folder.join(below))
+            .into_iter()
+            .flatten()
+            .flatten()
+        {
+            if entry.path().is_file() {
+                let name = format!("{below}/{}", entry.file_name().to_string_lossy());
+                all.insert(name, fs::read(entry.path()).expect("is read"));
+            }
+        }
+    }
+    all
+}
+
+#[test]
+fn a_run_that_was_killed_goes_on_to_the_same_bytes() {
+    let folder = map(3);
+    let file = folder.path().join("town.hsd");
+    fs::write(&file, text(RULES, "<Tiles size=\"30\" detail=\"0,1\"/>")).expect("is written");
+    let program = |out: &Path| {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_hsd"));
+        command.args(["town", "--quiet", "--threads", "2"]);
+        command.arg(&file).arg("-o").arg(out);
+        command.stderr(std::process::Stdio::null());
+        command
+    };
+    let (whole, killed) = (folder.path().join("whole"), folder.path().join("killed"));
+    assert!(program(&whole).status().expect("runs").success());
+    let (whole, mut partly) = (tree(&whole), 0);
+    for moment in [20, 60, 110, 170, 240, 320] {
+        let mut run = program(&killed).spawn().expect("runs");
+        std::thread::sleep(std::time::Duration::from_millis(moment));
+        // SIGKILL on Unix; it may have ended by itself.
+        let _ = run.kill();
+        run.wait().expect("ends");
+        let there = tree(&killed);
+        partly += usize::from(!there.is_empty() && there.len() < whole.len());
+        for (name, bytes) in there.iter().filter(|(name, _)| !name.contains("/.hsd-")) {
+            assert_eq!(
+                Some(bytes),
+                whole.get(name),
+                "{name} is whole after {moment} ms"
+            );
+        }
+    }
+    eprintln!("{partly} of 6 runs were killed before they ended");
+    assert!(program(&killed).status().expect("runs").success());
+    let killed = tree(&killed);
+    assert!(
+        killed.keys().eq(whole.keys()),
+        "nothing is left behind or missing"
+    );
+    assert!(killed == whole);
+}
+
+#[test]
+fn only_what_has_changed_is_made_again() {
+    let folder = map(2);
+    let rules = |kind: &str| {
+        format!(
+            "<for each=\"houses\" test=\"{{key = 'h0-0'}}\"><Place type=\"{kind}\"/></for><for each=\"houses\" test=\"{{key != 'h0-0'}}\"><Place type=\"so-nikai\"/></for>"
+        )
+    };
+    let tiles = "<Tiles size=\"40\" detail=\"0\"/>";
+    let store = Memory::default();
+    let before = build(&text(&rules("so-nikai"), tiles), folder.path(), &store, 2);
+    let before = before.expect("nothing fails").town;
+    assert_eq!(before.kept, 0);
+    let after = build(&text(&rules("chu-nikai"), tiles), folder.path(), &store, 2);
+    let after = after.expect("nothing fails").town;
+    assert_eq!(
+        after.kept,
+        before.tiles.len() - 1,
+        "all but the tile of that house"
+    );
+    let same = build(&text(&rules("chu-nikai"), tiles), folder.path(), &store, 2);
+    assert_eq!(same.expect("nothing fails").town.kept, after.tiles.len());
+}
+
+#[test]
+fn a_town_with_a_plane_stands_on_the_globe() {
+    let Some(data) = root()
+        .parent()
+        .map(|p| p.join("shared/data/osm_kyoto_route18"))
+    else {
+        return;
+    };
+    let source = data.join("buildings.geojson");
+    if !source.is_file() {
+        eprintln!("skipped: no real maps at {}", data.display());
+        return;
+    }
+    let text = "<Town><Layer name=\"houses\" src=\"buildings.geojson\"/><for each=\"houses\" test=\"{area &gt; 400}\"><Place type=\"kura\" on=\"centre\"/></for><for each=\"houses\" test=\"{area &lt;= 400}\"><Skip because=\"small\"/></for><Tiles size=\"250\" detail=\"0\"/></Town>";
+    let built = build(text, &data, &Memory::default(), 2).expect("nothing fails");
+    checked(&built);
+    let transform = built.tileset["root"]["transform"]
+        .as_array()
+        .expect("is placed");
+    let m: Vec<f64> = transform.iter().filter_map(Value::as_f64).collect();
+    let place = dvec3(m[12], m[13], m[14]);
+    // Kyoto, at 135.75 E 35.00 N.
+    let lon = place.y.atan2(place.x).to_degrees();
+    assert!((lon - 135.75).abs() < 0.05, "{lon}");
+    assert!((place.z / place.length() - 0.571).abs() < 0.005, "{place}");
+}
