@@ -87,6 +87,7 @@ fn build(text: &str, folder: &Path, store: &Memory, threads: usize) -> io::Resul
         plan: &plan,
         catalog: &read.catalog,
         parts: &[],
+        written: &[],
         year: Some("1928"),
         division: &division,
         threads,

@@ -2,6 +2,7 @@
 //! houses are the same is not made again, whatever else has changed in the town file.
 
 use super::mesh::Tile;
+use crate::ast::WrittenPart;
 use crate::backend::gltf::FeatureRow;
 use crate::driver::FeatureHouse;
 use crate::print::essence;
@@ -34,8 +35,13 @@ pub struct TileInput {
 pub struct TileSalt(Vec<u8>);
 
 impl TileSalt {
-    /// Collects what all tiles depend on: the program, the options, the levels and custom parts.
-    pub fn new(input: TownInput<'_>, levels: &[Detail], parts: &[&Source]) -> TileSalt {
+    /// Collects what all tiles depend on: the program, the options, the levels and custom parts, of other files and of the
+    /// town's own.
+    pub fn new(
+        input: TownInput<'_>,
+        levels: &[Detail],
+        (parts, written): (&[&Source], &[WrittenPart]),
+    ) -> TileSalt {
         let expand = &input.options.expand;
         let mut salt = format!(
             "{} {FORM} {levels:?} {:?} {:?}",
@@ -46,7 +52,9 @@ impl TileSalt {
         for source in parts {
             salt.push_str(source.text());
         }
-        TileSalt(salt.into_bytes())
+        let mut salt = salt.into_bytes();
+        salt.extend(essence(&written));
+        TileSalt(salt)
     }
 }
 

@@ -5,6 +5,7 @@ use super::input::{TileSalt, evaluate};
 use super::make::{make, picture_hash};
 use super::mesh::{Tile, tiles};
 use super::record::{TileRecord, record_file};
+use crate::ast::WrittenPart;
 use crate::ast::town::Tiles;
 use crate::backend::tileset;
 use crate::catalog::Catalog;
@@ -33,6 +34,8 @@ pub struct TileJob<'a> {
     pub catalog: &'a Catalog,
     /// The sources of custom parts.
     pub parts: &'a [&'a Source],
+    /// The custom parts of the town file.
+    pub written: &'a [WrittenPart],
     /// The year of the town, if it has one.
     pub year: Option<&'a str>,
     /// How it is divided, and the levels of detail.
@@ -87,7 +90,7 @@ pub fn run(
             (job.input.world, job.input.options),
             &levels,
         ),
-        salt: TileSalt::new(job.input, &levels, job.parts),
+        salt: TileSalt::new(job.input, &levels, (job.parts, job.written)),
         levels,
     };
     let mut town = TiledTown {

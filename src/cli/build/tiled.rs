@@ -132,12 +132,15 @@ pub(super) fn build(
         .iter()
         .chain(&read.included)
         .collect();
+    let own = read.documents.iter().flat_map(|d| &d.parts);
+    let written: Vec<ast::WrittenPart> = own.cloned().collect();
     let year = year(&read);
     let job = TileJob {
         input,
         plan,
         catalog: &read.catalog,
         parts: &parts,
+        written: &written,
         year: year.as_deref(),
         division: &division,
         threads: rayon::current_num_threads(),

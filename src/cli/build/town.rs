@@ -191,11 +191,17 @@ impl Town {
         Ok(())
     }
 
+    /// Returns true if the output is a folder, or is written as one.
+    fn is_folder(&self) -> bool {
+        let text = self.output.to_string_lossy();
+        self.output.is_dir() || text.ends_with(['/', std::path::MAIN_SEPARATOR])
+    }
+
     /// Returns true if one model is to be written.
     fn is_model(&self) -> Result<bool, Failure> {
         match self.output.extension() {
-            Some(extension) if extension == "glb" => Ok(true),
-            Some(other) if !self.output.is_dir() => {
+            Some(extension) if extension == "glb" && !self.is_folder() => Ok(true),
+            Some(other) if !self.is_folder() => {
                 let other = other.to_string_lossy();
                 Err(Failure::Usage(text!([other]
                     "a town is written to a folder or a `.glb`, not to `.{other}`",
