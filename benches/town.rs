@@ -140,11 +140,11 @@ impl Row {
         let mut out = Diagnostics::new();
         let mut writer = Writer::new(&spool).expect("there is room");
         let town = driver::stream(
-            &[&source],
+            driver::Feed::whole(&[&source]),
             &NoFiles,
             &options,
             &mut out,
-            &mut |part, images| writer.add(part, images),
+            (&mut |part, images| writer.add(part, images), &spool),
         );
         let town = town.expect("there is room");
         assert!(!out.has_errors(), "the text is wrong");

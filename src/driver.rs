@@ -14,6 +14,7 @@ mod house;
 mod models;
 mod overlaps;
 mod parts;
+mod pieces;
 #[cfg(feature = "models")]
 mod stream;
 #[cfg(feature = "models")]
@@ -22,6 +23,8 @@ mod tile;
 mod variants;
 
 pub use crate::expand::{HouseContext, HouseId};
+#[cfg(feature = "models")]
+pub use beside::is_put_aside;
 pub use convert::convert;
 pub use house::{FeatureHouse, HouseBuilder, house};
 #[cfg(feature = "models")]
@@ -29,8 +32,9 @@ pub use models::{Compiled, Inspected, compile, compile_bytes, flaws, inspect, pi
 #[cfg(feature = "cli")]
 pub(crate) use parts::BESIDE as PARTS_BESIDE;
 pub use parts::catalog;
+pub use pieces::Feed;
 #[cfg(feature = "models")]
-pub use stream::{Sink, Streamed, stream, stream_town};
+pub use stream::{Outlet, Sink, Streamed, stream, stream_town};
 #[cfg(feature = "models")]
 pub use tile::{TileDriver, TileHouses, TileScene};
 
@@ -47,7 +51,7 @@ use crate::program::Program;
 use crate::roof::{KeptRoofs, RoofCache};
 #[cfg(feature = "models")]
 use crate::scene::Detail;
-use crate::source::{FileId, Source, SourceCache, World};
+use crate::source::{Source, SourceCache, World};
 #[cfg(feature = "models")]
 use crate::tessellate;
 use std::borrow::Cow;
@@ -71,6 +75,8 @@ pub struct Options {
     pub variants: Option<NonZeroU32>,
     /// Roofs of earlier runs, where houses come back. They change nothing but the time.
     pub roofs: Option<KeptRoofs>,
+    /// True if a streamed run gives each house its own meshes, also those that houses before it had.
+    pub own_meshes: bool,
     /// True if [`check`] records the values of expressions and names.
     pub notes_values: bool,
 }
@@ -113,7 +119,7 @@ pub fn check(
 ) -> Checked {
     let values = Values::default();
     let noted = options.notes_values.then_some(&values);
-    let mut read = documents_noted(sources, world, options, noted, out);
+    let mut read = documents_noted(Feed::whole(sources), world, options, noted, out);
     let parameters = |d: &mut Document| std::mem::take(&mut d.parameters);
     let parameters = read.documents.iter_mut().flat_map(parameters).collect();
     let views = read.documents.iter_mut();
@@ -122,7 +128,7 @@ pub fn check(
     let (included, catalog) = (read.included, read.catalog);
     #[cfg(feature = "models")]
     models::check_images(&building, world, &options.expand.limits, out);
-    spare_expressions(sources, &included, out);
+    spare_expressions(Feed::whole(sources), &included, out);
     Checked {
         parameters,
         views,
@@ -135,19 +141,10 @@ pub fn check(
 
 /// Removes fixes that would replace an expression by a word, or insert codes right after one: a computed value is not
 /// fixed at its use, and blanks that pad a code belong to it.
-fn spare_expressions(sources: &[&Source], included: &[Source], out: &mut Diagnostics) {
-    let file = |id: FileId| {
-        let mut all = sources.iter().copied().chain(included);
-        all.find(|source| source.id() == id)
-    };
+fn spare_expressions(feed: Feed<'_>, included: &[Source], out: &mut Diagnostics) {
     out.retain_fixes(|edit| {
-        let Some(source) = file(edit.span.file) else {
-            return true;
-        };
-        let place = source.text_range(edit.span);
-        let there = source.text().get(place.clone()).unwrap_or_default();
-        let before = source.text().get(..place.start).unwrap_or_default();
-        let computed = there.contains('{') || there.is_empty() && before.ends_with('}');
+        let (before, there) = feed.written(edit.span, included);
+        let computed = there.contains('{') || there.is_empty() && before == Some(b'}');
         !computed || edit.text.is_empty() || edit.text.contains('{')
     });
 }
@@ -190,24 +187,35 @@ pub fn documents(
     options: &Options,
     out: &mut Diagnostics,
 ) -> Read {
-    documents_noted(sources, world, options, None, out)
+    documents_of(Feed::whole(sources), world, options, out)
+}
+
+/// As [`documents`]; those of files that are read in pieces have no houses.
+fn documents_of(
+    feed: Feed<'_>,
+    world: &dyn World,
+    options: &Options,
+    out: &mut Diagnostics,
+) -> Read {
+    documents_noted(feed, world, options, None, out)
 }
 
 /// As [`documents`], and records the values of expressions and names.
 fn documents_noted(
-    sources: &[&Source],
+    feed: Feed<'_>,
     world: &dyn World,
     options: &Options,
     values: Option<&Values>,
     out: &mut Diagnostics,
 ) -> Read {
+    let sources = feed.sources;
     let cache = cache(sources, options);
     let mut trees = Trees::default();
     let setting = parse::ReadContext {
         values,
         ..setting(world, options, &cache)
     };
-    let documents = read(sources, setting, &mut trees, out);
+    let documents = read(feed, setting, &mut trees, out);
     let catalog = catalog(
         sources,
         &documents,
@@ -245,21 +253,30 @@ fn setting<'a>(
         world,
         cache,
         values: None,
+        before: None,
     }
 }
 
 /// Reads the sources; files and elements that were read before come from the cache.
 fn read<'a>(
-    sources: &[&'a Source],
+    feed: Feed<'a>,
     setting: parse::ReadContext<'a>,
     trees: &mut Trees<'a>,
     out: &mut Diagnostics,
 ) -> Vec<Document> {
-    let documents = sources
-        .iter()
-        .map(|s| parse::parse_in(s, setting, trees, out));
+    let documents = feed.sources.iter().map(|s| {
+        if feed.long(s).is_none() {
+            return parse::parse_in(s, setting, trees, out);
+        }
+        // What is wrong with it is reported with its pieces.
+        let setting = parse::ReadContext {
+            before: Some(parse::Before::default()),
+            ..setting
+        };
+        parse::parse_in(s, setting, trees, &mut Diagnostics::new())
+    });
     let documents: Vec<Document> = documents.collect();
-    unknown_parameters(sources, &documents, setting.parameters, out);
+    unknown_parameters(feed.sources, &documents, setting.parameters, out);
     documents
 }
 

@@ -17,6 +17,7 @@ use crate::source::{Limits, NoFiles, Source, SourceCache, World};
 
 mod builtin;
 mod columns;
+pub mod divide;
 mod expr;
 pub mod fields;
 pub(crate) mod meanings;
@@ -44,6 +45,15 @@ pub struct ReadContext<'a> {
     pub cache: &'a SourceCache,
     /// Records the values of expressions, if requested.
     pub values: Option<&'a Values>,
+    /// What stands before the source in the file that it is a piece of, if it is one.
+    pub before: Option<Before>,
+}
+
+/// What stands before a piece of a file.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Before {
+    /// The number of houses.
+    pub houses: u64,
 }
 
 impl<'a> ReadContext<'a> {
@@ -56,6 +66,7 @@ impl<'a> ReadContext<'a> {
             world: &NoFiles,
             cache,
             values: None,
+            before: None,
         }
     }
 }
@@ -80,16 +91,20 @@ pub fn parse_in<'a>(
     out: &mut Diagnostics,
 ) -> Document {
     let limits = &setting.limits;
-    if !is_readable(source, limits, &mut |d| out.push(d)) {
+    // The file of a piece has been looked at.
+    let alone = setting.before.is_none();
+    if alone && !is_readable(source, limits, &mut |d| out.push(d)) {
         return Document::default();
     }
     match source.text().trim_start().chars().next() {
         None => {
-            out.push(say::no_house(source.span(0..0)));
+            if alone {
+                out.push(say::no_house(source.span(0..0)));
+            }
             Document::default()
         }
         Some('<' | '＜') => xml::parse_from(source, 0, setting, trees, out),
-        Some(_) => legacy::parse(source, limits, out),
+        Some(_) => legacy::parse_in(source, setting, out),
     }
 }
 

@@ -7,10 +7,12 @@
 
 mod cache;
 mod limits;
+mod long;
 mod reference;
 
 pub use crate::source::cache::{CacheFull, SourceCache};
 pub use limits::Limits;
+pub use long::{Layout, LongFile};
 #[cfg(feature = "models")]
 pub(crate) use reference::reference;
 
@@ -255,6 +257,14 @@ impl Source {
         let line_start = before.rfind('\n').map_or(0, |i| i + 1);
         let line = 1 + before.bytes().filter(|&b| b == b'\n').count();
         (line, 1 + before[line_start..].chars().count())
+    }
+
+    /// Returns the first line of a span.
+    pub(crate) fn first_line(&self, span: Span) -> Span {
+        let range = self.text_range(span);
+        let first = self.text[range.clone()].lines().next();
+        let length = first.map_or(0, |line| line.trim_end().len());
+        self.span(range.start..range.start + length)
     }
 
     fn original(&self, at: usize) -> u32 {

@@ -26,7 +26,13 @@ fn streamed(
     let mut out = Diagnostics::new();
     let mut writer = Writer::new(new)?;
     let mut sink = |part: ScenePart<'_>, images: &Library| writer.add(part, images);
-    let town = driver::stream(&[source], world, &options(detail), &mut out, &mut sink)?;
+    let town = driver::stream(
+        driver::Feed::whole(&[source]),
+        world,
+        &options(detail),
+        &mut out,
+        (&mut sink, new),
+    )?;
     let glb = writer.glb(&town.materials, &town.library, &town.grown)?;
     Ok((glb.bytes(), format!("{:?}", out.into_sorted())))
 }
@@ -184,7 +190,14 @@ fn a_house_with_too_many_triangles_is_left_out() {
             let found = out.into_sorted();
             let mut again = Diagnostics::new();
             let mut sink = |_: ScenePart<'_>, _: &Library| Ok(());
-            driver::stream(&[&source], &NoFiles, asked, &mut again, &mut sink).expect("no disk");
+            driver::stream(
+                driver::Feed::whole(&[&source]),
+                &NoFiles,
+                asked,
+                &mut again,
+                (&mut sink, &in_memory),
+            )
+            .expect("no disk");
             assert_eq!(found, again.into_sorted(), "{detail:?}");
             let limit = found.iter().filter(|d| d.code.0 == 911);
             (names.join(", "), limit.count())

@@ -18,6 +18,7 @@ mod buffer;
 mod compress;
 mod container;
 mod json_file;
+mod joined;
 mod materials;
 mod nodes;
 mod shading;

@@ -161,6 +161,18 @@ impl Diagnostics {
         moved
     }
 
+    /// Returns those of the kept diagnostics that are to be kept further.
+    #[must_use]
+    pub fn filtered(mut self, keep: impl FnMut(&Diagnostic) -> bool) -> Diagnostics {
+        self.list.retain(keep);
+        self
+    }
+
+    /// Returns true if there are none.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
     /// Removes the fixes with an edit that must not be made.
     pub fn retain_fixes(&mut self, keep: impl Fn(&Edit) -> bool) {
         let fixed = self.list.iter_mut().filter(|d| !d.fixes.is_empty());

@@ -9,7 +9,9 @@ use crate::diagnostic::messages::plan::side_by_side;
 use crate::expand::{Expander, HouseContext, HouseId};
 use crate::geometry::Heading;
 use crate::lower;
-use crate::source::{Source, Spanned, World};
+use crate::parse::xml::Trees;
+use crate::parse::{self, Before, ReadContext};
+use crate::source::{Limits, Source, SourceCache, Spanned, World};
 use glam::dvec2;
 
 /// Free room between the walls of neighbours, metres: eaves on both sides fit into it.
@@ -56,6 +58,19 @@ pub(super) fn put(
         }
     }
     out.push(side_by_side(sources[second].span(0..0), unplaced.len()));
+}
+
+/// Returns true if the houses of a file, of which this is the first piece, are put beside those of other files: then all of
+/// them are needed at once.
+pub fn is_put_aside(piece: &Source, limits: &Limits) -> bool {
+    let mut unheard = Diagnostics::new();
+    let cache = SourceCache::new(0, 0, 0);
+    let setting = ReadContext {
+        before: Some(Before::default()),
+        ..ReadContext::alone(limits, &cache)
+    };
+    let document = parse::parse_in(piece, setting, &mut Trees::default(), &mut unheard);
+    is_unplaced(&document)
 }
 
 /// Returns true if a document says nowhere where its houses stand.

@@ -19,7 +19,7 @@ pub(super) struct WallEnd {
     /// Its place in the world, metres.
     pub(super) at: DVec2,
     /// The direction in which it would go on.
-    out: DVec2,
+    pub(super) out: DVec2,
 }
 
 /// A gap before another house.

@@ -2,10 +2,11 @@
 //! thread is a loop over houses; one made alone with its id is identical to the last bit to the one in a run.
 
 use super::overlaps::{Ground, Grounds};
+use super::pieces::{Feed, PieceHouse, Pieces};
 use super::{Options, Read};
-use crate::ast::{self, Document};
+use crate::ast::{self, Document, Variant};
 use crate::building::{Building, Built};
-use crate::catalog::Catalog;
+use crate::catalog::{Catalog, ScopeId};
 use crate::diagnostic::messages::town::plain_body;
 use crate::diagnostic::{Diagnostics, Origin};
 use crate::expand::{self, Expander, HouseContext, HouseId};
@@ -15,7 +16,9 @@ use crate::program::{self, Picture};
 use crate::roof::{self, KeptRoofs, RoofCache};
 use crate::source::{Source, World};
 use rayon::prelude::*;
+use std::io;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Makes one house: expands its syntax, places its walls, roofs and fits it. Returns `None` if it would exceed a limit.
 /// Parts refer by index to the images that are returned with it. To make many houses use a [`HouseBuilder`], which
@@ -102,11 +105,41 @@ const CHUNK: usize = 16;
 /// Expands the houses of documents batch by batch, and drops the syntax of each when it is expanded.
 pub(super) struct Expansion<'a> {
     expander: Expander<'a>,
-    houses: Box<dyn Iterator<Item = NextHouse<'a>> + Send + 'a>,
+    houses: Box<Houses<'a>>,
+    /// The error that ended the houses.
+    failure: Option<io::Error>,
 }
 
+/// Houses to be expanded.
+type Houses<'a> = dyn Iterator<Item = io::Result<NextHouse<'a>>> + Send + 'a;
+
 /// A house to be expanded; with the feature that it stands on, in a town.
-type NextHouse<'a> = (ast::House, HouseId, HouseContext<'a>, Option<OfFeature>);
+struct NextHouse<'a> {
+    /// `None` = what was found after the last house.
+    house: Option<ast::House>,
+    id: HouseId,
+    source: Written<'a>,
+    scope: ScopeId,
+    variant: Option<Variant>,
+    feature: Option<OfFeature>,
+    /// What was found where it is written.
+    found: Diagnostics,
+}
+
+/// The source that a house is written in.
+enum Written<'a> {
+    Whole(&'a Source),
+    Piece(Arc<Source>),
+}
+
+impl Written<'_> {
+    fn source(&self) -> &Source {
+        match self {
+            Written::Whole(source) => source,
+            Written::Piece(piece) => piece,
+        }
+    }
+}
 
 /// A house of a town.
 #[derive(Debug)]
@@ -144,28 +177,53 @@ impl<'a> Expansion<'a> {
     pub(super) fn new(
         documents: Vec<Document>,
         catalog: &'a Catalog,
-        sources: &'a [&'a Source],
+        feed: Feed<'a>,
         world: &'a dyn World,
-        options: &'a expand::Options,
+        options: &'a Options,
     ) -> Expansion<'a> {
         // With variants there are the documents of all sources several times.
-        let sources = sources.iter().copied().cycle();
+        let sources = feed.sources.iter().copied().cycle();
         let documents = sources.zip(documents).enumerate();
         let houses = documents.flat_map(move |(number, (source, document))| {
-            let variant = document.variant;
-            let houses = document.houses.into_iter().enumerate();
-            houses.map(move |(index, house)| {
-                let context = HouseContext {
-                    source,
-                    scope: catalog.known_in(number, index),
-                    variant,
+            let next = move |house, id, source| NextHouse {
+                house,
+                id: HouseId(id),
+                source,
+                scope: catalog.known_in(number, id as usize),
+                variant: document.variant,
+                feature: None,
+                found: Diagnostics::new(),
+            };
+            let houses: Box<Houses<'a>> =
+                match feed.long(source) {
+                    Some(file) => {
+                        let pieces = Pieces::new(file, source, world, options);
+                        Box::new(pieces.map(move |house| {
+                            let PieceHouse {
+                                house,
+                                number,
+                                piece,
+                                found,
+                            } = house?;
+                            Ok(NextHouse {
+                                found,
+                                ..next(house, number, Written::Piece(piece))
+                            })
+                        }))
+                    }
+                    None => {
+                        let houses = document.houses.into_iter().zip(0..);
+                        Box::new(houses.map(move |(house, id)| {
+                            Ok(next(Some(house), id, Written::Whole(source)))
+                        }))
+                    }
                 };
-                (house, HouseId(index as u64), context, None)
-            })
+            houses
         });
         Expansion {
-            expander: Expander::new(catalog, world, options),
+            expander: Expander::new(catalog, world, &options.expand),
             houses: Box::new(houses),
+            failure: None,
         }
     }
 
@@ -178,21 +236,24 @@ impl<'a> Expansion<'a> {
         options: &'a expand::Options,
     ) -> Expansion<'a> {
         let houses = houses.map(move |made| {
-            let context = HouseContext {
-                source,
+            Ok(NextHouse {
+                house: Some(made.house),
+                id: HouseId(0),
+                source: Written::Whole(source),
                 scope: catalog.known_in(0, 0),
                 variant: None,
-            };
-            let of = OfFeature {
-                origin: made.origin,
-                name: made.name,
-                plain: made.plain,
-            };
-            (made.house, HouseId(0), context, Some(of))
+                feature: Some(OfFeature {
+                    origin: made.origin,
+                    name: made.name,
+                    plain: made.plain,
+                }),
+                found: Diagnostics::new(),
+            })
         });
         Expansion {
             expander: Expander::new(catalog, world, options),
             houses: Box::new(houses),
+            failure: None,
         }
     }
 
@@ -201,31 +262,57 @@ impl<'a> Expansion<'a> {
         let before = self.expander.images().len();
         let mut batch = Batch::default();
         while !batch.is_full(most)
-            && let Some((house, id, context, feature)) = self.houses.next()
+            && let Some(next) = self.houses.next()
         {
-            let mut found = Diagnostics::new();
-            let mut made = self.expander.house(&house, id, context, &mut found);
-            let Some(feature) = feature else {
-                batch.push(made, found, None);
-                continue;
-            };
-            if let Some(first) = found.first_error() {
-                let kind = house.name.map_or(String::new(), |name| name.value);
-                let message = plain_body(feature.origin.clone(), &kind, &first.message);
-                found = Diagnostics::new();
-                let mut ignored = Diagnostics::new();
-                let plain = feature.plain.as_deref();
-                made = plain.and_then(|h| self.expander.house(h, id, context, &mut ignored));
-                found.push(message);
+            match next {
+                Ok(next) => self.expand(next, &mut batch),
+                Err(error) => {
+                    self.failure.get_or_insert(error);
+                }
             }
-            if let Some(house) = &mut made {
-                house.name = feature.name;
-            }
-            let found = found.of_feature(&feature.origin);
-            batch.push(made, found, Some(feature.origin));
         }
         batch.images = before..self.expander.images().len();
         (!batch.houses.is_empty()).then_some(batch)
+    }
+
+    fn expand(&mut self, next: NextHouse<'_>, batch: &mut Batch) {
+        let NextHouse {
+            house,
+            id,
+            source,
+            scope,
+            variant,
+            feature,
+            mut found,
+        } = next;
+        let Some(house) = house else {
+            batch.push(None, found, None);
+            return;
+        };
+        let context = HouseContext {
+            source: source.source(),
+            scope,
+            variant,
+        };
+        let mut made = self.expander.house(&house, id, context, &mut found);
+        let Some(feature) = feature else {
+            batch.push(made, found, None);
+            return;
+        };
+        if let Some(first) = found.first_error() {
+            let kind = house.name.map_or(String::new(), |name| name.value);
+            let message = plain_body(feature.origin.clone(), &kind, &first.message);
+            found = Diagnostics::new();
+            let mut ignored = Diagnostics::new();
+            let plain = feature.plain.as_deref();
+            made = plain.and_then(|h| self.expander.house(h, id, context, &mut ignored));
+            found.push(message);
+        }
+        if let Some(house) = &mut made {
+            house.name = feature.name;
+        }
+        let found = found.of_feature(&feature.origin);
+        batch.push(made, found, Some(feature.origin));
     }
 
     /// Returns the images of all houses so far.
@@ -234,8 +321,14 @@ impl<'a> Expansion<'a> {
     }
 
     /// Returns the images of all houses.
-    pub(super) fn into_images(self) -> Vec<Picture> {
-        self.expander.into_images()
+    ///
+    /// # Errors
+    /// The one that ended the houses: a long file could not be read to its end.
+    pub(super) fn into_images(self) -> io::Result<Vec<Picture>> {
+        match self.failure {
+            Some(error) => Err(error),
+            None => Ok(self.expander.into_images()),
+        }
     }
 }
 
@@ -314,7 +407,8 @@ pub(super) fn each_house(
 ) -> Vec<Picture> {
     let documents = std::mem::take(&mut read.documents);
     let catalog = &*read.catalog;
-    let mut expansion = Expansion::new(documents, catalog, sources, world, &options.expand);
+    let feed = Feed::whole(sources);
+    let mut expansion = Expansion::new(documents, catalog, feed, world, options);
     let mut grounds = Grounds::new(together || sources.len() == 1);
     let mut next = expansion.batch(BATCH);
     while let Some(batch) = next {
@@ -334,6 +428,6 @@ pub(super) fn each_house(
         }
         next = ahead;
     }
-    grounds.report(sources.iter().copied().chain(&read.included), out);
-    expansion.into_images()
+    grounds.report(|span| feed.first_line(span, &read.included), out);
+    expansion.into_images().expect("all sources are in memory")
 }

@@ -1,5 +1,6 @@
 //! The model of a run: its scene, its images, and the shapes that back ends leave out.
 
+use super::pieces::Feed;
 use super::{
     Options, arrange, beside, documents, house, refuse_towns, spare_expressions, timed, variants,
 };
@@ -65,7 +66,7 @@ pub fn inspect(
     );
     let paths: Vec<String> = images.into_iter().map(|image| image.path).collect();
     load(&paths, world, limits, out, |index| uses.first(index));
-    spare_expressions(sources, &read.included, out);
+    spare_expressions(Feed::whole(sources), &read.included, out);
     Inspected {
         included: read.included,
         houses,
@@ -148,7 +149,7 @@ pub fn compile(
             .for_each(|d| out.push(d));
         scene
     });
-    spare_expressions(sources, &included, out);
+    spare_expressions(Feed::whole(sources), &included, out);
     Compiled {
         included,
         catalog,

@@ -1,11 +1,20 @@
 //! Houses that stand in each other, or leave a gap: compared by the ground storeys of all houses of a run, in their order.
+//! Those of a town are compared district by district; see `spilled`.
+
+#[cfg(feature = "models")]
+mod bytes;
+#[cfg(feature = "models")]
+mod spilled;
+
+#[cfg(feature = "models")]
+pub(super) use spilled::SpilledGrounds;
 
 use super::gaps::{self, Gap, PASSAGE, WallEnd};
 use crate::building::{House, Ring};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::plan::{gap_in_wall, in_each_other};
 use crate::geometry::overlap::Area;
-use crate::source::{Source, Span};
+use crate::source::Span;
 use glam::DVec2;
 use std::collections::HashMap;
 
@@ -30,6 +39,9 @@ const PAIRS: usize = 64;
 /// The numbers of the houses in each cell of the grid.
 type Cells = HashMap<(i64, i64), Vec<u32>>;
 
+/// An outline; true if it is a court.
+type Outline = (Box<[DVec2]>, bool);
+
 /// The ground storeys of the houses so far.
 #[derive(Debug)]
 pub(super) struct Grounds {
@@ -48,8 +60,7 @@ pub(super) struct Ground {
     high: DVec2,
     /// From its floor to the top of its walls, metres.
     heights: [f64; 2],
-    /// Its outlines, each with true if it is a court.
-    rings: Box<[(Box<[DVec2]>, bool)]>,
+    rings: Box<[Outline]>,
     /// Walls that enclose nothing.
     open: Box<[Box<[DVec2]>]>,
     /// The ends of walls and of a corridor.
@@ -63,7 +74,7 @@ impl Ground {
         let z = house.origin[2];
         let all: Vec<&Ring> = storey.rings.iter().filter(|r| !r.inner).collect();
         let (closed, open): (Vec<&Ring>, Vec<&Ring>) = all.iter().partition(|r| r.closed);
-        let rings: Box<[(Box<[DVec2]>, bool)]> = closed
+        let rings: Box<[Outline]> = closed
             .iter()
             .map(|r| {
                 (
@@ -78,20 +89,31 @@ impl Ground {
             places.map(|p| house.world(p)).collect()
         };
         let open: Box<[Box<[DVec2]>]> = open.iter().map(line).collect();
+        let top = house.storeys.iter().map(|s| s.z1).fold(0.0, f64::max);
+        let span = house.placed.map_or(house.span, |by| by.span);
+        let place = (span, house.name.as_str().into());
+        Ground::new(place, [z, z + top], (rings, open), gaps::ends(house, &all))
+    }
+
+    fn new(
+        (span, name): (Span, Box<str>),
+        heights: [f64; 2],
+        (rings, open): (Box<[Outline]>, Box<[Box<[DVec2]>]>),
+        ends: Box<[WallEnd]>,
+    ) -> Option<Ground> {
         let closed = rings.iter().flat_map(|(ring, _)| ring.iter());
         let corners = || closed.clone().chain(open.iter().flatten()).copied();
         let low = corners().reduce(DVec2::min)?;
         let high = corners().reduce(DVec2::max)?;
-        let top = house.storeys.iter().map(|s| s.z1).fold(0.0, f64::max);
         Some(Ground {
-            span: house.placed.map_or(house.span, |by| by.span),
-            name: house.name.as_str().into(),
+            span,
+            name,
             low,
             high,
-            heights: [z, z + top],
-            ends: gaps::ends(house, &all),
+            heights,
             rings,
             open,
+            ends,
         })
     }
 
@@ -143,6 +165,29 @@ fn cells_at(low: DVec2, high: DVec2) -> impl Iterator<Item = (i64, i64)> {
     (x0..=x1).flat_map(move |x| (y0..=y1).map(move |y| (x, y)))
 }
 
+/// What is found among some houses, by their numbers in the list.
+#[derive(Debug, Default)]
+struct Findings {
+    met: Vec<Met>,
+    gaps: Vec<Near>,
+}
+
+/// A house that stands in another one; the area that they share, square metres.
+#[derive(Debug)]
+struct Met {
+    own: u32,
+    other: u32,
+    shared: f64,
+}
+
+/// A house with a wall that ends before another one; the length of the gap, metres.
+#[derive(Debug)]
+struct Near {
+    own: u32,
+    other: u32,
+    length: f64,
+}
+
 impl Grounds {
     /// Creates the list for houses of one scene, or of files that are only checked together.
     pub(super) fn new(together: bool) -> Grounds {
@@ -157,18 +202,30 @@ impl Grounds {
         self.list.extend(grounds);
     }
 
-    /// Reports the houses that stand in each other, each with the first one before it that it stands in.
-    pub(super) fn report<'s>(
-        &self,
-        sources: impl Iterator<Item = &'s Source> + Clone,
-        out: &mut Diagnostics,
-    ) {
-        let head = |span: Span| {
-            let source = sources.clone().find(|source| source.id() == span.file);
-            source.map_or(span, |source| first_line(source, span))
+    /// Reports the houses that stand in each other, and the walls that end a little before another house. `head` returns
+    /// the first line of a house.
+    pub(super) fn report(&self, head: impl Fn(Span) -> Span, out: &mut Diagnostics) {
+        let found = self.findings(|_| true);
+        let place = |number: u32| {
+            let ground = &self.list[number as usize];
+            (head(ground.span), &*ground.name)
         };
+        for Met { own, other, shared } in found.met {
+            let [(own, name), (other, second)] = [own, other].map(place);
+            out.push(in_each_other([own, other], [name, second], shared));
+        }
+        for Near { own, other, length } in found.gaps {
+            let [(own, name), (other, second)] = [own, other].map(place);
+            out.push(gap_in_wall([own, other], [name, second], length));
+        }
+    }
+
+    /// Finds the houses that stand in each other, each with the first one before it that it stands in; and the gaps before
+    /// those ends of walls that are `here`.
+    fn findings(&self, here: impl Fn(DVec2) -> bool) -> Findings {
         let mut cells = Cells::new();
         let mut large: Vec<u32> = vec![];
+        let mut found = Findings::default();
         // Ten thousand houses in one place are compared with some of the others only.
         let mut pairs = PAIRS * self.list.len().max(4096);
         for (number, ground) in self.list.iter().enumerate() {
@@ -186,50 +243,49 @@ impl Grounds {
             near.sort_unstable();
             near.dedup();
             let mut own = None;
-            let met = near.into_iter().find_map(|other| {
-                let other = &self.list[other as usize];
-                let beside = self.together || ground.span.file == other.span.file;
-                if !beside || !ground.meets(other) {
-                    return None;
-                }
-                let own = own.get_or_insert_with(|| ground.area());
-                let shared = own.shared(&other.area());
-                (shared > SHARED).then_some((other, shared))
-            });
-            if let Some((other, shared)) = met {
-                let names = [&*ground.name, &*other.name];
-                let heads = [ground.span, other.span].map(head);
-                out.push(in_each_other(heads, names, shared));
-            }
+            found
+                .met
+                .extend(near.into_iter().find_map(|number_of_other| {
+                    let other = &self.list[number_of_other as usize];
+                    let beside = self.together || ground.span.file == other.span.file;
+                    if !beside || !ground.meets(other) {
+                        return None;
+                    }
+                    let own = own.get_or_insert_with(|| ground.area());
+                    let shared = own.shared(&other.area());
+                    (shared > SHARED).then_some(Met {
+                        own: number as u32,
+                        other: number_of_other,
+                        shared,
+                    })
+                }));
             match ground.cells() {
                 Some(own) => own.for_each(|c| cells.entry(c).or_default().push(number as u32)),
                 None => large.push(number as u32),
             }
         }
-        self.report_gaps((&cells, &large), head, out);
+        found.gaps = self.gaps((&cells, &large), here);
+        found
     }
 
-    /// Reports the walls that end a little before another house, which is found in the cells of the grid, or among the large
+    /// Finds the walls that end a little before another house, which is found in the cells of the grid, or among the large
     /// ones.
-    fn report_gaps(
-        &self,
-        (cells, large): (&Cells, &[u32]),
-        head: impl Fn(Span) -> Span,
-        out: &mut Diagnostics,
-    ) {
+    fn gaps(&self, (cells, large): (&Cells, &[u32]), here: impl Fn(DVec2) -> bool) -> Vec<Near> {
+        let mut gaps = vec![];
         for (number, ground) in self.list.iter().enumerate() {
-            for end in &ground.ends {
+            let own = number as u32;
+            for end in ground.ends.iter().filter(|end| here(end.at)) {
                 let near = cells_at(end.at - PASSAGE, end.at + PASSAGE);
                 let near = near.filter_map(|cell| cells.get(&cell)).flatten();
                 let near = near.chain(large).copied().take(PAIRS);
-                if let Some(gap) = self.gap(number as u32, *end, near) {
-                    let other = &self.list[gap.other as usize];
-                    let heads = [ground.span, other.span].map(&head);
-                    let names = [&*ground.name, &*other.name];
-                    out.push(gap_in_wall(heads, names, gap.length));
-                }
+                gaps.extend(self.gap(own, *end, near).map(|gap| Near {
+                    own,
+                    other: gap.other,
+                    length: gap.length,
+                }));
             }
         }
+        gaps
     }
 
     /// Returns the gap after the end of a wall; of two ends that face each other only the later house has one.
@@ -247,12 +303,4 @@ impl Grounds {
         let twice = gap.other > own && facing.clone().any(|e| e.is_at(gap.to));
         (!twice).then_some(gap)
     }
-}
-
-/// Returns the first line of a span.
-fn first_line(source: &Source, span: Span) -> Span {
-    let range = source.text_range(span);
-    let first = source.text()[range.clone()].lines().next();
-    let length = first.map_or(0, |line| line.trim_end().len());
-    source.span(range.start..range.start + length)
 }

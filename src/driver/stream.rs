@@ -1,10 +1,12 @@
 //! A run that hands its houses on as they are made and keeps none: a town of any size takes the memory of some hundred
-//! houses and of its source.
+//! houses. Long sources are read in pieces meanwhile; the others are in memory.
 
 use super::house::{BATCH, Batch, Expansion, FeatureHouse};
 use super::models::{not_shown, use_by};
-use super::overlaps::{Ground, Grounds};
-use super::{Options, Read, beside, documents, refuse_towns, spare_expressions, timed};
+use super::overlaps::{Ground, SpilledGrounds};
+use super::pieces::Feed;
+use super::{Options, Read, beside, documents_of, refuse_towns, spare_expressions, timed};
+use crate::backend::gltf::NewSpool;
 use crate::backend::images::Library;
 use crate::backend::sound;
 use crate::building::Built;
@@ -47,24 +49,27 @@ pub struct Streamed {
 /// Takes houses in their order, with the images of their materials except baked pages.
 pub type Sink<'s> = dyn FnMut(ScenePart<'_>, &Library) -> io::Result<()> + Send + 's;
 
+/// Where houses go, and where the run keeps what it needs of all of them at its end.
+pub type Outlet<'s, 'n> = (&'n mut Sink<'s>, NewSpool<'n>);
+
 /// Runs the whole chain like [`compile`](super::compile), on the threads of the current `rayon` pool, and hands the houses
-/// to `sink`, some hundred at a time. It does not stop at errors of the sources: everything valid is built. Variants
+/// to the sink, some hundred at a time. It does not stop at errors of the sources: everything valid is built. Variants
 /// are not made.
 ///
 /// # Errors
-/// Those of `sink`.
+/// Those of the sink and of the spool.
 pub fn stream(
-    sources: &[&Source],
+    feed: Feed<'_>,
     world: &dyn World,
     options: &Options,
     out: &mut Diagnostics,
-    sink: &mut Sink<'_>,
+    outlet: Outlet<'_, '_>,
 ) -> io::Result<Streamed> {
     let mut times = vec![];
     let read = timed(&mut times, "parse", || {
-        let mut read = documents(sources, world, options, out);
+        let mut read = documents_of(feed, world, options, out);
         refuse_towns(&read.documents, out);
-        beside::put(&mut read, sources, world, options, out);
+        beside::put(&mut read, feed.sources, world, options, out);
         read
     });
     let Read {
@@ -72,15 +77,15 @@ pub fn stream(
         included,
         catalog,
     } = read;
-    let expansion = Expansion::new(documents, &catalog, sources, world, &options.expand);
-    let run = (sources, world, options);
+    let expansion = Expansion::new(documents, &catalog, feed, world, options);
+    let run = (feed, world, options);
     let made = run_houses(
         run,
         expansion,
         &catalog,
         &included,
         true,
-        (out, sink),
+        (out, outlet),
         &mut times,
     )?;
     Ok(made.with(included, catalog, times))
@@ -89,27 +94,27 @@ pub fn stream(
 /// As [`stream`], of the houses of a town, whose file has been read.
 ///
 /// # Errors
-/// Those of `sink`.
+/// Those of the sink and of the spool.
 pub fn stream_town(
     (source, read): (&Source, Read),
     houses: impl Iterator<Item = FeatureHouse> + Send,
     world: &dyn World,
     options: &Options,
     out: &mut Diagnostics,
-    sink: &mut Sink<'_>,
+    outlet: Outlet<'_, '_>,
 ) -> io::Result<Streamed> {
     let mut times = vec![];
     let (included, catalog) = (read.included, read.catalog);
     let expansion = Expansion::of_town(houses, &catalog, source, world, &options.expand);
     let sources = [source];
-    let run = (&sources[..], world, options);
+    let run = (Feed::whole(&sources), world, options);
     let made = run_houses(
         run,
         expansion,
         &catalog,
         &included,
         false,
-        (out, sink),
+        (out, outlet),
         &mut times,
     )?;
     Ok(made.with(included, catalog, times))
@@ -148,12 +153,12 @@ impl Left {
 
 /// Makes the houses of an expansion; `apart` = they must not stand in each other, unlike those of a town.
 fn run_houses(
-    (sources, world, options): (&[&Source], &dyn World, &Options),
+    (feed, world, options): (Feed<'_>, &dyn World, &Options),
     mut expansion: Expansion<'_>,
     catalog: &Catalog,
     included: &[Source],
     apart: bool,
-    (out, sink): (&mut Diagnostics, &mut Sink<'_>),
+    (out, (sink, new)): (&mut Diagnostics, Outlet<'_, '_>),
     times: &mut Vec<(&'static str, Duration)>,
 ) -> io::Result<Left> {
     let shapes = tessellate::Options {
@@ -161,13 +166,17 @@ fn run_houses(
         ..options.shapes()
     };
     let tessellator = Tessellator::new(catalog, shapes);
+    let mut scene = SceneBuilder::new(options.detail);
+    if options.own_meshes {
+        scene.forget_twins();
+    }
     let mut town = Town {
         world,
         options,
-        scene: SceneBuilder::new(options.detail),
+        scene,
         library: Library::default(),
         counter: Counter::default(),
-        grounds: Grounds::new(apart),
+        grounds: SpilledGrounds::new(apart, new),
         houses: 0,
         together: BATCH / 4,
         first: Span::default(),
@@ -187,12 +196,12 @@ fn run_houses(
         ..
     } = town;
     if apart {
-        grounds.report(sources.iter().copied().chain(included), out);
+        grounds.report(|span| feed.first_line(span, included), out)?;
     }
     let (materials, baked, grown) = scene.into_images();
     library.bake(&baked);
-    let pictures = expansion.into_images();
-    spare_expressions(sources, included, out);
+    let pictures = expansion.into_images()?;
+    spare_expressions(feed, included, out);
     Ok(Left {
         materials,
         library,
@@ -271,7 +280,7 @@ struct Town<'a, 's> {
     scene: SceneBuilder,
     library: Library,
     counter: Counter,
-    grounds: Grounds,
+    grounds: SpilledGrounds<'s>,
     houses: usize,
     /// The number of houses to make at a time.
     together: usize,
@@ -320,7 +329,7 @@ impl Town<'_, '_> {
         for found in made.found {
             self.out.append(found);
         }
-        self.grounds.add(made.grounds);
+        self.grounds.add(made.grounds)?;
         let limits = &self.options.expand.limits;
         for (id, used) in made.images {
             let path = &expansion.images()[id].path;

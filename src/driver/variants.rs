@@ -1,6 +1,7 @@
 //! Variants of the sources: each is read with the next seed, so that any of them can be built alone with its seed.
 
 use super::Read;
+use super::pieces::Feed;
 use crate::ast::{Document, Variant};
 use crate::building::Building;
 use crate::diagnostic::Diagnostics;
@@ -42,7 +43,7 @@ pub(super) fn documents(
     for (variant, options) in &runs {
         let mut found = Diagnostics::new();
         let read = super::read(
-            sources,
+            Feed::whole(sources),
             super::setting(world, options, &cache),
             &mut trees,
             &mut found,

@@ -53,10 +53,30 @@ pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Documen
     parse_lines(source, limits, out, &mut |_, _| {})
 }
 
+/// Reads a file of the legacy form, or a piece of one.
+pub(super) fn parse_in(
+    source: &Source,
+    setting: ReadContext<'_>,
+    out: &mut Diagnostics,
+) -> Document {
+    let alone = setting.before.is_none();
+    read_lines(source, (&setting.limits, alone), out, &mut |_, _| {})
+}
+
 /// Reads a file of the legacy form; also returns the kind of each line, with its range of the source's text.
 pub fn parse_lines(
     source: &Source,
     limits: &Limits,
+    out: &mut Diagnostics,
+    each: &mut dyn FnMut(Range<usize>, LineKind),
+) -> Document {
+    read_lines(source, (limits, true), out, each)
+}
+
+/// As [`parse_lines`]; `alone` = the source is a whole file.
+fn read_lines(
+    source: &Source,
+    (limits, alone): (&Limits, bool),
     out: &mut Diagnostics,
     each: &mut dyn FnMut(Range<usize>, LineKind),
 ) -> Document {
@@ -91,7 +111,7 @@ pub fn parse_lines(
         mut document,
         ..
     } = reader;
-    if document.houses.is_empty() && xml.is_none() {
+    if document.houses.is_empty() && xml.is_none() && alone {
         reporter.say(file::no_house(source.span(0..0)));
     }
     out.append(reporter.finish());

@@ -44,6 +44,8 @@ pub struct SceneBuilder {
     pages: HashMap<(u32, usize), MaterialId>,
     meshes: RecentMeshes,
     spots: HashMap<Digest, Spot>,
+    /// True if meshes are not shared with houses that are forgotten.
+    forgets_twins: bool,
 }
 
 impl SceneBuilder {
@@ -61,6 +63,7 @@ impl SceneBuilder {
             pages: HashMap::new(),
             meshes: RecentMeshes::default(),
             spots: HashMap::new(),
+            forgets_twins: false,
         }
     }
 
@@ -69,6 +72,11 @@ impl SceneBuilder {
     pub fn without_relief(mut self) -> SceneBuilder {
         self.atlas.flat = true;
         self
+    }
+
+    /// From now on, houses share no mesh with those that are forgotten.
+    pub fn forget_twins(&mut self) {
+        self.forgets_twins = true;
     }
 
     /// Adds houses behind those that are there.
@@ -122,6 +130,9 @@ impl SceneBuilder {
         self.first_node += self.scene.nodes.len() as u32;
         self.scene.meshes.clear();
         self.scene.nodes.clear();
+        if self.forgets_twins {
+            self.meshes = RecentMeshes::default();
+        }
     }
 
     /// Returns the materials, the cropped pages of baked images and, for each page, the factor by which distances from

@@ -283,6 +283,7 @@ fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
         world: input.world,
         cache: &cache,
         values: None,
+        before: None,
     };
     let sites: Vec<LotSite<'_>> = lots.iter().map(|id| LotSite::new(plan, *id)).collect();
     let features: Vec<FeatureOf<'_>> = sites

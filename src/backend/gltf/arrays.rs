@@ -27,6 +27,8 @@ pub(super) enum Array {
     Tangents,
     Uvs,
     MirrorUvs,
+    /// The numbers of houses in a common mesh; no primitive of a scene has them.
+    Houses,
     Indices,
 }
 
@@ -49,6 +51,7 @@ impl Array {
             Array::Tangents => "tangents",
             Array::Uvs => "texture coordinates",
             Array::MirrorUvs => "mirror coordinates",
+            Array::Houses => "numbers of houses",
             Array::Indices => "indices",
         }
     }
@@ -61,6 +64,7 @@ impl Array {
             Array::Tangents => Some(Semantic::Tangents),
             Array::Uvs => Some(Semantic::TexCoords(0)),
             Array::MirrorUvs => Some(Semantic::TexCoords(1)),
+            Array::Houses => Some(Semantic::Extras("FEATURE_ID_0".to_owned())),
             Array::Indices => None,
         }
     }
@@ -71,7 +75,7 @@ impl Array {
             Array::Positions | Array::Normals => Type::Vec3,
             Array::Tangents => Type::Vec4,
             Array::Uvs | Array::MirrorUvs => Type::Vec2,
-            Array::Indices => Type::Scalar,
+            Array::Houses | Array::Indices => Type::Scalar,
         }
     }
 
@@ -98,6 +102,7 @@ impl Array {
             // Coordinates are counted from 0 without a gap.
             Array::Uvs => material.metres.is_some() || material.mirrors,
             Array::MirrorUvs => material.mirrors,
+            Array::Houses => false,
             Array::Positions | Array::Normals | Array::Indices => true,
         }
     }
@@ -117,6 +122,7 @@ impl Array {
                 write_floats(out, &p.uvs, |[u, v]| [u / metres, 1.0 - v / metres]);
             }
             Array::MirrorUvs => write_floats(out, &p.mirror_uvs, |[u, v]| [u, 1.0 - v]),
+            Array::Houses => {}
             Array::Indices => write_indices(out, &p.indices, (0, p.positions.len())),
         }
     }

@@ -109,6 +109,11 @@ impl Tree {
         Ok(())
     }
 
+    /// Makes a node that was written a root.
+    pub(super) fn root(&mut self, number: u32) {
+        self.roots.push(Index::new(number));
+    }
+
     /// Adds the scene of the roots if there are any; returns the list of nodes.
     pub(super) fn into_nodes(self, root: &mut Root) -> List {
         if !self.roots.is_empty() {

@@ -21,8 +21,9 @@ use std::ops::Range;
 pub(super) struct Shapes {
     pub(super) accessors: List,
     pub(super) meshes: List,
-    /// By the number in the scene: that in the file, one higher; 0 if nothing of the mesh can be written.
-    numbers: Vec<Option<u32>>,
+    /// By the number in the scene: that in the file, two higher; 1 if nothing of the mesh can be written, 0 if it is not
+    /// written yet. A city has a million of them.
+    numbers: Vec<u32>,
     /// The sections of the buffer, in the order of their views.
     views: Vec<ArrayView>,
     /// The texture coordinates on baked pages: the page, and where they lie in their section.
@@ -106,16 +107,16 @@ impl Shapes {
         };
         let at = id.0 as usize;
         if self.numbers.len() <= at {
-            self.numbers.resize(at + 1, None);
+            self.numbers.resize(at + 1, 0);
         }
-        self.numbers[at] = Some(number.map_or(0, |n| n + 1));
+        self.numbers[at] = number.map_or(1, |n| n + 2);
         Ok(number)
     }
 
     /// Returns the number of a mesh that is written, or `None` in it if nothing of it can be.
     pub(super) fn number(&self, id: MeshId) -> Option<Option<u32>> {
-        let known = self.numbers.get(id.0 as usize).copied().flatten()?;
-        Some(known.checked_sub(1))
+        let known = self.numbers.get(id.0 as usize).copied().unwrap_or(0);
+        Some(known.checked_sub(1)?.checked_sub(1))
     }
 
     /// Writes primitives with arrays of their own.
@@ -236,7 +237,7 @@ impl Shapes {
     }
 
     /// Appends an array and its accessor; returns where it lies in its section.
-    fn append(
+    pub(super) fn append(
         &mut self,
         array: Array,
         accessor: Accessor,
@@ -337,7 +338,7 @@ pub(super) fn primitive(material: MaterialRef, first: u32) -> Primitive {
 }
 
 /// Returns triangles of a material, without arrays.
-fn triangles(material: MaterialRef) -> Primitive {
+pub(super) fn triangles(material: MaterialRef) -> Primitive {
     Primitive {
         attributes: BTreeMap::new(),
         indices: None,
@@ -350,7 +351,7 @@ fn triangles(material: MaterialRef) -> Primitive {
 }
 
 /// Returns the accessor of an array, without its place.
-fn accessor(
+pub(super) fn accessor(
     array: Array,
     component: ComponentType,
     count: usize,

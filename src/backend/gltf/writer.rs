@@ -1,5 +1,6 @@
 //! Writes a model house by house.
 
+use super::joined::{FEATURES, Group};
 use super::materials::{MaterialRefs, Materials};
 use super::nodes::{Tree, kept};
 use super::shapes::Shapes;
@@ -14,10 +15,13 @@ use std::ops::Range;
 /// A model that takes houses one after another. It keeps what does not fit into the file yet in spools, so the memory
 /// it takes grows by a few bytes for each mesh and house.
 pub struct Writer<'n> {
-    new: NewSpool<'n>,
-    materials: MaterialRefs,
-    shapes: Shapes,
-    tree: Tree,
+    pub(super) new: NewSpool<'n>,
+    pub(super) materials: MaterialRefs,
+    pub(super) shapes: Shapes,
+    pub(super) tree: Tree,
+    /// The houses that are still to be written, if houses have common meshes.
+    pub(super) group: Group,
+    joins: bool,
 }
 
 impl<'n> Writer<'n> {
@@ -30,7 +34,16 @@ impl<'n> Writer<'n> {
             materials: MaterialRefs::default(),
             shapes: Shapes::new(new)?,
             tree: Tree::new(new)?,
+            group: Group::default(),
+            joins: false,
         })
+    }
+
+    /// From now on, some hundred houses of detail 0 have one mesh. Meshes of all houses must be in the parts that show them:
+    /// see [`SceneBuilder::forget_twins`](crate::tessellate::SceneBuilder::forget_twins).
+    #[must_use]
+    pub fn joining(self, joins: bool) -> Writer<'n> {
+        Writer { joins, ..self }
     }
 
     /// Adds houses. Images must be there, except baked pages, which are needed at the end only.
@@ -38,6 +51,9 @@ impl<'n> Writer<'n> {
     /// # Errors Those of the spools.
     pub fn add(&mut self, part: ScenePart<'_>, images: &dyn Images) -> io::Result<()> {
         self.materials.flat = part.detail == Detail::Body;
+        if self.joins && self.materials.flat {
+            return self.join(part, images);
+        }
         for id in part.nodes.iter().filter_map(|node| node.mesh) {
             let materials = (&mut self.materials, images);
             self.shapes.mesh(id, part, materials, self.new)?;
@@ -100,8 +116,12 @@ impl<'n> Writer<'n> {
         images: &'a dyn Images,
         grown: &[f32],
     ) -> io::Result<Model<'a>> {
+        self.write_group()?;
         self.shapes.stretch(grown)?;
         let mut root = root();
+        if self.group.is_used() {
+            root.extensions_used.push(FEATURES.to_owned());
+        }
         let materials = Materials::new(&self.materials, materials, images, &mut root);
         let (accessors, meshes, sections, length) = self.shapes.into_views(&mut root);
         Ok(Model {

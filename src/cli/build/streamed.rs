@@ -7,7 +7,7 @@ use crate::cli::Failure;
 use crate::cli::files::input::{Inputs, STDIN};
 use crate::cli::files::output::{self, Files, Model, folder_of};
 use crate::diagnostic::Diagnostics;
-use crate::driver::{self, Streamed};
+use crate::driver::{self, Feed, Streamed};
 use crate::source::Source;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -29,20 +29,26 @@ impl Build {
         let start = Instant::now();
         let mut out = Diagnostics::new();
         let limits = self.input_args.limits();
-        let inputs = Inputs::read(&job.inputs, limits.bytes, &mut out)?;
+        let inputs = Inputs::in_pieces(&job.inputs, &limits, &mut out)?;
         let world = self.input_args.world(&job.inputs);
-        let options = self.options(job.seed, &inputs, &mut out)?;
+        let options = driver::Options {
+            own_meshes: self.join,
+            ..self.options(job.seed, &inputs, &mut out)?
+        };
         let folder = spool_folder(&job.output);
         let new = || spool(&folder);
         let failed = |error| Failure::at(job.output.display(), error);
-        let mut writer = Writer::new(&new).map_err(failed)?;
+        let mut writer = Writer::new(&new).map_err(failed)?.joining(self.join);
         let accepted = inputs.accepted();
         let mut town = driver::stream(
-            &accepted,
+            Feed {
+                sources: &accepted,
+                long: &inputs.long,
+            },
             &world,
             &options,
             &mut out,
-            &mut |part, images| writer.add(part, images),
+            (&mut |part, images| writer.add(part, images), &new),
         )
         .map_err(failed)?;
         let list = out.into_sorted();
@@ -51,7 +57,9 @@ impl Build {
         let beside = beside.chain(town.pictures.iter().map(String::as_str));
         let read = job.inputs.iter().cloned();
         let read: Vec<PathBuf> = read.chain(beside.map(PathBuf::from)).collect();
-        progress.report(&inputs.and(included), &list)?;
+        if !list.is_empty() {
+            progress.report(&inputs.shown(included, &list)?, &list)?;
+        }
         if list.iter().any(|d| self.input_args.spoils(d.severity)) {
             return Ok(true);
         }

@@ -145,7 +145,7 @@ impl Town {
             input.world,
             input.options,
             &mut out,
-            &mut |part, images| writer.add(part, images),
+            (&mut |part, images| writer.add(part, images), &new),
         )
         .map_err(failed)?;
         let corrected = problems(&out);

@@ -2,13 +2,16 @@
 
 use crate::cli::Failure;
 use crate::cli::files::reason;
-use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::{file as say, limits};
-use crate::source::{FileId, Source};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::driver;
+use crate::parse::divide::{self, Undivided};
+use crate::source::{FileId, Limits, LongFile, Source};
 use crate::text;
 use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The file name that denotes standard input or standard output.
 pub(in crate::cli) const STDIN: &str = "-";
@@ -18,6 +21,8 @@ pub(in crate::cli) const STDIN: &str = "-";
 pub(in crate::cli) struct Inputs {
     /// One source per file, numbered in order.
     pub(in crate::cli) sources: Vec<Source>,
+    /// The files that are read in pieces; their sources are without houses.
+    pub(in crate::cli) long: Vec<Arc<LongFile>>,
     /// For each source, whether the file is over the limit or unreadable. Such a source is empty and has a diagnostic.
     refused: Vec<bool>,
     /// The error of the first unreadable file.
@@ -41,8 +46,40 @@ impl Inputs {
         limit: usize,
         out: &mut Diagnostics,
     ) -> Result<Inputs, Failure> {
-        let mut inputs = Inputs::numbered(first, paths, limit, out);
-        inputs.failure.take().map_or(Ok(inputs), Err)
+        Inputs::numbered(first, (paths, false), limit, out).sound()
+    }
+
+    /// Like [`Inputs::read`]; long files are read in pieces, as far as they can be divided.
+    pub(in crate::cli) fn in_pieces(
+        paths: &[PathBuf],
+        limits: &Limits,
+        out: &mut Diagnostics,
+    ) -> Result<Inputs, Failure> {
+        let mut inputs = Inputs::numbered(0, (paths, true), limits.bytes, out).sound()?;
+        if paths.len() > 1 {
+            inputs.hold_unplaced(paths, limits)?;
+        }
+        Ok(inputs)
+    }
+
+    fn sound(mut self) -> Result<Inputs, Failure> {
+        self.failure.take().map_or(Ok(self), Err)
+    }
+
+    /// Reads as a whole what is put beside the houses of other files.
+    fn hold_unplaced(&mut self, paths: &[PathBuf], limits: &Limits) -> Result<(), Failure> {
+        for file in std::mem::take(&mut self.long) {
+            let number = file.id().0 as usize;
+            let failed = |error| Failure::at(paths[number].display(), error);
+            let piece = file.piece(0).map_err(failed)?;
+            if driver::is_put_aside(&piece, limits) {
+                let bytes = std::fs::read(&paths[number]).map_err(failed)?;
+                self.sources[number] = Source::new(file.id(), piece.name(), &bytes);
+            } else {
+                self.long.push(file);
+            }
+        }
+        Ok(())
     }
 
     /// Returns whether a file could not be read.
@@ -56,12 +93,18 @@ impl Inputs {
         limit: usize,
         out: &mut Diagnostics,
     ) -> Inputs {
-        Inputs::numbered(0, paths, limit, out)
+        Inputs::numbered(0, (paths, false), limit, out)
     }
 
-    fn numbered(first: u32, paths: &[PathBuf], limit: usize, out: &mut Diagnostics) -> Inputs {
+    fn numbered(
+        first: u32,
+        (paths, in_pieces): (&[PathBuf], bool),
+        limit: usize,
+        out: &mut Diagnostics,
+    ) -> Inputs {
         let mut inputs = Inputs {
             sources: vec![],
+            long: vec![],
             refused: vec![],
             failure: None,
         };
@@ -71,6 +114,21 @@ impl Inputs {
             } else {
                 path.display().to_string()
             };
+            let divided = match in_pieces {
+                true => divided(path, (FileId(id), &shown)),
+                false => Ok(None),
+            };
+            let whole = match divided {
+                Ok(Some(Ok((file, stub)))) => {
+                    inputs.long.push(Arc::new(file));
+                    inputs.sources.push(stub);
+                    inputs.refused.push(false);
+                    continue;
+                }
+                Ok(Some(Err(reason))) => Some(reason),
+                // Its failure is that of reading it.
+                Ok(None) | Err(_) => None,
+            };
             let (bytes, size, failure) = match read(path, limit) {
                 Ok((bytes, size)) => (bytes, size, None),
                 Err(error) => (vec![], 0, Some(error)),
@@ -79,7 +137,10 @@ impl Inputs {
             let start = source.span(0..0);
             inputs.refused.push(size > limit || failure.is_some());
             if size > limit {
-                out.push(limits::too_large(start, size, limit));
+                out.push(match whole {
+                    None => limits::too_large(start, size, limit),
+                    Some(why) => limits::too_large_whole(start, size, limit, &why.text()),
+                });
             }
             if let Some(error) = failure {
                 out.push(say::unreadable(start, reason::of(&error)));
@@ -102,12 +163,56 @@ impl Inputs {
         sources
     }
 
+    /// As [`Inputs::and`], with files that are read in pieces as far as these messages show them.
+    pub(in crate::cli) fn shown(
+        mut self,
+        included: Vec<Source>,
+        list: &[Diagnostic],
+    ) -> Result<Vec<Source>, Failure> {
+        let first = self.sources.first().map_or(0, |source| source.id().0);
+        for file in &self.long {
+            let labels = list.iter().flat_map(|d| &d.labels).map(|l| l.span);
+            let fixes = list.iter().flat_map(|d| &d.fixes).flat_map(|f| &f.edits);
+            let places = list.iter().filter_map(Diagnostic::span);
+            let places = places.chain(labels).chain(fixes.map(|edit| edit.span));
+            let source = &mut self.sources[(file.id().0 - first) as usize];
+            let excerpt = file.excerpt(places);
+            *source = excerpt.map_err(|error| Failure::at(source.name(), error))?;
+        }
+        Ok(self.and(included))
+    }
+
     /// Returns the accepted sources.
     pub(in crate::cli) fn accepted(&self) -> Vec<&Source> {
         let both = self.sources.iter().zip(&self.refused);
         both.filter(|(_, refused)| !**refused)
             .map(|(s, _)| s)
             .collect()
+    }
+}
+
+/// Returns a file that is read in pieces, and its source without houses, or the reason why it is not; `None` for a file
+/// that is short or no file.
+fn divided(
+    path: &Path,
+    (id, shown): (FileId, &str),
+) -> io::Result<Option<Result<(LongFile, Source), Undivided>>> {
+    if path.as_os_str() == STDIN {
+        return Ok(None);
+    }
+    let mut file = File::open(path)?;
+    let kind = file.metadata()?;
+    let size = kind.len();
+    if !kind.is_file() || size <= divide::LONG || size > u64::from(u32::MAX) {
+        return Ok(None);
+    }
+    match divide::divide(&mut file, size)? {
+        Ok(layout) => {
+            let file = LongFile::new(id, shown, (Box::new(file), size), layout);
+            let stub = file.stub()?;
+            Ok(Some(Ok((file, stub))))
+        }
+        Err(reason) => Ok(Some(Err(reason))),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Messages about the limits of a run (HSD0901, HSD0904, HSD0907, HSD0908, HSD0911).
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Text};
 use crate::source::Span;
 use crate::text;
 
@@ -14,6 +14,16 @@ pub fn too_large(span: Span, size: usize, limit: usize) -> Diagnostic {
     Diagnostic::error(901, span, message).help(text!(
         "split it into several files, or raise the limit with `--max-bytes`",
         "いくつかのファイルに分けるか、`--max-bytes` で上限を上げてください"
+    ))
+}
+
+/// As [`too_large`], for a file that would be read in pieces if it were not for this.
+#[cold]
+pub fn too_large_whole(span: Span, size: usize, limit: usize, reason: &Text) -> Diagnostic {
+    let diagnostic = too_large(span, size, limit);
+    diagnostic.help(text!([reason]
+        "it cannot be read in pieces of whole houses: {reason}; mend that, split it into several files, or raise the limit with `--max-bytes`",
+        "家ごとに分けて読むことができません ({reason})。そこを直すか、いくつかのファイルに分けるか、`--max-bytes` で上限を上げてください"
     ))
 }
 

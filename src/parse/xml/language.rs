@@ -180,7 +180,10 @@ impl<'a, 'f> Expander<'a, 'f> {
             storeys: Storeys::default(),
             uses: vec![],
             placed: vec![],
-            open: draws::Open::outermost(setting.seed),
+            open: draws::Open::outermost(
+                setting.seed,
+                setting.before.map_or(0, |before| before.houses),
+            ),
             files: files::Files::default(),
             feature: feature::AtFeature::default(),
             depth: 0,

@@ -52,12 +52,12 @@ impl OpenElement<'_> {
 }
 
 impl<'a> Open<'a> {
-    /// Creates the state at the start of a file.
-    pub(super) fn outermost(seed: Option<u64>) -> Self {
+    /// Creates the state at the start of a file, or after so many houses of it.
+    pub(super) fn outermost(seed: Option<u64>, houses: u64) -> Self {
         Open {
             seed,
             levels: vec![OpenElement::new(Place::seed(seed.unwrap_or(0)))],
-            houses: 0,
+            houses,
             drawn: false,
         }
     }
