@@ -144,8 +144,10 @@ fn town() -> String {
         let row = |(units, turn)| format!("<Row{turn}><Part code='KOB' width='{units}'/></Row>");
         let rows: String = rows.into_iter().map(row).collect();
         let azimuth = n % 5 * 50;
+        // The last ones are twins of the first.
+        let height = 8.5 + (n % 504) as f64 / 500.0;
         houses += &format!(
-            "<House name='h{n}' x='{x}' y='{y}' azimuth='{azimuth}'><Storey height='9'>{rows}</Storey>\
+            "<House name='h{n}' x='{x}' y='{y}' azimuth='{azimuth}'><Storey height='{height}'>{rows}</Storey>\
              <Roofs shape='{}' pitch='4'/></House>\n",
             ["KIR", "YOS"][n % 4 / 2]
         );

@@ -62,7 +62,7 @@ fn xml_town() -> String {
         let wall = ["KSK  KSK  KSK  KSK  ", "KSK  KKS  KSK  KSX  "][usize::from(n % 700 == 9)];
         write!(
             text,
-            "<House x=\"{x}\" y=\"{y}\"{wrong}>\n  <Storey height=\"{{h + {}}}\">\n    <use piece=\"front\"/>\n    \
+            "<House x=\"{x}\" y=\"{y}\"{wrong}>\n  <Storey height=\"{{h + {}}}\">\n    <use name=\"front\"/>\n    \
              <Row>{wall}</Row>\n    <Row>{wall}</Row>\n    <Row>{wall}</Row>\n  </Storey>\n  \
              <Roofs shape=\"YOS\" pitch=\"4.{}\"/>\n</House>\n<!-- house {n}, 町家 -->\n",
             n % 7,
@@ -94,7 +94,7 @@ fn pieces_give_the_model_and_the_messages_of_the_whole() {
     for text in [xml_town(), legacy_town()] {
         let source = Source::new(FileId(0), "town.hsd", text.as_bytes());
         let (whole, found) = built(Feed::whole(&[&source]), 2);
-        assert!(!found.is_empty());
+        assert!((4..100).contains(&found.len()), "{}", found.len());
         let file = Arc::new(long(&text).expect("it can be divided"));
         assert!(file.pieces() > 1, "{}", file.pieces());
         let stub = file.stub().expect("memory can be read");
@@ -106,7 +106,12 @@ fn pieces_give_the_model_and_the_messages_of_the_whole() {
         for threads in [1, 2, 7] {
             let (pieced, told) = built(feed, threads);
             assert!(whole == pieced, "another model on {threads} threads");
-            assert_eq!(found, told, "{threads}");
+            assert!(
+                found == told,
+                "{threads}: {} and {} messages",
+                found.len(),
+                told.len()
+            );
         }
         // A report shows the same lines, and no others.
         let places = found.iter().filter_map(Diagnostic::span);
@@ -147,11 +152,11 @@ fn what_needs_all_houses_is_not_divided() {
             "`<PartDef>`",
         ),
         (
-            with("<use piece=\"front\"/>", "<include href=\"a.hsd\"/>"),
+            with("<use name=\"front\"/>", "<include href=\"a.hsd\"/>"),
             "`<include>`",
         ),
-        (with("  </Storey>", ""), "in line 12"),
-        (with("<use piece", "<use ＜piece"), "in line 8"),
+        (with("  </Storey>", ""), "in line 14"),
+        (with("<use name", "<use ＜name"), "in line 8"),
         (
             with(
                 "<?xml version=\"1.0\"?>",
@@ -218,7 +223,7 @@ fn a_town_in_districts_has_the_messages_of_one_in_memory() {
     run.expect("memory takes every byte");
     let (whole, apart) = (of_grounds(whole), of_grounds(apart));
     assert!(
-        whole.0.len() == 2 && whole.0.iter().all(|(_, count)| *count > 100),
+        whole.0.len() == 2 && whole.0.iter().all(|(_, count)| *count > 50),
         "{:?}",
         whole.0
     );
