@@ -40,7 +40,10 @@ const PAIRS: usize = 64;
 type Cells = HashMap<(i64, i64), Vec<u32>>;
 
 /// An outline; true if it is a court.
-type Outline = (Box<[DVec2]>, bool);
+type Outline = (Line, bool);
+
+/// Corners, or the ends of walls, in their order.
+type Line = Box<[DVec2]>;
 
 /// The ground storeys of the houses so far.
 #[derive(Debug)]
@@ -62,7 +65,7 @@ pub(super) struct Ground {
     heights: [f64; 2],
     rings: Box<[Outline]>,
     /// Walls that enclose nothing.
-    open: Box<[Box<[DVec2]>]>,
+    open: Box<[Line]>,
     /// The ends of walls and of a corridor.
     ends: Box<[WallEnd]>,
 }
@@ -83,12 +86,12 @@ impl Ground {
                 )
             })
             .collect();
-        let line = |r: &&Ring| -> Box<[DVec2]> {
+        let line = |r: &&Ring| -> Line {
             let first = r.walls.first().map(|w| w.from);
             let places = first.into_iter().chain(r.walls.iter().map(|w| w.to));
             places.map(|p| house.world(p)).collect()
         };
-        let open: Box<[Box<[DVec2]>]> = open.iter().map(line).collect();
+        let open: Box<[Line]> = open.iter().map(line).collect();
         let top = house.storeys.iter().map(|s| s.z1).fold(0.0, f64::max);
         let span = house.placed.map_or(house.span, |by| by.span);
         let place = (span, house.name.as_str().into());
@@ -98,7 +101,7 @@ impl Ground {
     fn new(
         (span, name): (Span, Box<str>),
         heights: [f64; 2],
-        (rings, open): (Box<[Outline]>, Box<[Box<[DVec2]>]>),
+        (rings, open): (Box<[Outline]>, Box<[Line]>),
         ends: Box<[WallEnd]>,
     ) -> Option<Ground> {
         let closed = rings.iter().flat_map(|(ring, _)| ring.iter());
