@@ -16,7 +16,7 @@ use crate::scene::{Detail, Scene};
 use crate::source::{Source, World};
 use crate::tessellate::{self, SceneBuilder, Tessellator};
 use std::ops::Range;
-use std::slice;
+use std::{io, slice};
 
 /// What the tiles of a town have in common.
 pub struct TileDriver<'a> {
@@ -74,7 +74,14 @@ impl<'a> TileDriver<'a> {
     }
 
     /// Makes the houses of a tile.
-    pub fn houses(&self, houses: Vec<FeatureHouse>, out: &mut Diagnostics) -> TileHouses {
+    ///
+    /// # Errors
+    /// The one that ended the houses.
+    pub fn houses(
+        &self,
+        houses: Vec<FeatureHouse>,
+        out: &mut Diagnostics,
+    ) -> io::Result<TileHouses> {
         let origins: Vec<Origin> = houses.iter().map(|h| h.origin.clone()).collect();
         let (world, options) = (self.world, &self.options.expand);
         let houses = houses.into_iter();
@@ -91,7 +98,7 @@ impl<'a> TileDriver<'a> {
                 out.append(found);
             }
         }
-        let pictures = expansion.into_images();
+        let pictures = expansion.into_images()?;
         let mut library = Library::default();
         let limits = &options.limits;
         for (id, picture) in (0..).zip(&pictures) {
@@ -101,11 +108,11 @@ impl<'a> TileDriver<'a> {
                 out.push(not_shown(error, &picture.path, used, limits));
             });
         }
-        TileHouses {
+        Ok(TileHouses {
             houses: made.into_iter().zip(origins).collect(),
             library,
             pictures: pictures.into_iter().map(|p| p.path).collect(),
-        }
+        })
     }
 
     /// Returns the houses of a tile at a level of detail.

@@ -12,6 +12,7 @@ use crate::scene::Detail;
 use crate::source::World;
 use crate::town::decision::problems;
 use std::borrow::Cow;
+use std::io;
 use twox_hash::XxHash3_128;
 
 /// The folder of images, as tiles name it.
@@ -28,16 +29,19 @@ pub struct MadeTile {
 }
 
 /// Makes the files of a tile at each level of detail, given from far to near.
+///
+/// # Errors
+/// The one that ended its houses.
 pub fn make(
     driver: &TileDriver<'_>,
     tile: &Tile,
     input: TileInput,
     levels: &[Detail],
     world: &dyn World,
-) -> MadeTile {
+) -> io::Result<MadeTile> {
     let mut found = Diagnostics::new();
     let (row_of, rows, hash) = (input.row_of, input.rows, input.hash);
-    let made = driver.houses(input.houses, &mut found);
+    let made = driver.houses(input.houses, &mut found)?;
     let mut files = Files::default();
     for detail in levels {
         let level = driver.level(&made, *detail, &mut found);
@@ -61,11 +65,11 @@ pub fn make(
         pictures: picture_hashes(&made.pictures, world),
         corrected: problems(&found),
     };
-    MadeTile {
+    Ok(MadeTile {
         record,
         files: files.images.into_iter().chain(files.contents).collect(),
         found,
-    }
+    })
 }
 
 /// The files of a tile so far.

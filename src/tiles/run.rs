@@ -226,7 +226,7 @@ impl Maker<'_> {
             done.record = Some(known);
             return Ok(done);
         }
-        let made = make(&self.driver, tile, input, &self.levels, world);
+        let made = make(&self.driver, tile, input, &self.levels, world)?;
         for (name, bytes) in &made.files {
             self.store.commit(name, bytes)?;
         }
