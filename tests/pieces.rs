@@ -50,7 +50,7 @@ fn built(feed: Feed<'_>, threads: usize) -> (Vec<u8>, Vec<Diagnostic>) {
 fn xml_town() -> String {
     let mut text = String::from(
         "<?xml version=\"1.0\"?>\n<!-- a town -->\n<Houses>\n<Param name=\"h\" default=\"9\"/>\n\
-         <define name=\"front\"><Row>GSI  KSK  <random>KSK  KKS  TKU  </random>GDE 2</Row></define>\n",
+         <define name=\"front\"><Row>KSK  KSK  <random><choice>KSK  </choice><choice>KKS  </choice></random>KSK  </Row></define>\n",
     );
     for n in 0..1_500 {
         let (x, y) = (n % 40 * 12, n / 40 * 12);
@@ -156,7 +156,7 @@ fn what_needs_all_houses_is_not_divided() {
             "`<include>`",
         ),
         (with("  </Storey>", ""), "in line 14"),
-        (with("<Row>KSK", "<Row>＜KSK"), "in line 9"),
+        (with("<Row>KSK", "<Row>＜KSK"), "in line 5"),
         (
             with(
                 "<?xml version=\"1.0\"?>",
