@@ -95,6 +95,8 @@ pub(super) const WITHOUT_FIX: &[(u16, &str)] = &[
     (517, "corners only the author knows"),
     (520, "which walls slant on purpose, only the author knows"),
     (521, "nothing has to be done"),
+    (522, "nothing has to be done"),
+    (523, "nothing has to be done"),
     (702, "where the roof shall be, only the author knows"),
     (704, "which measure may change, only the author knows"),
     (904, "what may be left out, only the author knows"),
