@@ -19,6 +19,9 @@ use crate::roof::storey::skirt::Skirt;
 /// The most roof lines of one house; further ones are left out and reported.
 const MOST_LINES: usize = 2000;
 
+/// The least share of a roof's rectangle outside the walls that is reported.
+const LEAST_OUTSIDE: f64 = 0.005;
+
 /// Places all roof lines of a house.
 pub(in crate::roof) fn place<'h>(
     house: &'h House,
@@ -142,11 +145,12 @@ fn check_place(one: &PlacedLine<'_>, tops: &Tops<'_, '_>, out: &mut Diagnostics)
         if !may_stand_out {
             out.push(say::over_no_wall(place, one.shape.letters()));
         }
-    } else if inside < whole && !may_stand_out {
-        out.push(say::partly_outside(
-            place,
-            1.0 - inside as f64 / whole as f64,
-        ));
+    } else {
+        let outside = 1.0 - inside as f64 / whole as f64;
+        // Less is a matter of rounding, not of drawing.
+        if outside >= LEAST_OUTSIDE && !may_stand_out {
+            out.push(say::partly_outside(place, outside));
+        }
     }
     if let Some(upper) = tops.levels.get(one.level + 1)
         && upper.orthogonal
