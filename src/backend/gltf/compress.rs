@@ -266,7 +266,8 @@ fn empty(array: Array, component: ComponentType) -> Stream {
     match array {
         Array::Normals | Array::Tangents => Stream::directions(),
         Array::Indices => Stream::indices(component.size()),
-        Array::Positions | Array::Uvs | Array::MirrorUvs => {
+        // Houses that share a mesh are not compressed: `Array::ALL` is without their numbers.
+        Array::Positions | Array::Uvs | Array::MirrorUvs | Array::Houses => {
             Stream::floats(array.elements().multiplicity())
         }
     }
