@@ -42,6 +42,7 @@ impl Args for TownCommand {
             .args_conflicts_with_subcommands(true)
             .subcommand_negates_reqs(true)
             .subcommand_required(false)
+            .disable_help_subcommand(true)
     }
 
     fn augment_args_for_update(command: Command) -> Command {
