@@ -4,10 +4,11 @@
 //! All primitives share their vertices. They count from the middle of the tile, so that f32 resolves a fraction of a
 //! millimetre. Normals are bytes (`KHR_mesh_quantization`); at detail 0 there are none, and readers shade flat.
 
-use super::arrays::{turned, write_floats};
+use super::arrays::{MaterialRef, turned, write_floats};
 use super::bare::Bare;
 use super::json_file::{File, accessor};
 use super::materials::{MaterialRefs, Materials};
+use super::shading::{tangents, unit};
 use super::table::{FeatureRow, Table};
 use super::writer::root;
 use crate::backend::{Images, OutFile, images, sound};
@@ -38,10 +39,14 @@ pub struct TileWriter {
     materials: MaterialRefs,
     positions: Vec<[f32; 3]>,
     normals: Vec<[f32; 3]>,
+    /// Where materials have relief, one for each vertex.
+    tangents: Vec<[f32; 4]>,
     uvs: Vec<[f32; 2]>,
     features: Vec<f32>,
     /// The indices of each material, by its number in the file.
     batches: Vec<Vec<u32>>,
+    /// For each material, true if it has relief.
+    reliefs: Vec<bool>,
     bounds: Option<[DVec3; 2]>,
 }
 
@@ -76,9 +81,11 @@ impl TileWriter {
             materials,
             positions: vec![],
             normals: vec![],
+            tangents: vec![],
             uvs: vec![],
             features: vec![],
             batches: vec![],
+            reliefs: vec![],
             bounds: None,
         }
     }
@@ -134,7 +141,7 @@ impl TileWriter {
         let first = self.vertices(&bare.positions, (pose, feature));
         self.uvs.extend(&bare.uvs);
         for ((_, material), indices) in known.iter().zip(bare.indices) {
-            self.indices(material.number.value(), first, &indices);
+            self.indices(*material, first, &indices);
         }
     }
 
@@ -152,13 +159,20 @@ impl TileWriter {
             let first = self.vertices(&p.positions, (pose, feature));
             self.normals
                 .extend(p.normals.iter().map(|n| pose.normal(*n)));
+            if !self.materials.flat {
+                let turned = |[x, y, z, w]: [f32; 4]| {
+                    let [x, y, z] = pose.normal([x, y, z]);
+                    [x, y, z, w]
+                };
+                self.tangents.extend(tangents(p).into_iter().map(turned));
+            }
             let metres = known.metres.unwrap_or(1.0);
             let uvs = p.uvs.iter().map(|[u, v]| match known.metres {
                 Some(_) => [u / metres, 1.0 - v / metres],
                 None => [0.0; 2],
             });
             self.uvs.extend(uvs);
-            self.indices(known.number.value(), first, &p.indices);
+            self.indices(known, first, &p.indices);
         }
     }
 
@@ -177,10 +191,13 @@ impl TileWriter {
         first
     }
 
-    fn indices(&mut self, material: usize, first: u32, indices: &[u32]) {
+    fn indices(&mut self, known: MaterialRef, first: u32, indices: &[u32]) {
+        let material = known.number.value();
         if self.batches.len() <= material {
             self.batches.resize(material + 1, vec![]);
+            self.reliefs.resize(material + 1, false);
         }
+        self.reliefs[material] = known.relief;
         self.batches[material].extend(indices.iter().map(|i| first + i));
     }
 
@@ -229,14 +246,24 @@ impl TileWriter {
         if !self.normals.is_empty() {
             let view = file.view(bin, Some((4, 34962)), |out| {
                 for normal in &self.normals {
-                    let [x, y, z] = turned(super::shading::unit(*normal));
-                    let byte = |x: f32| (x * 127.0).round() as i8 as u8;
-                    out.extend([byte(x), byte(y), byte(z), 0]);
+                    let [x, y, z] = turned(unit(*normal)).map(byte);
+                    out.extend([x, y, z, 0]);
                 }
             });
             let mut normals = accessor(view, 5120, count, "VEC3");
             normals["normalized"] = json!(true);
             attributes.insert("NORMAL", file.accessor(normals));
+        }
+        if !self.tangents.is_empty() {
+            let view = file.view(bin, Some((4, 34962)), |out| {
+                for [x, y, z, w] in &self.tangents {
+                    let [x, y, z] = turned([*x, *y, *z]).map(byte);
+                    out.extend([x, y, z, byte(*w)]);
+                }
+            });
+            let mut tangents = accessor(view, 5120, count, "VEC4");
+            tangents["normalized"] = json!(true);
+            attributes.insert(TANGENT, file.accessor(tangents));
         }
         let view = file.view(bin, Some((8, 34962)), |out| {
             write_floats(out, &self.uvs, |uv| uv);
@@ -262,6 +289,10 @@ impl TileWriter {
         features: usize,
     ) -> Vec<Value> {
         let short = self.positions.len() <= 65_535;
+        let mut plain = attributes.clone();
+        if let Some(named) = plain.as_object_mut() {
+            named.remove(TANGENT);
+        }
         let shown = self.batches.iter().enumerate();
         let shown = shown.filter(|(_, batch)| !batch.is_empty());
         let list: Vec<(usize, &Vec<u32>)> = shown.collect();
@@ -274,7 +305,7 @@ impl TileWriter {
             let kind = if short { 5123 } else { 5125 };
             let indices = file.accessor(accessor(view, kind, batch.len(), "SCALAR"));
             primitives.push(json!({
-                "attributes": attributes,
+                "attributes": if self.reliefs[material] { attributes } else { &plain },
                 "indices": indices,
                 "material": material,
                 "mode": 4,
@@ -285,6 +316,14 @@ impl TileWriter {
         }
         primitives
     }
+}
+
+/// The attribute of tangents.
+const TANGENT: &str = "TANGENT";
+
+/// Encodes a number from -1 to 1 in a byte.
+fn byte(x: f32) -> u8 {
+    (x * 127.0).round() as i8 as u8
 }
 
 /// Returns an estimate of the bytes that an image takes on a graphics card: four a pixel, and a third more for its smaller
