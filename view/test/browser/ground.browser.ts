@@ -168,6 +168,7 @@ test('a house of the legacy form is dragged and turned by its first line', async
   const shown = (first: string) => until(() => page.evaluate(first => hsd.plan.state?.file === 'plain.hsd' && hsd.plan.state.sources[0]!.text.startsWith(first), first), `the text begins with ${first}`);
   await shown('0 0 180\n');
   await does(page, 'fit').click();
+  await page.evaluate(() => hsd.plan.sheet.zoom(1.5)); // Room for the drag.
   await tool('place');
   const [e, n] = await wall(0);
   await drag([e, n], [e + 2, n - 1]);
