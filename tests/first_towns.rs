@@ -103,6 +103,15 @@ fn japanese_fields_are_known() {
     }
 }
 
+/// With two buildings, values that differ are kinds as well as names.
+#[test]
+fn a_map_of_few_buildings_has_kinds() {
+    let buildings = squares(&[r#""用途":"店舗""#, r#""用途":"倉庫""#]);
+    let folder = written("map.geojson", &buildings);
+    let (text, _) = first_town(folder.path(), &["map.geojson"]);
+    assert!(text.contains("kind = '倉庫'"), "{text}");
+}
+
 #[test]
 fn maps_of_the_tests_become_towns() {
     let folder = root().join("tests/data");

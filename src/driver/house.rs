@@ -122,7 +122,7 @@ struct NextHouse<'a> {
     scope: ScopeId,
     variant: Option<Variant>,
     feature: Option<OfFeature>,
-    /// What was found where it is written.
+    /// Diagnostics of the piece of source that it is written in.
     found: Diagnostics,
 }
 

@@ -168,7 +168,7 @@ fn cells_at(low: DVec2, high: DVec2) -> impl Iterator<Item = (i64, i64)> {
     (x0..=x1).flat_map(move |x| (y0..=y1).map(move |y| (x, y)))
 }
 
-/// What is found among some houses, by their numbers in the list.
+/// Overlaps and gaps between some houses, by their numbers in the list.
 #[derive(Debug, Default)]
 struct Findings {
     met: Vec<Met>,

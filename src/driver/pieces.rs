@@ -63,9 +63,9 @@ pub(super) struct Pieces<'a> {
     /// The houses of the current piece.
     houses: std::vec::IntoIter<House>,
     piece: Arc<Source>,
-    /// What was found in it.
+    /// The diagnostics of the piece.
     found: Diagnostics,
-    /// What was found in the head of the file, which is read with every piece.
+    /// The diagnostics of the head of the file, which is read with every piece.
     known: BTreeSet<(Origin, Code)>,
     world: &'a dyn World,
     options: &'a Options,

@@ -99,6 +99,9 @@ const KINDS: &[&str] = &[
 ];
 const WIDTHS: &[&str] = &["width", "幅員", "道路幅員", "fukuin", "WIDTH", "road_width"];
 
+/// In a map of so few features, values that all differ may be kinds as well as names.
+const ENOUGH: usize = 20;
+
 /// A column with what was seen in it.
 type Column = (String, Seen);
 
@@ -231,7 +234,8 @@ impl Fields {
 
     /// Returns the field of kinds, with its values.
     pub(super) fn kind(&self) -> Option<(&'static str, &Seen)> {
-        self.first(KINDS, |s| !s.is_unique && s.numbers < s.filled)
+        let repeats = |s: &Seen| !s.is_unique || s.filled < ENOUGH;
+        self.first(KINDS, |s| repeats(s) && s.numbers < s.filled)
     }
 
     /// Returns the values of the field of kinds that ask for a type, most frequent first.

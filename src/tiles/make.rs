@@ -24,7 +24,7 @@ pub struct MadeTile {
     pub record: TileRecord,
     /// Its files, those that others name first.
     pub files: Vec<(String, Vec<u8>)>,
-    /// What was found.
+    /// Its diagnostics.
     pub found: Diagnostics,
 }
 

@@ -24,7 +24,7 @@ pub struct TileRecord {
     pub textures: Vec<TextureRecord>,
     /// The images of parts, by path, with the hash of the bytes that were read.
     pub pictures: Vec<(String, String)>,
-    /// What was found in its houses while they were made.
+    /// Problems of its houses, found while they were made.
     pub corrected: Vec<SkippedFeature>,
 }
 

@@ -62,7 +62,7 @@ struct GroupNode<'a> {
     translation: [Number; 3],
 }
 
-/// What is known of its houses, in the order of their numbers.
+/// The extras of a node that joins houses: their names and source spans, in the order of their numbers.
 #[derive(Serialize)]
 struct GroupExtras<'a> {
     kind: &'static str,

@@ -3,7 +3,7 @@
 use super::json_file::File;
 use serde_json::{Map, Value, json};
 
-/// What is known of a feature.
+/// A row of the table of features: one feature of a map and the house on it.
 #[derive(Clone, Debug, Default)]
 pub struct FeatureRow {
     /// Its key in its layer.

@@ -82,13 +82,13 @@ impl TileStore for Folder {
     }
 }
 
-/// What is wanted of a town in tiles.
+/// The options of a town in tiles.
 pub(super) struct Wish<'a> {
     /// The folder.
     pub(super) output: &'a Path,
     /// The levels of detail, where they are not those of the town file.
     pub(super) levels: Option<Vec<u8>>,
-    /// True if triangles, bytes and memory are told.
+    /// True if triangles, bytes and graphics memory are printed.
     pub(super) stats: bool,
     /// True if only diagnostics are.
     pub(super) quiet: bool,
@@ -184,7 +184,7 @@ fn bar(features: usize, quiet: bool, language: Language) -> ProgressBar {
     style.map_or(bar.clone(), |style| bar.with_style(style))
 }
 
-/// Returns what is told of a town: what was built, and what its heights mean.
+/// Returns the lines printed after a town: what was built, and from which level its heights count.
 fn lines(wish: &Wish<'_>, made: &TiledTown) -> Vec<Text> {
     let (name, report) = (wish.output.display(), &made.ledger.report);
     let (features, built) = (counted(report.features, FEATURE), report.built);
