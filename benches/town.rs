@@ -8,7 +8,8 @@ mod texts;
 
 use cpu_time::ProcessTime;
 use hsd::Options;
-use hsd::backend::gltf::{Spool, Writer};
+use hsd::backend::gltf::Writer;
+use hsd::backend::spool::Spool;
 use hsd::diagnostic::Diagnostics;
 use hsd::driver;
 use hsd::scene::{Detail, Stats};

@@ -12,6 +12,7 @@ pub mod obj;
 pub mod images;
 pub mod regions_svg;
 pub mod sound;
+pub mod spool;
 pub mod stl;
 pub mod tileset;
 

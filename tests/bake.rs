@@ -58,12 +58,12 @@ fn baked(texts: &[&str]) -> (Scene, usize) {
 fn triangles(scene: &Scene) -> Vec<([DVec3; 3], String, bool)> {
     let mut found = vec![];
     let mut glass = vec![];
-    for (node, place) in scene.nodes.iter().zip(flat::places(scene)) {
+    for (node, place) in scene.nodes.iter().zip(flat::places(scene.whole())) {
         let above = node.parent.is_some_and(|p| glass[p.0 as usize]);
         let south =
             node.kind == hsd::scene::Kind::Facade && place.turn.x > 0.99 && place.at.y.abs() < 0.1;
         glass.push(above || south);
-        for p in flat::primitives(scene, node) {
+        for p in flat::primitives(scene.whole(), node) {
             for t in p.indices.chunks_exact(3) {
                 let corners =
                     [0, 1, 2].map(|k| place.point(flat::point(p.positions[t[k] as usize])));
@@ -89,8 +89,8 @@ fn met([a, b, c]: [DVec3; 3], from: DVec3, way: DVec3) -> Option<f64> {
 /// A pane's corners in the world and in its picture.
 fn panes(scene: &Scene) -> Vec<(DVec3, DVec2)> {
     let mut found = vec![];
-    for (node, place) in scene.nodes.iter().zip(flat::places(scene)) {
-        for p in flat::primitives(scene, node).filter(|p| !p.mirror_uvs.is_empty()) {
+    for (node, place) in scene.nodes.iter().zip(flat::places(scene.whole())) {
+        for p in flat::primitives(scene.whole(), node).filter(|p| !p.mirror_uvs.is_empty()) {
             for (at, uv) in p.positions.iter().zip(&p.mirror_uvs) {
                 found.push((
                     place.point(flat::point(*at)),

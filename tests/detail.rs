@@ -22,15 +22,15 @@ fn scenes(run: &crate::support::Run) -> [Scene; 4] {
 /// Triangles on the screen.
 fn triangles(scene: &Scene) -> usize {
     let shown = scene.nodes.iter();
-    let primitives = shown.flat_map(|node| flat::primitives(scene, node));
+    let primitives = shown.flat_map(|node| flat::primitives(scene.whole(), node));
     primitives.map(|p| p.indices.len() / 3).sum()
 }
 
 /// Least and largest coordinates of what is shown.
 fn extent(scene: &Scene) -> (DVec3, DVec3) {
     let (mut lo, mut hi) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for (node, place) in scene.nodes.iter().zip(flat::places(scene)) {
-        for primitive in flat::primitives(scene, node) {
+    for (node, place) in scene.nodes.iter().zip(flat::places(scene.whole())) {
+        for primitive in flat::primitives(scene.whole(), node) {
             for p in &primitive.positions {
                 let p = place.point(flat::point(*p));
                 (lo, hi) = (lo.min(p), hi.max(p));

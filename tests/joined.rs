@@ -1,8 +1,9 @@
 //! Houses in common meshes show what houses with their own nodes show, each under its number.
 
 use gltf::binary::Glb;
-use hsd::backend::gltf::{Writer, in_memory};
+use hsd::backend::gltf::Writer;
 use hsd::backend::images::Library;
+use hsd::backend::spool::in_memory;
 use hsd::diagnostic::Diagnostics;
 use hsd::driver::{self, Feed, Options};
 use hsd::scene::{Detail, ScenePart};

@@ -1,7 +1,8 @@
 //! Long files that are read in pieces give the same model and the same messages, at the same places, as in memory.
 
-use hsd::backend::gltf::{NewSpool, Writer, in_memory};
+use hsd::backend::gltf::Writer;
 use hsd::backend::images::Library;
+use hsd::backend::spool::{NewSpool, in_memory};
 use hsd::diagnostic::{Diagnostic, Diagnostics, Language};
 use hsd::driver::{self, Feed, Options};
 use hsd::parse::divide::{Undivided, divide};
@@ -128,6 +129,22 @@ fn pieces_give_the_model_and_the_messages_of_the_whole() {
             assert_eq!(written(&excerpt), written(&source));
         }
     }
+}
+
+#[test]
+fn a_file_that_changes_while_it_is_read_is_named() {
+    let text = xml_town();
+    let file = Cursor::new(text.as_bytes().to_vec());
+    let size = text.len() as u64;
+    let layout = divide(&mut file.clone(), size).expect("memory can be read");
+    let layout = layout.expect("it can be divided");
+    let shorter = Cursor::new(text.as_bytes()[..text.len() / 2].to_vec());
+    let file = LongFile::new(FileId(0), "町.hsd", (Box::new(shorter), size), layout);
+    let error = file.piece(file.pieces() - 1).expect_err("its end is gone");
+    assert!(
+        error.to_string().starts_with("町.hsd was changed"),
+        "{error}"
+    );
 }
 
 #[test]

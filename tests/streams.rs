@@ -1,8 +1,10 @@
 //! Models that are written house by house are those of the whole scene, whatever keeps them meanwhile.
 
 use crate::support::{assert_none, texts, world_of};
-use hsd::backend::gltf::{NewSpool, Spool, Writer, in_memory};
+use hsd::backend::gltf::{Writer, gltf};
 use hsd::backend::images::Library;
+use hsd::backend::spool::{NewSpool, Spool, in_memory};
+use hsd::backend::{OutFile, obj, stl};
 use hsd::diagnostic::Diagnostics;
 use hsd::driver::{self, Options};
 use hsd::scene::{Detail, ScenePart};
@@ -61,6 +63,93 @@ fn a_streamed_model_is_that_of_the_whole_scene() {
         }
     }
     assert_none(&findings);
+}
+
+/// Small formats have one mesh in world coordinates, so their houses are handed on with meshes of their own.
+#[test]
+fn obj_stl_and_gltf_are_written_house_by_house() {
+    let mut findings = vec![];
+    for name in ["machiya.hsd", "plot.hsd", "years.hsd"] {
+        let path = std::path::Path::new("examples").join(name);
+        let bytes = std::fs::read(&path).expect("the file can be read");
+        let source = Source::new(FileId(0), name, &bytes);
+        let world = world_of(&path);
+        for detail in [Detail::Body, Detail::Flat] {
+            let whole = plain_files(&source, &world, detail);
+            let stream = plain_streams(&source, &world, detail).expect("memory has room");
+            assert_eq!(whole.len(), stream.len(), "{name} at {detail:?}");
+            let pairs = whole.iter().zip(&stream);
+            let other = pairs.filter(|(one, other)| one != other);
+            findings.extend(other.map(|((file, _), _)| format!("{file} of {name} at {detail:?}")));
+        }
+    }
+    assert_none(&findings);
+}
+
+/// The names of files and their bytes.
+type Files = Vec<(String, Vec<u8>)>;
+
+/// An OBJ, an STL and a glTF of the whole scene.
+fn plain_files(source: &Source, world: &dyn World, detail: Detail) -> Files {
+    let (mut out, options) = (Diagnostics::new(), options(detail));
+    let compiled = hsd::compile(&[source], world, &options, &mut out);
+    let (paths, limits) = (&compiled.scene.pictures, &options.expand.limits);
+    let mut library = driver::pictures(paths, &compiled.building, world, limits, &mut out);
+    library.bake(&compiled.scene.baked);
+    let mut files = obj::obj(&compiled.scene, &library, "a");
+    files.extend(gltf(&compiled.scene, &library, "a"));
+    let own = files.into_iter().map(|f| (f.name, f.bytes.into_owned()));
+    let stl = ("a.stl".to_owned(), stl::stl(&compiled.scene));
+    own.chain([stl]).collect()
+}
+
+/// The same, house by house.
+fn plain_streams(source: &Source, world: &dyn World, detail: Detail) -> io::Result<Files> {
+    let new: NewSpool<'_> = &in_memory;
+    let mut writers = (
+        obj::Writer::new(new)?,
+        Writer::new(new)?,
+        stl::Writer::new(new)?,
+    );
+    let mut sink = |part: ScenePart<'_>, images: &Library| {
+        writers.0.add(part, images)?;
+        writers.1.add(part, images)?;
+        writers.2.add(part)
+    };
+    let options = Options {
+        own_meshes: true,
+        ..options(detail)
+    };
+    let sources = [source];
+    let feed = driver::Feed::whole(&sources);
+    let mut out = Diagnostics::new();
+    let town = driver::stream(feed, world, &options, &mut out, (&mut sink, new))?;
+    let (materials, images, grown) = (&town.materials, &town.library, &town.grown);
+    let owned = |files: Vec<OutFile<'_>>| -> Files {
+        let own = files.into_iter().map(|f| (f.name, f.bytes.into_owned()));
+        own.collect()
+    };
+    let (text, beside) = writers.0.finish(materials, images, grown, "a");
+    let mut files = owned(beside);
+    files.push(poured("a.obj", |out| text.write(out))?);
+    let made = writers.1.gltf(materials, images, grown, "a")?;
+    files.extend(owned(made.images));
+    let buffer = made.buffer.expect("houses have vertices");
+    files.push(poured("a.bin", |out| buffer.write(out))?);
+    files.push(poured("a.gltf", |out| made.json.write(out))?);
+    files.push(poured("a.stl", |out| writers.2.write(out))?);
+    Ok(files)
+}
+
+/// A file that says how long it is.
+fn poured(
+    name: &str,
+    pour: impl FnOnce(&mut Vec<u8>) -> io::Result<u64>,
+) -> io::Result<(String, Vec<u8>)> {
+    let mut bytes = vec![];
+    let length = pour(&mut bytes)?;
+    assert_eq!(length, bytes.len() as u64, "{name}");
+    Ok((name.to_owned(), bytes))
 }
 
 /// Unlike houses for more than two batches, some of them aged; every ninth is the twin of its neighbour.

@@ -1,7 +1,7 @@
-//! A flattened scene, for formats without a node tree: every mesh in world coordinates.
+//! Flattened houses, for formats without a node tree: every mesh in world coordinates.
 
 use super::sound;
-use crate::scene::{Node, Primitive, Scene};
+use crate::scene::{Node, Primitive, ScenePart};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 
 /// The placement of a node in the world, metres, z up.
@@ -46,21 +46,21 @@ impl Placement {
 }
 
 /// Returns the placements of all nodes.
-pub fn places(scene: &Scene) -> Vec<Placement> {
-    let mut places: Vec<Placement> = Vec::with_capacity(scene.nodes.len());
-    for node in &scene.nodes {
-        let above = node.parent.and_then(|p| places.get(p.0 as usize).copied());
+pub fn places(part: ScenePart<'_>) -> Vec<Placement> {
+    let mut places: Vec<Placement> = Vec::with_capacity(part.nodes.len());
+    for (i, node) in part.nodes.iter().enumerate() {
+        let above = part.parent(i).map(|p| places[p]);
         places.push(above.unwrap_or(Placement::WORLD).child(node));
     }
     places
 }
 
 /// Returns the primitives of a node's mesh that can be written.
-pub fn primitives<'a>(scene: &'a Scene, node: &Node) -> impl Iterator<Item = &'a Primitive> {
-    let mesh = node.mesh.and_then(|m| scene.meshes.get(m.0 as usize));
+pub fn primitives<'s>(part: ScenePart<'s>, node: &Node) -> impl Iterator<Item = &'s Primitive> {
+    let mesh = node.mesh.and_then(|m| part.mesh(m));
     mesh.into_iter()
         .flat_map(|m| &m.primitives)
-        .filter(|p| sound::primitive(p, &scene.materials))
+        .filter(move |p| sound::primitive(p, part.materials))
 }
 
 /// Converts a vertex to a point.

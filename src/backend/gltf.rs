@@ -5,12 +5,13 @@
 //! normals, tangents, texture coordinates and indices; accessors differ by offset only. Everything except the nodes uses
 //! the types of the `gltf` crate, which the tests use to read it back.
 //!
-//! A [`Writer`] takes houses one after another and keeps their JSON and arrays in [`Spool`]s until the model is
+//! A [`Writer`] takes houses one after another and keeps their JSON and arrays in [`Spool`](super::spool::Spool)s until the model is
 //! complete: the lists at the start of the file are known last. A whole scene is written the same way.
 //!
 //! Texture coordinates of textured surfaces are metres in the scene; they are divided here by the length of one repeat
 //! in metres, since a primitive has one material.
 
+mod apart;
 mod arrays;
 mod bare;
 mod buffer;
@@ -23,27 +24,25 @@ mod materials;
 mod nodes;
 mod shading;
 mod shapes;
-mod spool;
 mod table;
 mod tile;
 mod writer;
 
+pub use apart::Gltf;
 #[cfg(feature = "compress")]
 pub use compress::Ktx2;
 pub use container::Glb;
-pub use spool::{NewSpool, Spool, in_memory};
 pub use table::FeatureRow;
 pub use tile::{TileContent, TileWriter, graphics_bytes};
 pub use writer::Writer;
 #[cfg(feature = "view")]
 pub(crate) use writer::{glb_of_houses, written_nodes};
 
+use super::spool::{List, Section, in_memory};
 use super::{Images, OutFile};
 use crate::scene::Scene;
-use crate::source::reference;
 use gltf::json::{Buffer, Root};
 use materials::Materials;
-use spool::{List, Section};
 use std::io::{self, Write};
 
 /// Returns a `.glb` with all images embedded.
@@ -64,24 +63,7 @@ pub fn glb_beside<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> V
 /// Returns a `.gltf` named `stem.gltf`, its `stem.bin`, and its images in the folder `stem_textures`. The file that
 /// refers to the others comes last.
 pub fn gltf<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile<'a>> {
-    let mut model = Model::of(scene, images);
-    let mut files = model.files(stem);
-    let name = format!("{stem}.bin");
-    model.add_buffer(Some(reference(&name)));
-    let (mut json, mut bin) = (vec![], Vec::with_capacity(model.length as usize));
-    let written = model.json(&mut json).and_then(|()| model.buffer(&mut bin));
-    written.expect("memory takes every byte");
-    if !bin.is_empty() {
-        files.push(OutFile {
-            name,
-            bytes: bin.into(),
-        });
-    }
-    files.push(OutFile {
-        name: format!("{stem}.gltf"),
-        bytes: json.into(),
-    });
-    files
+    Gltf::of(Model::of(scene, images), stem).into_files(stem)
 }
 
 /// A complete model, not yet in a file.

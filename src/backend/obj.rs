@@ -5,148 +5,278 @@
 //! unique names. Instances are expanded. Numbers have at most six decimals, those of normals three.
 
 mod mtl;
+mod numbers;
+mod text;
 mod tinted;
 
 use super::flat::{self, Placement, places};
 use super::number::Number;
-use super::{Images, OutFile, SurfaceFiles, one_word, picture_folder};
-use crate::scene::{Image, Primitive, Scene};
+use super::spool::{NewSpool, Section, in_memory};
+use super::{Images, OutFile, one_word, picture_folder};
+use crate::scene::{Image, Material, Node, Primitive, Scene, ScenePart};
 use glam::DVec3;
-use std::collections::HashMap;
+use numbers::{Names, Numbers};
 use std::fmt::Write as _;
+use std::io;
+pub use text::Text;
 
 /// Returns `stem.obj`, `stem.mtl` and the images in the folder `stem_textures`; the file that refers to the others
 /// comes last. Blanks in file names become `_`.
 pub fn obj<'a>(scene: &Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile<'a>> {
-    let stem = &one_word(stem);
-    let mut writer = ObjWriter::new(scene, images);
-    let _ = writeln!(
-        writer.out,
-        "# hsd {}: x east, y up, z south, metres",
-        env!("CARGO_PKG_VERSION")
-    );
-    let _ = writeln!(writer.out, "mtllib {stem}.mtl");
-    writer.nodes();
-    let folder = picture_folder(stem);
-    let (mtl, mut files) = mtl::mtl(scene, &writer.used, images, &folder);
-    files.push(OutFile {
-        name: format!("{stem}.mtl"),
-        bytes: mtl.into_bytes().into(),
-    });
-    files.push(OutFile {
-        name: format!("{stem}.obj"),
-        bytes: writer.out.into_bytes().into(),
-    });
-    files
+    let write = || {
+        let mut writer = Writer::new(&in_memory)?;
+        writer.add(scene.whole(), images)?;
+        let (text, mut files) = writer.finish(&scene.materials, images, &[], stem);
+        let mut bytes = vec![];
+        text.write(&mut bytes)?;
+        files.push(OutFile {
+            name: format!("{}.obj", one_word(stem)),
+            bytes: bytes.into(),
+        });
+        Ok::<_, io::Error>(files)
+    };
+    write().expect("memory takes every byte")
 }
 
-struct ObjWriter<'a> {
-    scene: &'a Scene,
+/// A model that takes houses one after another. Meshes of all houses must be in the parts that show them: see
+/// [`SceneBuilder::forget_twins`](crate::tessellate::SceneBuilder::forget_twins).
+pub struct Writer {
+    lines: Section,
+    /// The lines of the houses in work.
     out: String,
-    /// By material number in the scene: the divisor of texture coordinates, if the material has a texture.
-    metres: Vec<Option<f64>>,
-    /// For each material, true if it shows a reflection, by its own texture coordinates.
-    mirrors: Vec<bool>,
-    /// Materials on written faces.
-    used: Vec<bool>,
+    /// What is known of the materials so far, by their numbers in the scene.
+    looks: Vec<Look>,
     vertices: Numbers<3>,
-    coordinates: Numbers<2>,
+    coordinates: Numbers<3>,
     normals: Numbers<3>,
-    /// How many objects have had a name.
-    names: HashMap<String, usize>,
+    houses: Names,
+    /// The names in a house.
+    objects: Names,
+    on_pages: bool,
 }
 
-impl<'a> ObjWriter<'a> {
-    fn new(scene: &'a Scene, images: &dyn Images) -> ObjWriter<'a> {
-        let metres = |image: &Image| match image {
-            Image::None => None,
-            Image::Surface(name) => images.files(name).map(|f: SurfaceFiles<'_>| f.metres),
-            Image::Picture(index) => images.picture(*index).map(|_| 1.0),
-            Image::Baked(index) => images.baked(*index).map(|f| f.metres),
+/// What the writer has to know of a material.
+#[derive(Clone, Copy)]
+struct Look {
+    coordinates: Coordinates,
+    /// True if it is on a face.
+    used: bool,
+}
+
+/// Which texture coordinates a material needs.
+#[derive(Clone, Copy)]
+enum Coordinates {
+    None,
+    /// Repeats of this width, metres.
+    Repeats(f64),
+    /// The place on a page of baked images.
+    OnPage(u32),
+    /// The place in the reflection.
+    Mirror,
+}
+
+impl Look {
+    fn of(material: &Material, images: &dyn Images) -> Look {
+        let coordinates = match material.image {
+            _ if mtl::mirrored(material, images).is_some() => Coordinates::Mirror,
+            Image::None => Coordinates::None,
+            Image::Surface(name) => match images.files(name) {
+                Some(files) => Coordinates::Repeats(files.metres),
+                None => Coordinates::None,
+            },
+            Image::Picture(index) => match images.picture(index) {
+                Some(_) => Coordinates::Repeats(1.0),
+                None => Coordinates::None,
+            },
+            // The page is there when it is full.
+            Image::Baked(page) => Coordinates::OnPage(page),
         };
-        ObjWriter {
-            scene,
-            out: String::new(),
-            metres: scene.materials.iter().map(|m| metres(&m.image)).collect(),
-            mirrors: scene
-                .materials
-                .iter()
-                .map(|m| mtl::mirrored(m, images).is_some())
-                .collect(),
-            used: vec![false; scene.materials.len()],
-            vertices: Numbers::new("v"),
-            coordinates: Numbers::new("vt"),
-            normals: Numbers::new("vn"),
-            names: HashMap::new(),
+        Look {
+            coordinates,
+            used: false,
         }
     }
+}
 
-    fn nodes(&mut self) {
-        let mut paths: Vec<String> = vec![];
-        for (node, place) in self.scene.nodes.iter().zip(places(self.scene)) {
-            let name = if node.name.is_empty() {
-                node.kind.word()
-            } else {
-                &node.name
+impl Writer {
+    /// Creates a model without houses that keeps its content in a spool.
+    ///
+    /// # Errors Those of the spool.
+    pub fn new(new: NewSpool<'_>) -> io::Result<Writer> {
+        Ok(Writer {
+            lines: Section::new("lines", new)?,
+            out: String::new(),
+            looks: vec![],
+            vertices: Numbers::new(),
+            coordinates: Numbers::new(),
+            normals: Numbers::new(),
+            houses: Names::default(),
+            objects: Names::default(),
+            on_pages: false,
+        })
+    }
+
+    /// Adds houses. Images must be there, except baked pages, which are needed at the end only.
+    ///
+    /// # Errors Those of the spool.
+    pub fn add(&mut self, part: ScenePart<'_>, images: &dyn Images) -> io::Result<()> {
+        let more = part.materials.iter().skip(self.looks.len());
+        self.looks.extend(more.map(|m| Look::of(m, images)));
+        let mut paths: Vec<String> = Vec::with_capacity(part.nodes.len());
+        for (i, (node, place)) in part.nodes.iter().zip(places(part)).enumerate() {
+            let name = one_word(name_of(node));
+            let path = match part.parent(i) {
+                Some(parent) => format!("{}/{name}", paths[parent]),
+                None => {
+                    self.objects.clear();
+                    self.houses.unique(&name)
+                }
             };
-            let above = node.parent.and_then(|p| paths.get(p.0 as usize));
-            let path = above.map_or(one_word(name), |a| format!("{a}/{}", one_word(name)));
-            let mut shown = flat::primitives(self.scene, node).peekable();
+            let mut shown = flat::primitives(part, node).peekable();
             if place.sound && shown.peek().is_some() {
-                let _ = writeln!(self.out, "o {}", unique(&mut self.names, &path));
-                self.object(place, shown);
+                let _ = writeln!(self.out, "o {}", self.objects.unique(&path));
+                self.object(place, shown, part.materials);
             }
             paths.push(path);
+            if self.out.len() > BLOCK {
+                self.flush()?;
+            }
         }
+        self.flush()
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        let lines = std::mem::take(&mut self.out);
+        let written = |out: &mut Vec<u8>| {
+            out.extend_from_slice(lines.as_bytes());
+            Ok(())
+        };
+        self.lines.append(written).map(drop)
+    }
+
+    /// Returns `stem.obj`, and the files to which it refers. `materials` are those of the scene, `grown` the factors by
+    /// which distances from the upper edge of each baked page have grown.
+    pub fn finish<'a>(
+        self,
+        materials: &[Material],
+        images: &'a dyn Images,
+        grown: &[f32],
+        stem: &str,
+    ) -> (Text, Vec<OutFile<'a>>) {
+        let stem = &one_word(stem);
+        let used = materials.iter().zip(&self.looks);
+        let used = used.filter(|(_, look)| look.used).map(|(m, _)| m);
+        let (mtl, mut files) = mtl::mtl(used, images, &picture_folder(stem));
+        files.push(OutFile {
+            name: format!("{stem}.mtl"),
+            bytes: mtl.into_bytes().into(),
+        });
+        let version = env!("CARGO_PKG_VERSION");
+        let text = Text {
+            head: format!("# hsd {version}: x east, y up, z south, metres\nmtllib {stem}.mtl\n"),
+            lines: self.lines,
+            on_pages: self.on_pages,
+            grown: grown.to_vec(),
+        };
+        (text, files)
     }
 
     /// Writes the shapes of one node; coincident points are written once, so that edges are shared.
-    fn object<'p>(&mut self, place: Placement, primitives: impl Iterator<Item = &'p Primitive>) {
+    fn object<'p>(
+        &mut self,
+        place: Placement,
+        primitives: impl Iterator<Item = &'p Primitive>,
+        materials: &[Material],
+    ) {
         self.vertices.begin();
         self.coordinates.begin();
         for primitive in primitives {
             let material = primitive.material.0 as usize;
-            self.used[material] = true;
-            let out = &mut self.out;
-            let up = |p: DVec3| [p.x, p.z, -p.y];
+            self.looks[material].used = true;
             let vertices: Vec<usize> = primitive
                 .positions
                 .iter()
                 .map(|p| {
+                    let at = up(place.point(flat::point(*p))).map(Number);
+                    let out = &mut self.out;
                     self.vertices
-                        .of(up(place.point(flat::point(*p))).map(Number), out)
+                        .of(at.map(Number::millionths), || line("v", &at, out))
                 })
                 .collect();
-            let (metres, uvs) = match self.mirrors[material] {
-                true => (Some(1.0), &primitive.mirror_uvs),
-                false => (self.metres[material], &primitive.uvs),
-            };
-            let coordinates: Vec<usize> = metres.map_or(vec![], |metres| {
-                let number = |uv: &[f32; 2]| uv.map(|x| Number(f64::from(x) / metres));
-                let all = uvs.iter().map(number);
-                all.map(|uv| self.coordinates.of(uv, out)).collect()
-            });
+            let coordinates = self.coordinates(primitive, self.looks[material].coordinates);
             let normals: Vec<usize> = primitive
                 .normals
                 .iter()
                 .map(|n| {
-                    let turned = place.direction(flat::point(*n));
-                    self.normals.of(up(turned).map(Number::thousandths), out)
+                    let turned = up(place.direction(flat::point(*n))).map(Number::thousandths);
+                    let out = &mut self.out;
+                    self.normals
+                        .of(turned.map(Number::millionths), || line("vn", &turned, out))
                 })
                 .collect();
-            let name = one_word(&self.scene.materials[material].name);
-            let _ = writeln!(out, "usemtl {name}");
-            faces(out, &primitive.indices, &vertices, &coordinates, &normals);
+            let name = one_word(&materials[material].name);
+            let _ = writeln!(self.out, "usemtl {name}");
+            let numbers = (&vertices[..], &coordinates[..], &normals[..]);
+            faces(&mut self.out, &primitive.indices, numbers);
         }
     }
+
+    /// Returns the numbers of the texture coordinates of a shape; none if its material needs none.
+    fn coordinates(&mut self, primitive: &Primitive, kind: Coordinates) -> Vec<usize> {
+        let uvs = match kind {
+            Coordinates::None => return vec![],
+            Coordinates::Mirror => &primitive.mirror_uvs,
+            Coordinates::Repeats(_) | Coordinates::OnPage(_) => &primitive.uvs,
+        };
+        let divisor = match kind {
+            Coordinates::Repeats(metres) => metres,
+            _ => 1.0,
+        };
+        self.on_pages |= matches!(kind, Coordinates::OnPage(_));
+        let number = |uv: &[f32; 2]| {
+            let at = uv.map(|x| Number(f64::from(x) / divisor));
+            let [u, v] = at.map(Number::millionths);
+            let out = &mut self.out;
+            match kind {
+                Coordinates::OnPage(page) => {
+                    let key = [u, v, 1 + i64::from(page)];
+                    self.coordinates.of(key, || text::on_page(page, *uv, out))
+                }
+                _ => self.coordinates.of([u, v, 0], || line("vt", &at, out)),
+            }
+        };
+        uvs.iter().map(number).collect()
+    }
+}
+
+/// The characters of lines that wait for the spool.
+const BLOCK: usize = 1 << 16;
+
+fn name_of(node: &Node) -> &str {
+    match node.name.is_empty() {
+        true => node.kind.word(),
+        false => &node.name,
+    }
+}
+
+/// Converts from z up to y up.
+fn up(p: DVec3) -> [f64; 3] {
+    [p.x, p.z, -p.y]
+}
+
+/// Adds a command with its numbers.
+fn line(command: &str, numbers: &[Number], out: &mut String) {
+    out.push_str(command);
+    for x in numbers {
+        let _ = write!(out, " {x}");
+    }
+    out.push('\n');
 }
 
 fn faces(
     out: &mut String,
     indices: &[u32],
-    vertices: &[usize],
-    coordinates: &[usize],
-    normals: &[usize],
+    (vertices, coordinates, normals): (&[usize], &[usize], &[usize]),
 ) {
     for triangle in indices.chunks_exact(3) {
         let [a, b, c] = [0, 1, 2].map(|k| vertices[triangle[k] as usize]);
@@ -165,55 +295,5 @@ fn faces(
             };
         }
         out.push('\n');
-    }
-}
-
-/// Numbered values of one command. OBJ numbers start at 1 and continue through the file.
-struct Numbers<const N: usize> {
-    command: &'static str,
-    count: usize,
-    known: HashMap<[i64; N], usize>,
-}
-
-impl<const N: usize> Numbers<N> {
-    fn new(command: &'static str) -> Numbers<N> {
-        Numbers {
-            command,
-            count: 0,
-            known: HashMap::new(),
-        }
-    }
-
-    /// Begins an object, which shares no values with others.
-    fn begin(&mut self) {
-        self.known.clear();
-    }
-
-    /// Returns the number of a value, and writes the value if it is new.
-    fn of(&mut self, value: [Number; N], out: &mut String) -> usize {
-        let next = self.count + 1;
-        let number = *self
-            .known
-            .entry(value.map(Number::millionths))
-            .or_insert(next);
-        if number == next {
-            self.count = next;
-            out.push_str(self.command);
-            for x in value {
-                let _ = write!(out, " {x}");
-            }
-            out.push('\n');
-        }
-        number
-    }
-}
-
-/// Returns the path of an object, with a number from the second of a path on.
-fn unique(names: &mut HashMap<String, usize>, path: &str) -> String {
-    let count = names.entry(path.to_owned()).or_insert(0);
-    *count += 1;
-    match *count {
-        1 => path.to_owned(),
-        n => unique(names, &format!("{path}_{n}")),
     }
 }

@@ -1,6 +1,7 @@
 //! `hsd build`: builds 3D models from house files.
 
 mod bake;
+mod job;
 mod statistics;
 mod streamed;
 pub(in crate::cli) mod init;
@@ -26,6 +27,7 @@ use crate::source::Source;
 use crate::text;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
+use job::{Job, each};
 use statistics::{statistics, summary};
 use std::cell::OnceCell;
 use std::io::{self, IsTerminal, Write};
@@ -114,16 +116,6 @@ const NO_COMPRESS: Noun = noun(
 );
 
 const MODEL: Noun = noun("model", "モデル{}個");
-
-/// The source files of one model and its output.
-#[derive(Debug)]
-pub(super) struct Job {
-    inputs: Vec<PathBuf>,
-    output: PathBuf,
-    model: Model,
-    /// The seed, if the model is one of several variants.
-    seed: Option<u64>,
-}
 
 impl Build {
     pub(super) fn run(&self, language: Language) -> Outcome {
@@ -295,7 +287,8 @@ impl Build {
 
     /// Fails if `--join` is given but the model has no joined houses.
     fn check_join(&self, job: &Job) -> Result<(), Failure> {
-        let joins = self.streams(job) && self.detail_args.detail() == Detail::Body;
+        let glb = job.model == Model::Glb && self.streams(job);
+        let joins = glb && self.detail_args.detail() == Detail::Body;
         match self.join && !joins {
             true => Err(Failure::Usage(text!(
                 "--join needs --detail 0 and writes .glb only",
@@ -358,67 +351,6 @@ impl Build {
             seed: None,
         }])
     }
-}
-
-impl Job {
-    /// Fails if the model would overwrite a source file.
-    fn check_overwrite(&self) -> Result<(), Failure> {
-        let real = |p: &Path| p.canonicalize().ok();
-        let output = real(&self.output);
-        let same = |input: &&PathBuf| output.is_some() && real(input) == output;
-        match self.inputs.iter().find(same) {
-            Some(text) if text.is_file() => {
-                let shown = text.display();
-                Err(Failure::Usage(text!([shown]
-                    "{shown} is an input and would be overwritten",
-                    "{shown} は入力のテキストなので、上書きできません"
-                )))
-            }
-            _ => Ok(()),
-        }
-    }
-
-    /// Fails if the model would be written to a terminal.
-    fn check_terminal(&self) -> Result<(), Failure> {
-        if self.output.as_os_str() == STDIN && io::stdout().is_terminal() {
-            return Err(Failure::Usage(text!(
-                "a model cannot be printed on a terminal; name a file with -o, as in `-o house.glb`",
-                "モデルは端末に出力できません。`-o house.glb` のように -o でファイルを指定してください"
-            )));
-        }
-        Ok(())
-    }
-
-    /// The source files.
-    pub(super) fn inputs(&self) -> &[PathBuf] {
-        &self.inputs
-    }
-}
-
-/// Returns a job for each input. Fails if two have the same output, ignoring case, as some file systems do.
-fn each(
-    inputs: &[PathBuf],
-    model: Model,
-    output: impl Fn(&Path) -> PathBuf,
-) -> Result<Vec<Job>, Failure> {
-    let mut jobs: Vec<Job> = vec![];
-    let mut taken = std::collections::HashMap::new();
-    // The catalogue file of a folder contains no house.
-    let parts = |input: &PathBuf| inputs.len() > 1 && input.ends_with(driver::PARTS_BESIDE);
-    for input in inputs.iter().filter(|input| !parts(input)) {
-        let output = output(input);
-        let key = output.to_string_lossy().to_lowercase();
-        if let Some(other) = taken.insert(key, input) {
-            return Err(Failure::one_output(other, input, &output));
-        }
-        jobs.push(Job {
-            inputs: vec![input.clone()],
-            output,
-            model,
-            seed: None,
-        });
-    }
-    Ok(jobs)
 }
 
 /// Writes a compressed model and returns its size in bytes.

@@ -167,16 +167,23 @@ impl LongFile {
     }
 
     fn text(&self, range: Range<u64>) -> io::Result<String> {
-        let changed = |_| io::Error::new(ErrorKind::InvalidData, "the file has changed");
-        String::from_utf8(self.bytes(range)?).map_err(changed)
+        String::from_utf8(self.bytes(range)?).map_err(|_| self.changed())
     }
 
     fn bytes(&self, range: Range<u64>) -> io::Result<Vec<u8>> {
         let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
         file.seek(SeekFrom::Start(range.start))?;
         let mut bytes = vec![0; (range.end - range.start) as usize];
-        file.read_exact(&mut bytes)?;
-        Ok(bytes)
+        match file.read_exact(&mut bytes) {
+            Err(error) if error.kind() == ErrorKind::UnexpectedEof => Err(self.changed()),
+            read => read.map(|()| bytes),
+        }
+    }
+
+    fn changed(&self) -> io::Error {
+        let name = &self.name;
+        let message = format!("{name} was changed while it was read; build it again");
+        io::Error::new(ErrorKind::InvalidData, message)
     }
 
     /// Returns a source with this text; the table leads from it into the file.

@@ -16,9 +16,9 @@ pub use ktx2::Ktx2;
 
 use super::arrays::Array;
 use super::materials::{MaterialRefs, Materials};
-use super::spool::{List, NewSpool, Section, in_memory};
 use super::{Model, writer};
 use crate::backend::Images;
+use crate::backend::spool::{List, NewSpool, Section, in_memory};
 use crate::scene::Scene;
 use geometry::{Geometry, Piece};
 use gltf::json::accessor::{ComponentType, GenericComponentType, Type};

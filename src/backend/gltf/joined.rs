@@ -7,8 +7,8 @@ use super::arrays::{Array, MaterialRef, bounds, index_type, turned, write_floats
 use super::bare::Bare;
 use super::nodes::kept;
 use super::shapes::{Shapes, accessor, triangles};
-use super::spool::NewSpool;
 use crate::backend::number::Number;
+use crate::backend::spool::NewSpool;
 use crate::backend::{Images, sound};
 use crate::scene::{Primitive, ScenePart};
 use crate::source::Span;

@@ -1,9 +1,9 @@
 //! The tree of nodes: house, storey, facade, part; house, roof. Nodes make up most of the JSON, and a town has half a
 //! million: they are written directly from the scene, in types that borrow from it.
 
-use super::spool::{List, NewSpool};
 use crate::backend::number::Number;
 use crate::backend::sound;
+use crate::backend::spool::{List, NewSpool};
 use crate::scene::{self, MeshId, ScenePart};
 use crate::source::Span;
 use glam::DVec2;

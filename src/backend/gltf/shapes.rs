@@ -5,7 +5,7 @@ use super::arrays::{Array, MaterialRef, bounds, index_type, turned, write_floats
 use super::bare::Bare;
 use super::buffer::view;
 use super::materials::MaterialRefs;
-use super::spool::{List, NewSpool, Section};
+use crate::backend::spool::{List, NewSpool, Section};
 use crate::backend::{Images, sound};
 use crate::scene::{self, Detail, Image, MeshId, ScenePart};
 use gltf::json::accessor::{ComponentType, GenericComponentType};

@@ -4,8 +4,8 @@ use super::joined::{FEATURES, Group};
 use super::materials::{MaterialRefs, Materials};
 use super::nodes::{Tree, kept};
 use super::shapes::Shapes;
-use super::spool::{NewSpool, in_memory};
-use super::{Glb, Model};
+use super::{Glb, Gltf, Model};
+use crate::backend::spool::{NewSpool, in_memory};
 use crate::backend::{Images, OutFile, sound};
 use crate::scene::{Detail, Material, MeshId, Scene, ScenePart};
 use gltf::json::{Asset, Root};
@@ -108,6 +108,19 @@ impl<'n> Writer<'n> {
     ) -> io::Result<(Glb<'a>, Vec<OutFile<'a>>)> {
         let model = self.model(materials, images, grown)?;
         Ok(Glb::beside_of(model, stem))
+    }
+
+    /// Returns the model as `stem.gltf`, its `stem.bin`, and its images in the folder `stem_textures`.
+    ///
+    /// # Errors Those of the spools.
+    pub fn gltf<'a>(
+        self,
+        materials: &'a [Material],
+        images: &'a dyn Images,
+        grown: &[f32],
+        stem: &str,
+    ) -> io::Result<Gltf<'a>> {
+        Ok(Gltf::of(self.model(materials, images, grown)?, stem))
     }
 
     pub(super) fn model<'a>(

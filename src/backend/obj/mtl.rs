@@ -3,7 +3,7 @@
 use super::tinted::{self, Tint};
 use crate::backend::number::Number;
 use crate::backend::{Images, OutFile, PictureBytes, SurfaceFiles, one_word};
-use crate::scene::{Image, Material, Scene};
+use crate::scene::{Image, Material};
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::fmt::Write as _;
@@ -14,10 +14,9 @@ const SHADE: f64 = 0.5 / 0.8;
 /// Specular colour of everything, as in the same sample; readers of `Pr` take it for the 4 % that any surface reflects.
 const GLOSS: f64 = 0.5;
 
-/// Returns the text, and the images to which it refers in `folder`.
-pub(super) fn mtl<'a>(
-    scene: &Scene,
-    used: &[bool],
+/// Returns the text about some materials, and the images to which it refers in `folder`.
+pub(super) fn mtl<'a, 'm>(
+    materials: impl Iterator<Item = &'m Material>,
     images: &'a dyn Images,
     folder: &str,
 ) -> (String, Vec<OutFile<'a>>) {
@@ -27,7 +26,7 @@ pub(super) fn mtl<'a>(
         folder,
         changed: HashMap::new(),
     };
-    for (material, _) in scene.materials.iter().zip(used).filter(|(_, used)| **used) {
+    for material in materials {
         writer.material(material, images);
     }
     (writer.out, writer.files)

@@ -1,13 +1,17 @@
-//! `hsd build` of a plain `.glb`: houses go to the file as they are made, so that a town of any size can be built.
+//! `hsd build` of a model without variants, bakes or compression: houses go to the file as they are made, so that a town
+//! of any size can be built.
 
 use super::statistics::{statistics, summary};
 use super::{Build, Job, Progress};
-use crate::backend::gltf::{Spool, Writer};
+use crate::backend::images::Library;
+use crate::backend::spool::{NewSpool, Spool};
+use crate::backend::{gltf, obj, stl};
 use crate::cli::Failure;
 use crate::cli::files::input::{Inputs, STDIN};
 use crate::cli::files::output::{self, Files, Model, folder_of};
 use crate::diagnostic::Diagnostics;
 use crate::driver::{self, Feed, Streamed};
+use crate::scene::ScenePart;
 use crate::source::Source;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -21,7 +25,7 @@ impl Build {
     /// True if the model of a job is written house by house. Others need the whole scene.
     pub(super) fn streams(&self, job: &Job) -> bool {
         let variants = self.variants.is_some() && job.seed.is_none();
-        job.model == Model::Glb && !variants && !self.compress && !self.bake_args.bake
+        !variants && !self.compress && !self.bake_args.bake
     }
 
     /// Runs one job; returns whether its source files have errors.
@@ -32,13 +36,13 @@ impl Build {
         let inputs = Inputs::in_pieces(&job.inputs, &limits, &mut out)?;
         let world = self.input_args.world(&job.inputs);
         let options = driver::Options {
-            own_meshes: self.join,
+            own_meshes: self.join || matches!(job.model, Model::Obj | Model::Stl),
             ..self.options(job.seed, &inputs, &mut out)?
         };
         let folder = spool_folder(&job.output);
         let new = || spool(&folder);
         let failed = |error| Failure::at(job.output.display(), error);
-        let mut writer = Writer::new(&new).map_err(failed)?.joining(self.join);
+        let mut model = Started::new(job.model, self.join, &new).map_err(failed)?;
         let accepted = inputs.accepted();
         let mut town = driver::stream(
             Feed {
@@ -48,7 +52,7 @@ impl Build {
             &world,
             &options,
             &mut out,
-            (&mut |part, images| writer.add(part, images), &new),
+            (&mut |part, images| model.add(part, images), &new),
         )
         .map_err(failed)?;
         let list = out.into_sorted();
@@ -65,7 +69,7 @@ impl Build {
         }
         let mut times = std::mem::take(&mut town.times);
         let (size, sizes) = driver::timed(&mut times, "write", || {
-            let files = self.town_files(writer, &town, &job.output);
+            let files = model.finish(&town, &job.output, self.textures_beside);
             let files = files.map_err(failed)?;
             let sizes = files.sizes();
             let size = output::write_model(&job.output, files, &read)?;
@@ -81,21 +85,48 @@ impl Build {
         }
         Ok(false)
     }
+}
 
-    /// Returns the files of a model whose houses are all written.
-    fn town_files<'t>(
-        &self,
-        writer: Writer<'_>,
-        town: &'t Streamed,
-        output: &Path,
-    ) -> io::Result<Files<'t>> {
-        let (materials, images, grown) = (&town.materials, &town.library, &town.grown);
-        if !self.textures_beside {
-            return writer.glb(materials, images, grown).map(Files::glb);
+/// A model that takes houses one after another.
+enum Started<'n> {
+    Glb(gltf::Writer<'n>),
+    Gltf(gltf::Writer<'n>),
+    Obj(obj::Writer),
+    Stl(stl::Writer),
+}
+
+impl<'n> Started<'n> {
+    fn new(model: Model, join: bool, new: NewSpool<'n>) -> io::Result<Started<'n>> {
+        Ok(match model {
+            Model::Glb => Started::Glb(gltf::Writer::new(new)?.joining(join)),
+            Model::Gltf => Started::Gltf(gltf::Writer::new(new)?),
+            Model::Obj => Started::Obj(obj::Writer::new(new)?),
+            Model::Stl => Started::Stl(stl::Writer::new(new)?),
+        })
+    }
+
+    fn add(&mut self, part: ScenePart<'_>, images: &Library) -> io::Result<()> {
+        match self {
+            Started::Glb(writer) | Started::Gltf(writer) => writer.add(part, images),
+            Started::Obj(writer) => writer.add(part, images),
+            Started::Stl(writer) => writer.add(part),
         }
+    }
+
+    /// Returns the files of a model whose houses are all there.
+    fn finish<'t>(self, town: &'t Streamed, output: &Path, beside: bool) -> io::Result<Files<'t>> {
+        let (materials, images, grown) = (&town.materials, &town.library, &town.grown);
         let stem = output.file_stem().unwrap_or_default().to_string_lossy();
-        let (glb, beside) = writer.glb_beside(materials, images, grown, &stem)?;
-        Ok(Files::glb_beside(glb, beside))
+        Ok(match self {
+            Started::Glb(writer) if beside => {
+                let (glb, beside) = writer.glb_beside(materials, images, grown, &stem)?;
+                Files::glb_beside(glb, beside)
+            }
+            Started::Glb(writer) => Files::glb(writer.glb(materials, images, grown)?),
+            Started::Gltf(writer) => Files::gltf(writer.gltf(materials, images, grown, &stem)?),
+            Started::Obj(writer) => Files::obj(writer.finish(materials, images, grown, &stem)),
+            Started::Stl(writer) => Files::stl(writer),
+        })
     }
 }
 

@@ -2,7 +2,8 @@
 
 use super::tiled::{FEATURE, Wish, tables};
 use super::{streamed, tiled};
-use crate::backend::gltf::{Spool, Writer};
+use crate::backend::gltf::Writer;
+use crate::backend::spool::Spool;
 use crate::cli::files::input::Inputs;
 use crate::cli::files::output::{self, Files};
 use crate::cli::files::terminal::counted;

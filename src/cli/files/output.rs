@@ -1,6 +1,6 @@
 //! Writes outputs atomically: all files under temporary names first, then renamed.
 
-use crate::backend::gltf::{self, Glb};
+use crate::backend::gltf::{self, Glb, Gltf};
 use crate::backend::{Images, OutFile, obj, stl};
 use crate::cli::Failure;
 use crate::cli::files::input::STDIN;
@@ -12,7 +12,7 @@ use crate::text;
 use clap::ValueEnum;
 use std::borrow::Cow;
 use std::fs;
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 /// Model formats.
@@ -97,8 +97,8 @@ impl Model {
 /// The files of a model.
 pub(in crate::cli) struct Files<'a> {
     main: Content<'a>,
-    /// The files the main one refers to.
-    beside: Vec<OutFile<'a>>,
+    /// The files the main one refers to, by their paths below its folder.
+    beside: Vec<(String, Content<'a>)>,
 }
 
 impl<'a> Files<'a> {
@@ -118,15 +118,41 @@ impl<'a> Files<'a> {
     pub(in crate::cli) fn glb_beside(glb: Glb<'a>, beside: Vec<OutFile<'a>>) -> Files<'a> {
         Files {
             main: Content::Glb(Box::new(glb)),
+            beside: ready(beside),
+        }
+    }
+
+    /// A glTF in several files.
+    pub(in crate::cli) fn gltf(gltf: Gltf<'a>) -> Files<'a> {
+        let mut beside = ready(gltf.images);
+        beside.extend(gltf.buffer.map(|buffer| {
+            let name = buffer.name.clone();
+            (name, Content::Poured(Box::new(|out| buffer.write(out))))
+        }));
+        Files {
+            main: Content::Poured(Box::new(|out| gltf.json.write(out))),
             beside,
         }
+    }
+
+    /// An OBJ and the files it refers to.
+    pub(in crate::cli) fn obj((text, beside): (obj::Text, Vec<OutFile<'a>>)) -> Files<'a> {
+        Files {
+            main: Content::Poured(Box::new(|out| text.write(out))),
+            beside: ready(beside),
+        }
+    }
+
+    /// An STL.
+    pub(in crate::cli) fn stl(model: stl::Writer) -> Files<'a> {
+        Files::one(Content::Poured(Box::new(|out| model.write(out))))
     }
 
     /// The bytes of a model by kind, as far as they are known before it is written.
     pub(in crate::cli) fn sizes(&self) -> Vec<(&'static str, u64)> {
         match &self.main {
             Content::Glb(glb) => glb.sizes(),
-            Content::Bytes(_) => vec![],
+            Content::Bytes(_) | Content::Poured(_) => vec![],
         }
     }
 
@@ -140,9 +166,15 @@ impl<'a> Files<'a> {
         let main = list.pop().map(|f| f.bytes).unwrap_or_default();
         Files {
             main: Content::Bytes(main),
-            beside: list,
+            beside: ready(list),
         }
     }
+}
+
+/// Returns files whose bytes are all there.
+fn ready(files: Vec<OutFile<'_>>) -> Vec<(String, Content<'_>)> {
+    let ready = files.into_iter();
+    ready.map(|f| (f.name, Content::Bytes(f.bytes))).collect()
 }
 
 /// The contents of a file.
@@ -150,6 +182,8 @@ enum Content<'a> {
     Bytes(Cow<'a, [u8]>),
     /// Serialized while writing, because the file of a town is larger than its scene.
     Glb(Box<Glb<'a>>),
+    /// Written from start to end; returns the number of bytes.
+    Poured(Box<dyn FnOnce(&mut dyn Write) -> io::Result<u64> + 'a>),
 }
 
 impl Content<'_> {
@@ -158,6 +192,7 @@ impl Content<'_> {
         match self {
             Content::Bytes(bytes) => file.write_all(&bytes).map(|()| bytes.len() as u64),
             Content::Glb(glb) => glb.write(file),
+            Content::Poured(pour) => poured(pour, file),
         }
     }
 
@@ -170,8 +205,19 @@ impl Content<'_> {
                 let length = glb.write(&mut made)?;
                 out.write_all(made.get_ref()).map(|()| length)
             }
+            Content::Poured(pour) => poured(pour, out),
         }
     }
+}
+
+/// Writes in blocks.
+fn poured(
+    pour: impl FnOnce(&mut dyn Write) -> io::Result<u64>,
+    out: impl Write,
+) -> io::Result<u64> {
+    let mut out = BufWriter::new(out);
+    let length = pour(&mut out)?;
+    out.flush().map(|()| length)
 }
 
 /// Writes files that are complete already, all or none of them.
@@ -189,8 +235,8 @@ pub(in crate::cli) fn write_model(
 ) -> Result<u64, Failure> {
     let real = |p: &Path| p.canonicalize().ok();
     let sources: Vec<PathBuf> = sources.iter().filter_map(|p| real(p)).collect();
-    for file in &files.beside {
-        let target = folder_of(path).join(&file.name);
+    for (name, _) in &files.beside {
+        let target = folder_of(path).join(name);
         if real(&target).is_some_and(|target| sources.contains(&target)) {
             let shown = target.display();
             return Err(Failure::Usage(text!([shown]
@@ -212,7 +258,7 @@ pub(in crate::cli) fn write(path: &Path, files: Files<'_>) -> Result<u64, Failur
     }
     let folder = folder_of(path);
     let beside = files.beside.into_iter();
-    let beside = beside.map(|f| (folder.join(&f.name), Content::Bytes(f.bytes)));
+    let beside = beside.map(|(name, content)| (folder.join(name), content));
     // Keeps the exact path of the main file, which may not be UTF-8.
     let main = (path.to_owned(), files.main);
     write_contents(beside.chain([main]))

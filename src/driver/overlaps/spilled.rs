@@ -2,7 +2,7 @@
 //! memory they take does not grow with the town.
 
 use super::{Ground, Grounds, Met, Near, PASSAGE};
-use crate::backend::gltf::{NewSpool, Spool};
+use crate::backend::spool::{NewSpool, Spool};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::plan::{gap_in_wall, in_each_other};
 use crate::source::Span;

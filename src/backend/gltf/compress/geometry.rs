@@ -3,7 +3,7 @@
 use super::super::arrays::{Array, MaterialRef};
 use super::super::materials::MaterialRefs;
 use super::super::shapes::{arrays, primitive};
-use super::super::spool::List;
+use crate::backend::spool::List;
 use crate::backend::{Images, sound};
 use crate::scene::{self, Scene};
 use gltf::json::{Index, Mesh};

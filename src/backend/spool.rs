@@ -24,7 +24,7 @@ pub fn in_memory() -> io::Result<Box<dyn Spool>> {
 const BLOCK: usize = 1 << 16;
 
 /// A section of a file.
-pub(super) struct Section {
+pub(in crate::backend) struct Section {
     name: &'static str,
     spool: Box<dyn Spool>,
     /// The end, which is not in the spool yet.
@@ -33,7 +33,7 @@ pub(super) struct Section {
 }
 
 impl Section {
-    pub(super) fn new(name: &'static str, new: NewSpool<'_>) -> io::Result<Section> {
+    pub(in crate::backend) fn new(name: &'static str, new: NewSpool<'_>) -> io::Result<Section> {
         Ok(Section {
             name,
             spool: new()?,
@@ -43,17 +43,17 @@ impl Section {
     }
 
     /// Returns what is in it.
-    pub(super) fn name(&self) -> &'static str {
+    pub(in crate::backend) fn name(&self) -> &'static str {
         self.name
     }
 
     /// Returns its length, bytes.
-    pub(super) fn length(&self) -> u64 {
+    pub(in crate::backend) fn length(&self) -> u64 {
         self.length
     }
 
     /// Appends what is written to a buffer; returns where it lies.
-    pub(super) fn append(
+    pub(in crate::backend) fn append(
         &mut self,
         write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>,
     ) -> io::Result<Range<u64>> {
@@ -67,7 +67,7 @@ impl Section {
     }
 
     /// Changes bytes that were appended before.
-    pub(super) fn change(
+    pub(in crate::backend) fn change(
         &mut self,
         range: Range<u64>,
         change: impl FnOnce(&mut [u8]),
@@ -83,16 +83,22 @@ impl Section {
     }
 
     /// Writes all of it.
-    pub(super) fn write(&mut self, out: &mut impl Write) -> io::Result<()> {
-        self.flush()?;
-        self.spool.seek(SeekFrom::Start(0))?;
+    pub(in crate::backend) fn write(&mut self, out: &mut impl Write) -> io::Result<()> {
+        let all = self.read()?;
         let mut block = vec![0; BLOCK];
         loop {
-            match self.spool.read(&mut block)? {
+            match all.read(&mut block)? {
                 0 => return Ok(()),
                 count => out.write_all(&block[..count])?,
             }
         }
+    }
+
+    /// Returns all of it, from the start.
+    pub(in crate::backend) fn read(&mut self) -> io::Result<&mut dyn Spool> {
+        self.flush()?;
+        self.spool.seek(SeekFrom::Start(0))?;
+        Ok(&mut *self.spool)
     }
 
     fn flush(&mut self) -> io::Result<()> {
@@ -103,13 +109,13 @@ impl Section {
 }
 
 /// A list of the JSON.
-pub(super) struct List {
+pub(in crate::backend) struct List {
     section: Section,
     count: u32,
 }
 
 impl List {
-    pub(super) fn new(new: NewSpool<'_>) -> io::Result<List> {
+    pub(in crate::backend) fn new(new: NewSpool<'_>) -> io::Result<List> {
         Ok(List {
             section: Section::new("list", new)?,
             count: 0,
@@ -117,17 +123,17 @@ impl List {
     }
 
     /// Returns its length, bytes.
-    pub(super) fn length(&self) -> u64 {
+    pub(in crate::backend) fn length(&self) -> u64 {
         self.section.length()
     }
 
     /// Returns the number of its items.
-    pub(super) fn count(&self) -> u32 {
+    pub(in crate::backend) fn count(&self) -> u32 {
         self.count
     }
 
     /// Appends an item; returns its number.
-    pub(super) fn push(&mut self, item: &impl Serialize) -> io::Result<u32> {
+    pub(in crate::backend) fn push(&mut self, item: &impl Serialize) -> io::Result<u32> {
         let number = self.count;
         self.section.append(|out| {
             if number > 0 {
@@ -140,7 +146,7 @@ impl List {
     }
 
     /// Writes it as a JSON array.
-    pub(super) fn write(&mut self, out: &mut impl Write) -> io::Result<()> {
+    pub(in crate::backend) fn write(&mut self, out: &mut impl Write) -> io::Result<()> {
         out.write_all(b"[")?;
         self.section.write(out)?;
         out.write_all(b"]")
