@@ -114,6 +114,15 @@ fn pieces_give_the_model_and_the_messages_of_the_whole() {
                 told.len()
             );
         }
+        let checked = |feed: Feed<'_>| {
+            let (options, mut out) = (Options::default(), Diagnostics::new());
+            let checked = driver::inspect(feed, &NoFiles, &options, &mut out, &in_memory);
+            (
+                checked.expect("memory takes every byte").houses,
+                out.into_sorted(),
+            )
+        };
+        assert!(checked(Feed::whole(&[&source])) == checked(feed));
         // A report shows the same lines, and no others.
         let places = found.iter().filter_map(Diagnostic::span);
         let excerpt = file.excerpt(places.clone()).expect("memory can be read");
@@ -227,15 +236,15 @@ fn a_town_in_districts_has_the_messages_of_one_in_memory() {
         (counts, list)
     };
     let (options, mut whole) = (Options::default(), Diagnostics::new());
-    driver::inspect(&[&source], &NoFiles, &options, &mut whole);
+    let sources = [&source];
+    let feed = Feed::whole(&sources);
+    driver::check(&sources, &NoFiles, &options, &mut whole);
     let mut apart = Diagnostics::new();
     let mut sink = |_: ScenePart<'_>, _: &Library| Ok(());
     let body = Options {
         detail: Detail::Body,
         ..options
     };
-    let sources = [&source];
-    let feed = Feed::whole(&sources);
     let run = driver::stream(feed, &NoFiles, &body, &mut apart, (&mut sink, &in_memory));
     run.expect("memory takes every byte");
     let (whole, apart) = (of_grounds(whole), of_grounds(apart));

@@ -2,15 +2,20 @@
 
 use super::options::{FormatArg, InputArgs, exit, report};
 use super::{Exit, Outcome};
+use crate::backend::spool::Spool;
 use crate::cli::files::input::Inputs;
 use crate::cli::files::terminal::{FILE, HOUSE, counted};
 use crate::diagnostic::{Diagnostics, Language};
-use crate::driver;
+use crate::driver::{self, Feed};
 use crate::report::{Format, Report};
 use crate::text;
 use crate::town::{self, TownInput};
 use clap::Args;
 use std::io::{self, Write};
+use tempfile::spooled_tempfile;
+
+/// The bytes of a list that stay in memory.
+const IN_MEMORY: usize = 4 << 20;
 
 /// Check source files for errors without building a model.
 ///
@@ -30,16 +35,25 @@ pub(super) struct Check {
     format: FormatArg,
 }
 
+/// Returns a list that goes to a temporary file as it grows.
+fn in_a_file() -> io::Result<Box<dyn Spool>> {
+    Ok(Box::new(spooled_tempfile(IN_MEMORY)))
+}
+
 impl Check {
     pub(super) fn run(&self, language: Language) -> Outcome {
         self.input_args.check_folders()?;
         let limits = self.input_args.limits();
         let mut out = Diagnostics::new();
-        let inputs = Inputs::readable(&self.input_args.inputs, limits.bytes, &mut out);
+        let inputs = Inputs::readable_in_pieces(&self.input_args.inputs, &limits, &mut out);
         let options = self.input_args.options(&inputs, &mut out)?;
         let sources = inputs.accepted();
         let world = self.input_args.world(&self.input_args.inputs);
-        let checked = driver::inspect(&sources, &world, &options, &mut out);
+        let feed = Feed {
+            sources: &sources,
+            long: &inputs.long,
+        };
+        let checked = driver::inspect(feed, &world, &options, &mut out, &in_a_file)?;
         let mut houses = checked.houses;
         for source in &sources {
             let input = TownInput {
@@ -62,7 +76,7 @@ impl Check {
             writeln!(io::stderr(), "{}", clean.in_language(language))?;
         } else {
             report(
-                &Report::new(&inputs.and(checked.included), &list).in_language(language),
+                &Report::new(&inputs.shown(checked.included, &list)?, &list).in_language(language),
                 format,
                 &mut io::stdout(),
             )?;

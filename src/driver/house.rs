@@ -113,6 +113,9 @@ pub(super) struct Expansion<'a> {
 /// Houses to be expanded.
 type Houses<'a> = dyn Iterator<Item = io::Result<NextHouse<'a>>> + Send + 'a;
 
+/// Receives houses.
+pub(super) type Each<'e> = dyn FnMut(Option<Built>, Diagnostics, usize) -> io::Result<()> + 'e;
+
 /// A house to be expanded; with the feature that it stands on, in a town.
 struct NextHouse<'a> {
     /// `None` = what was found after the last house.
@@ -315,6 +318,33 @@ impl<'a> Expansion<'a> {
         batch.push(made, found, Some(feature.origin));
     }
 
+    /// Makes all houses on the threads of the current `rayon` pool: while some are finished, those after them are expanded.
+    /// `each` receives them in their order, `None` for one that would exceed a limit, with what was found in it and the
+    /// number of images so far.
+    ///
+    /// # Errors
+    /// Those of `each`.
+    pub(super) fn each(
+        &mut self,
+        catalog: &Catalog,
+        options: &Options,
+        each: &mut Each<'_>,
+    ) -> io::Result<()> {
+        let mut next = self.batch(BATCH);
+        while let Some(batch) = next {
+            let images = self.expander.images().len();
+            let (finished, ahead) = rayon::join(
+                || batch.finish(catalog, options.roofs.as_ref(), |_, houses| houses),
+                || self.batch(BATCH),
+            );
+            for (built, found) in finished.into_iter().flatten() {
+                each(built, found, images)?;
+            }
+            next = ahead;
+        }
+        Ok(())
+    }
+
     /// Returns the images of all houses so far.
     pub(super) fn images(&self) -> &[Picture] {
         self.expander.images()
@@ -377,7 +407,9 @@ impl Batch {
     }
 }
 
-/// Makes all houses of the documents, as [`each_house`] does.
+/// Makes all houses of the documents and drops the syntax of each when it is expanded. The id of an unnamed house is its
+/// index in its document. `together` is true if the sources make one scene, so that their houses must not stand in each
+/// other.
 pub(super) fn houses(
     read: &mut Read,
     (sources, together): (&[&Source], bool),
@@ -385,49 +417,23 @@ pub(super) fn houses(
     options: &Options,
     out: &mut Diagnostics,
 ) -> Building {
-    let mut houses = vec![];
-    let sources = (sources, together);
-    let images = each_house(read, sources, world, options, out, &mut |built, _| {
-        houses.push(built);
-    });
-    Building { houses, images }
-}
-
-/// Makes the houses of the documents on the threads of the current `rayon` pool and drops the syntax of each when it is
-/// expanded: while some are finished, those after them are. The id of an unnamed house is its index in its document.
-/// `each` receives them in their order, with the number of images found so far. Returns the images. `together` is true if
-/// the sources make one scene, so that their houses must not stand in each other.
-pub(super) fn each_house(
-    read: &mut Read,
-    (sources, together): (&[&Source], bool),
-    world: &dyn World,
-    options: &Options,
-    out: &mut Diagnostics,
-    each: &mut dyn FnMut(Built, usize),
-) -> Vec<Picture> {
     let documents = std::mem::take(&mut read.documents);
-    let catalog = &*read.catalog;
     let feed = Feed::whole(sources);
-    let mut expansion = Expansion::new(documents, catalog, feed, world, options);
+    let mut expansion = Expansion::new(documents, &read.catalog, feed, world, options);
     let mut grounds = Grounds::new(together || sources.len() == 1);
-    let mut next = expansion.batch(BATCH);
-    while let Some(batch) = next {
-        let images = expansion.images().len();
-        let (finished, ahead) = rayon::join(
-            || batch.finish(catalog, options.roofs.as_ref(), |_, houses| houses),
-            || expansion.batch(BATCH),
-        );
-        for (built, found) in finished.into_iter().flatten() {
-            if let Some(built) = built {
-                // Variants are placed in rows later.
-                let ground = Some(&built.house).filter(|house| house.variant.is_none());
-                grounds.add(ground.and_then(Ground::of));
-                each(built, images);
-            }
-            out.append(found);
+    let mut houses = vec![];
+    let made = expansion.each(&read.catalog, options, &mut |built, found, _| {
+        if let Some(built) = built {
+            // Variants are placed in rows later.
+            let ground = Some(&built.house).filter(|house| house.variant.is_none());
+            grounds.add(ground.and_then(Ground::of));
+            houses.push(built);
         }
-        next = ahead;
-    }
+        out.append(found);
+        Ok(())
+    });
     grounds.report(|span| feed.first_line(span, &read.included), out);
-    expansion.into_images().expect("all sources are in memory")
+    let images = made.and_then(|()| expansion.into_images());
+    let images = images.expect("all sources are in memory");
+    Building { houses, images }
 }

@@ -1,10 +1,14 @@
 //! The model of a run: its scene, its images, and the shapes that back ends leave out.
 
+use super::house::Expansion;
+use super::overlaps::{Ground, SpilledGrounds};
 use super::pieces::Feed;
 use super::{
-    Options, arrange, beside, documents, house, refuse_towns, spare_expressions, timed, variants,
+    Options, Read, arrange, beside, documents, documents_of, house, refuse_towns,
+    spare_expressions, timed, variants,
 };
 use crate::backend::images::{Library, PictureError};
+use crate::backend::spool::NewSpool;
 use crate::backend::{gltf, sound};
 use crate::building::{Building, Built};
 use crate::catalog::Catalog;
@@ -17,6 +21,7 @@ use crate::scene::Scene;
 use crate::source::{FileId, Limits, NoFiles, Source, Span, World};
 use crate::tessellate;
 use std::borrow::Cow;
+use std::io;
 use std::time::Duration;
 
 /// The result of a run, and the duration of each stage.
@@ -44,33 +49,40 @@ pub struct Inspected {
 }
 
 /// Runs the chain up to the roofs as [`check`](super::check) does, and keeps nothing of a house but what is wrong with it.
+///
+/// # Errors
+/// Those of the spool, and of files that are read in pieces.
 pub fn inspect(
-    sources: &[&Source],
+    feed: Feed<'_>,
     world: &dyn World,
     options: &Options,
     out: &mut Diagnostics,
-) -> Inspected {
-    let mut read = documents(sources, world, options, out);
+    new: NewSpool<'_>,
+) -> io::Result<Inspected> {
+    let Read {
+        documents,
+        included,
+        catalog,
+    } = documents_of(feed, world, options, out);
     let (mut houses, mut uses) = (0, ImageUses::default());
-    let limits = &options.expand.limits;
-    let images = house::each_house(
-        &mut read,
-        (sources, false),
-        world,
-        options,
-        out,
-        &mut |built, images| {
-            houses += 1;
-            uses.note(&built, images);
-        },
-    );
+    let mut grounds = SpilledGrounds::new(feed.sources.len() == 1, new);
+    let mut expansion = Expansion::new(documents, &catalog, feed, world, options);
+    expansion.each(&catalog, options, &mut |built, found, images| {
+        out.append(found);
+        let Some(built) = built else {
+            return Ok(());
+        };
+        houses += 1;
+        uses.note(&built, images);
+        grounds.add(Ground::of(&built.house))
+    })?;
+    grounds.report(|span| feed.first_line(span, &included), out)?;
+    let images = expansion.into_images()?;
     let paths: Vec<String> = images.into_iter().map(|image| image.path).collect();
+    let limits = &options.expand.limits;
     load(&paths, world, limits, out, |index| uses.first(index));
-    spare_expressions(Feed::whole(sources), &read.included, out);
-    Inspected {
-        included: read.included,
-        houses,
-    }
+    spare_expressions(feed, &included, out);
+    Ok(Inspected { included, houses })
 }
 
 /// The first place that refers to each image.

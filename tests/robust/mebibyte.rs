@@ -4,7 +4,9 @@
 use super::heaps::{Heap, heaps};
 use crate::support::cpu::spent;
 use crate::support::{assert_none, number};
+use hsd::backend::spool::in_memory;
 use hsd::diagnostic::Diagnostics;
+use hsd::driver::Feed;
 use hsd::source::{FileId, NoFiles, Source};
 use hsd::{Options, driver};
 use std::fs;
@@ -61,7 +63,10 @@ fn findings(heap: &Heap, folder: &std::path::Path, drill: Duration) -> Vec<Strin
     let source = Source::new(FileId(0), heap.name, &bytes);
     let check = || {
         let (options, mut out) = (Options::default(), Diagnostics::new());
-        driver::inspect(&[&source], &NoFiles, &options, &mut out).houses
+        let sources = [&source];
+        let feed = Feed::whole(&sources);
+        let found = driver::inspect(feed, &NoFiles, &options, &mut out, &in_memory);
+        found.expect("memory takes every byte").houses
     };
     let took = spent(check).1.min(spent(check).1);
     let path = folder.join("heap.hsd");

@@ -96,6 +96,15 @@ impl Inputs {
         Inputs::numbered(0, (paths, false), limit, out)
     }
 
+    /// Like [`Inputs::readable`]; long files are read in pieces, as far as they can be divided.
+    pub(in crate::cli) fn readable_in_pieces(
+        paths: &[PathBuf],
+        limits: &Limits,
+        out: &mut Diagnostics,
+    ) -> Inputs {
+        Inputs::numbered(0, (paths, true), limits.bytes, out)
+    }
+
     fn numbered(
         first: u32,
         (paths, in_pieces): (&[PathBuf], bool),
