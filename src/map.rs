@@ -17,12 +17,18 @@ mod feature;
 mod flatgeobuf;
 mod format;
 mod geojson;
+#[cfg(feature = "geopackage")]
+mod geopackage;
+#[cfg(feature = "geoparquet")]
+mod geoparquet;
 mod input;
 mod moj;
 mod osm;
 mod report;
 mod rings;
 mod shapefile;
+#[cfg(any(feature = "geopackage", feature = "geoparquet"))]
+mod wkb;
 mod xml;
 
 pub use crs::{Crs, Datum, Datums, Mismatch, Outside, Projection, Transform, on_globe};
@@ -99,6 +105,26 @@ pub fn open(world: &dyn World, path: &str, options: &Options) -> Result<Box<dyn 
         Format::FlatGeobuf => Box::new(flatgeobuf::FlatGeobuf::open(input, &file, options)?),
         Format::Moj => Box::new(moj::Moj::open(input, &file, options)?),
         Format::CityGml => Box::new(citygml::CityGml::open(input, &file, options)?),
+        #[cfg(feature = "geopackage")]
+        Format::GeoPackage => {
+            drop(input);
+            Box::new(geopackage::GeoPackage::open(world, &file, options)?)
+        }
+        #[cfg(feature = "geoparquet")]
+        Format::GeoParquet => {
+            drop(input);
+            Box::new(geoparquet::GeoParquet::open(world, &file, options)?)
+        }
+        #[cfg(not(feature = "geopackage"))]
+        Format::GeoPackage => {
+            let feature = "geopackage";
+            return Err(Fault::of_file(&file, Kind::NotBuilt { feature }));
+        }
+        #[cfg(not(feature = "geoparquet"))]
+        Format::GeoParquet => {
+            let feature = "geoparquet";
+            return Err(Fault::of_file(&file, Kind::NotBuilt { feature }));
+        }
         Format::Csv => Box::new(csv::Csv::open(input, &file, options)?),
         Format::Unknown => return Err(Fault::of_file(&file, Kind::UnknownFormat)),
     };

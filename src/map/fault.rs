@@ -81,6 +81,11 @@ pub enum Kind {
     },
     /// The format is none that is read.
     UnknownFormat,
+    /// The format needs a part of the program that was not built.
+    NotBuilt {
+        /// The feature of the crate.
+        feature: &'static str,
+    },
     /// The file is damaged; what follows this place is not read.
     Damaged {
         /// What was expected.

@@ -5,6 +5,8 @@
 pub(super) enum Format {
     GeoJson,
     FlatGeobuf,
+    GeoPackage,
+    GeoParquet,
     OsmXml,
     OsmPbf,
     Moj,
@@ -13,10 +15,22 @@ pub(super) enum Format {
     Unknown,
 }
 
+/// The first bytes of a database of SQLite.
+const SQLITE: &[u8] = b"SQLite format 3\0";
+
+/// The first bytes of a Parquet table.
+const PARQUET: &[u8] = b"PAR1";
+
 /// Returns the format of a file that begins with these bytes.
 pub(super) fn of(head: &[u8], path: &str) -> Format {
     if head.starts_with(super::flatgeobuf::MAGIC) {
         return Format::FlatGeobuf;
+    }
+    if head.starts_with(SQLITE) {
+        return Format::GeoPackage;
+    }
+    if head.starts_with(PARQUET) {
+        return Format::GeoParquet;
     }
     let text = decoded(head);
     let text = text.trim_start_matches(['\u{feff}', '\u{1e}']).trim_start();

@@ -67,6 +67,7 @@ pub fn diagnostic(fault: &Fault, cases: usize, origin: Origin) -> Diagnostic {
     match &fault.kind {
         Kind::Unreadable { why } => say::unreadable(origin, at, why),
         Kind::UnknownFormat => say::unknown_format(origin, at, &fault.file),
+        Kind::NotBuilt { feature } => say::not_built(origin, at, &fault.file, feature),
         Kind::NoCoordinates => say::no_coordinates(origin, at),
         Kind::NoLayer { layer } => say::no_layer(origin, at, layer),
         Kind::Damaged { what } => say::damaged(origin, at, what),

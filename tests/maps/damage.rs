@@ -90,6 +90,20 @@ fn damaged_flatgeobuf() {
 }
 
 #[test]
+#[cfg(feature = "geopackage")]
+fn damaged_geopackage() {
+    // A page of the database that is not used may change.
+    endure(&of_hamlet(&["houses.gpkg"]), false);
+}
+
+#[test]
+#[cfg(feature = "geoparquet")]
+fn damaged_geoparquet() {
+    // Pages have no checksums.
+    endure(&of_hamlet(&["houses.parquet"]), false);
+}
+
+#[test]
 fn damaged_shapefiles() {
     endure(&of_hamlet(&["houses.shp"]), true);
     endure(

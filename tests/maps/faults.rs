@@ -245,3 +245,23 @@ pub(super) const MOJ: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 </空間属性>
 <主題属性><筆 id="H1"><地番>194-1</地番><形状 idref="F1"/></筆></主題属性>
 </地図>"#;
+
+/// Formats that need a library of C, or many crates, are told even by a program that was built without them.
+#[test]
+fn formats_that_were_not_built_are_named() {
+    for (name, feature, built) in [
+        ("a.gpkg", "geopackage", cfg!(feature = "geopackage")),
+        ("a.parquet", "geoparquet", cfg!(feature = "geoparquet")),
+    ] {
+        let head: &[u8] = match feature {
+            "geopackage" => b"SQLite format 3\0 and nothing else",
+            _ => b"PAR1 and nothing else",
+        };
+        let fault = read_bytes(&[(name, head.to_vec())], &Options::default());
+        let fault = fault.err().expect("it cannot be read");
+        match built {
+            false => assert_eq!(fault.kind, Kind::NotBuilt { feature }),
+            true => assert!(matches!(fault.kind, Kind::Damaged { .. }), "{fault:?}"),
+        }
+    }
+}

@@ -72,6 +72,19 @@ fn the_hamlet_is_the_same_in_every_format() {
     let flat = hamlet("houses.fgb", None);
     assert_eq!(flat.counts(), (5, 0));
     assert_same(&houses(&flat, "name"), &own, 0.02);
+    if cfg!(feature = "geopackage") {
+        let package = hamlet("houses.gpkg", None);
+        assert_eq!(package.counts(), (5, 0));
+        assert!(package.remarks.is_empty(), "{:?}", package.remarks);
+        assert_same(&houses(&package, "name"), &own, 0.02);
+        assert_eq!(hamlet("houses.gpkg", Some("houses")).counts(), (5, 0));
+    }
+    if cfg!(feature = "geoparquet") {
+        let table = hamlet("houses.parquet", None);
+        assert_eq!(table.counts(), (5, 0));
+        assert_eq!(table.crs.as_ref().map(|c| &*c.name), Some("EPSG:6674"));
+        assert_same(&houses(&table, "name"), &own, 0.02);
+    }
     let gml = hamlet("houses.gml", None);
     assert_eq!(gml.counts(), (5, 0));
     assert_same(&houses(&gml, "name"), &own, 0.02);

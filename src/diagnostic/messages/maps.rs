@@ -56,8 +56,25 @@ pub fn unknown_format(origin: Origin, at: Text, file: &str) -> Diagnostic {
         ),
     )
     .help(text!(
-        "GeoJSON, FlatGeobuf, shapefiles, OpenStreetMap (XML and PBF), MOJ map XML, CityGML and tables of points (CSV) are read",
-        "GeoJSON、FlatGeobuf、シェープファイル、OpenStreetMap（XML と PBF）、法務省地図 XML、CityGML、点の表（CSV）を読み込みます"
+        "GeoJSON, FlatGeobuf, shapefiles, OpenStreetMap (XML and PBF), MOJ map XML, CityGML, GeoPackage, GeoParquet and tables of points (CSV) are read",
+        "GeoJSON、FlatGeobuf、シェープファイル、OpenStreetMap（XML と PBF）、法務省地図 XML、CityGML、GeoPackage、GeoParquet、点の表（CSV）を読み込みます"
+    ))
+}
+
+/// A map of a format that this program was built without.
+#[cold]
+pub fn not_built(origin: Origin, at: Text, file: &str, feature: &str) -> Diagnostic {
+    Diagnostic::error(
+        1002,
+        origin,
+        text!([at, file]
+            "{at}: this hsd was built without this format; `ogr2ogr -f FlatGeobuf map.fgb {file}` converts it",
+            "{at}：この hsd はこの形式を含めずにビルドされています。`ogr2ogr -f FlatGeobuf map.fgb {file}` で変換できます"
+        ),
+    )
+    .help(text!([feature]
+        "or build hsd with it: `cargo build --release --features {feature}`",
+        "または `cargo build --release --features {feature}` でビルドしてください"
     ))
 }
 

@@ -1,0 +1,7 @@
+//! The tests of maps in a program that reads GeoPackage and GeoParquet too.
+
+#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(dead_code, unreachable_pub, reason = "what other tests need")]
+
+mod maps;
+mod support;
