@@ -9,7 +9,7 @@ use super::input::unreadable;
 use super::{Crs, Options, Reader, wkb};
 use crate::source::World;
 use parquet::data_type::AsBytes;
-use parquet::file::reader::{ChunkReader, FileReader, Length};
+use parquet::file::reader::{ChunkReader, FileReader};
 use parquet::file::serialized_reader::SerializedFileReader;
 use parquet::record::Field;
 use parquet::record::reader::RowIter;
@@ -151,7 +151,7 @@ impl GeoParquet {
     }
 }
 
-fn table(of: impl ChunkReader + Length + 'static) -> Option<Box<dyn FileReader>> {
+fn table(of: impl ChunkReader + 'static) -> Option<Box<dyn FileReader>> {
     let reader = SerializedFileReader::new(of).ok()?;
     Some(Box::new(reader))
 }

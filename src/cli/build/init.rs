@@ -2,9 +2,10 @@
 
 use super::town::Town;
 use crate::cli::files::output::{self, Files};
+use crate::cli::files::terminal::counted;
 use crate::cli::options::report;
 use crate::cli::{Exit, Failure, Outcome};
-use crate::diagnostic::{Diagnostics, Language, Origin};
+use crate::diagnostic::{Diagnostics, Language, Origin, noun};
 use crate::fs::FolderWorld;
 use crate::map;
 use crate::report::{Format, Report};
@@ -130,10 +131,11 @@ impl Init {
             .to_string_lossy();
         let town = survey::town(&name, &layers);
         output::write(&self.output, Files::bytes(town.into_bytes()))?;
-        let (name, count) = (self.output.display(), layers.len());
-        let line = text!([name, count]
-            "{name}: {count} layers; read the comments, then build it with `hsd town {name} -o OUT`",
-            "{name}: レイヤー {count} 枚。注釈を読んでから `hsd town {name} -o OUT` で作れます"
+        let name = self.output.display();
+        let layers = counted(layers.len(), noun("layer", "レイヤー{}枚"));
+        let line = text!([name, layers]
+            "{name}: {layers}; read the comments, then build it with `hsd town {name} -o OUT`",
+            "{name}: {layers}。注釈を読んでから `hsd town {name} -o OUT` で作れます"
         );
         writeln!(io::stderr(), "{}", line.in_language(language))?;
         Ok(Exit::Done)

@@ -182,9 +182,12 @@ enum Content<'a> {
     Bytes(Cow<'a, [u8]>),
     /// Serialized while writing, because the file of a town is larger than its scene.
     Glb(Box<Glb<'a>>),
-    /// Written from start to end; returns the number of bytes.
-    Poured(Box<dyn FnOnce(&mut dyn Write) -> io::Result<u64> + 'a>),
+    /// Written from start to end.
+    Poured(Box<Pour<'a>>),
 }
+
+/// Writes a file; returns the number of bytes.
+type Pour<'a> = dyn FnOnce(&mut dyn Write) -> io::Result<u64> + 'a;
 
 impl Content<'_> {
     /// Writes to a seekable file; returns the number of bytes.
