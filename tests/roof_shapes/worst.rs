@@ -3,6 +3,7 @@
 use crate::roof_shapes::common::*;
 use crate::roof_shapes::plans::assert_covered;
 use crate::roof_shapes::random::{Draws, rings};
+use crate::support::assert_none;
 use crate::support::cpu::spent;
 use crate::support::crossings::deepest;
 use hsd::building::{Building, PlanRegion, Ring};
@@ -182,12 +183,10 @@ fn a_hall_of_many_courts_is_roofed_in_little_time() {
     assert!(took < plain * 2000, "{took:?}, a plain house {plain:?}");
 }
 
-/// Eaves over a lean-to that is tucked under another roof stand in it, in so many of 999 plans.
-const TUCKED: usize = 53;
-
-/// Verges and eaves of a branch do not go through the gable of its trunk.
+/// Verges and eaves of a branch do not go through the gable of its trunk, nor eaves through a lean-to that is tucked
+/// under those of another roof.
 #[test]
-fn roofs_of_random_plans_stand_in_each_other_no_more_than_known() {
+fn roofs_of_random_plans_do_not_stand_in_each_other() {
     let mut draws = Draws(29);
     let mut found = vec![];
     for n in 0..999 {
@@ -199,6 +198,5 @@ fn roofs_of_random_plans_stand_in_each_other_no_more_than_known() {
             found.push(format!("plan {n}: {deep:?}, {corners:?}"));
         }
     }
-    let count = found.len();
-    assert!(count <= TUCKED, "{count} of 999\n{}", found.join("\n"));
+    assert_none(&found);
 }

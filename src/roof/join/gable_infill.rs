@@ -10,8 +10,10 @@ use crate::roof::solid::SUNK;
 use crate::roof::solid::{clip, columns};
 use glam::{DVec2, DVec3};
 
-/// Overlaps of two solids below this volume stay, cubic metres: they are joints.
-const TOUCH: f64 = 2e-5;
+/// Overlaps of two solids below this volume stay, cubic metres: they touch.
+const TOUCH: f64 = 1e-6;
+/// Remains of a wall below this volume are left out, cubic metres.
+const CHIP: f64 = 2e-5;
 
 /// One roof of a group before it becomes solids.
 pub(in crate::roof) struct Built {
@@ -112,7 +114,7 @@ fn outside(part: &Solid, body: &Body) -> Option<Vec<Solid>> {
         inside = clip(&inside, normal, at)?;
     }
     (volume(&inside) > TOUCH).then(|| {
-        off.retain(|p| volume(p) > TOUCH);
+        off.retain(|p| volume(p) > CHIP);
         off
     })
 }

@@ -113,10 +113,11 @@ fn cutters<'f>(
         }
         let facets = forms[other].facets.iter().zip(&sides[other]);
         let first = other < n;
+        let clearance = forms[other].clearance(n, &forms[n]);
         cutters.extend(facets.map(|(f, sides)| Cutter {
             body: &f.body,
             sides,
-            plane: Some(f.plane),
+            plane: Some(f.plane.raised(clearance)),
             first,
         }));
     }

@@ -19,10 +19,12 @@ pub(in crate::roof) fn clear_verges(
     for (n, form) in forms.iter().enumerate() {
         let verges = left_of(form, &met[n]);
         for other in near(n).into_iter().filter(|o| *o != n) {
+            let clearance = form.clearance(other, &forms[other]);
             for (outline, top) in &verges {
+                let limits = (top.raised(clearance), top.raised(-form.drop));
                 for (piece, plane) in std::mem::take(&mut met[other]) {
                     let mut left = vec![];
-                    below(piece, plane, outline, *top, form.drop, &mut left);
+                    outside(piece, plane, outline, limits, &mut left);
                     let left = left.into_iter().filter(|p| has_area(p));
                     met[other].extend(left.map(|p| (p, plane)));
                 }
@@ -60,17 +62,16 @@ fn has_verge(facet: &Facet) -> bool {
     facet.outline.len() != facet.body.len() || !facet.outline.iter().zip(&facet.body).all(same)
 }
 
-/// Returns the part of a piece outside a verge.
-fn below(
+/// Returns the part of a piece outside a verge, which takes the space between two limits, the upper first.
+fn outside(
     piece: Vec<Corner>,
     plane: Plane,
     verge: &[DVec2],
-    top: Plane,
-    drop: f64,
+    (top, bottom): (Plane, Plane),
     left: &mut Vec<Vec<Corner>>,
 ) {
     let mut sides = edges(verge);
-    for (upper, lower) in [(top, plane), (plane, top.raised(-drop))] {
+    for (upper, lower) in [(top, plane), (plane, bottom)] {
         match HalfPlane::where_higher(upper, lower) {
             Higher::Nowhere => return left.push(piece),
             Higher::Everywhere => {}

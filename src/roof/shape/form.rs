@@ -24,6 +24,16 @@ pub struct Form {
     pub walls: Option<Rect>,
 }
 
+impl Form {
+    /// Returns the height over its upper surface, metres, that it keeps free of the upper surface of roof `n`, `other`:
+    /// a roof tucked under its trunk's eaves is not cut, so the eaves of the others end where their lower surface would
+    /// enter it.
+    pub(in crate::roof) fn clearance(&self, n: usize, other: &Form) -> f64 {
+        let passes = self.under.is_none() || self.under == Some(n) || other.under.is_some();
+        if passes { 0.0 } else { other.drop }
+    }
+}
+
 /// A roof with its form, before it meets its neighbours.
 #[derive(Clone, Debug)]
 pub(in crate::roof) struct RoofDraft {
