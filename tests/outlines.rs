@@ -162,6 +162,23 @@ fn what_slants_keeps_its_corners_and_says_why() {
 }
 
 #[test]
+fn what_does_not_slant_is_squared_and_joined_and_says_how_far() {
+    // A front that steps back by 25 cm, a corner 10 cm aside, a wing at 37 degrees.
+    let wing = "0 0, 6 0, 6 0.25, 14 0.25, 14.1 3, 18 6, 16.8 7.6, 14 5.5, 14 9, 0 9";
+    let run = house(&format!("points='{wing}'>"), "");
+    let said = run.short();
+    assert_eq!(codes(&run), [422], "{said}");
+    assert!(said.contains("corners moving by up to"), "{said}");
+    let outline: Vec<DVec2> = ground(&run, 0);
+    assert_eq!(outline.len(), 8, "{outline:?}");
+    let slanting = outline.iter().zip(outline.iter().cycle().skip(1));
+    let slanting = slanting.filter(|(p, q)| (**p - **q).abs().min_element() > 1e-6);
+    assert_eq!(slanting.count(), 3, "{outline:?}");
+    let run = house(&format!("points='{wing}' square='no'>"), "");
+    assert_eq!(ground(&run, 0).len(), 10, "{}", run.short());
+}
+
+#[test]
 fn short_sides_at_any_angle_are_squared_away() {
     // A corner cut by 20 cm.
     let run = house("points='0 0, 8.8 0, 9 0.2, 9 6, 0 6'>", "");

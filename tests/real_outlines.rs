@@ -22,11 +22,6 @@ const TOUCH: f64 = 0.05;
 /// Roofs may not stand deeper in each other, metres; what fills their gables is let in by 0.01.
 const THROUGH: f64 = 0.012;
 
-/// Outlines of all maps that keep a roof narrower than [`NARROW`]: necks that no division avoids.
-const NARROW_NECKS: usize = 3;
-/// Outlines of all maps where eaves over a lean-to that is tucked under another roof stand in it.
-const TUCKED: usize = 31;
-
 /// What is counted over the outlines of a map.
 const COUNTED: [&str; 13] = [
     "outlines", "refused", "square", "slanting", "moving", "crossing", "roofs", "lean-tos",
@@ -102,7 +97,9 @@ fn count_roofs(roofs: &HouseRoofs, counts: &mut Counts) {
         for (n, region) in rectangles.iter().enumerate() {
             let [a0, b0, a1, b1] = region.rect;
             *all += 1;
-            *narrow += usize::from((a1 - a0).min(b1 - b0) * UNIT < NARROW - 1e-3);
+            // Lots may be strips themselves.
+            let is_narrow = rectangles.len() > 1 && (a1 - a0).min(b1 - b0) * UNIT < NARROW - 1e-3;
+            *narrow += usize::from(is_narrow);
             covered += (a1 - a0) * (b1 - b0);
             if let Some(side) = region.fall {
                 *leaning += 1;
@@ -201,10 +198,6 @@ fn shared_data_outlines_are_squared_and_get_whole_roofs() {
         100 * square >= 67 * outlines,
         "{square} of {outlines} are square"
     );
-    assert_eq!((against, open, double), (0, 0, 0));
-    assert!(
-        narrow <= NARROW_NECKS,
-        "{narrow} are narrower than {NARROW} m"
-    );
-    assert!(through <= TUCKED, "{through} stand in another roof");
+    assert_eq!((narrow, against, open), (0, 0, 0));
+    assert_eq!((double, through), (0, 0));
 }

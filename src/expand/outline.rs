@@ -7,6 +7,7 @@ mod sides;
 
 use super::Pass;
 use crate::ast::{self, On, Outline, SideWall, Stand, Storey};
+use crate::diagnostic::Diagnostic;
 use crate::diagnostic::messages::outline as say;
 use crate::geometry::outline::{self, Axis, Crooked, Ring, clean, join, square};
 use crate::geometry::{Heading, SHAKU, area2};
@@ -222,10 +223,10 @@ impl Pass<'_, '_> {
     ) -> (Option<f64>, Vec<Ring>, bool) {
         let given = outline.square.map_or(SQUARE, |most| most.value);
         let most = given.max(EXACT);
+        let join = outline.join.map_or(JOIN, |most| most.value);
         let span = outline.points.span;
         let reason = match square::square(&rings, most) {
             Ok(mut squared) => {
-                let join = outline.join.map_or(JOIN, |most| most.value);
                 let joined = join::join(&mut squared.rings, join);
                 if squared.moved > EXACT || joined > EXACT {
                     self.out.push(say::squared(span, squared.moved, joined));
@@ -234,38 +235,19 @@ impl Pass<'_, '_> {
             }
             Err(reason) => reason,
         };
-        let place = |ring: usize, side: usize| {
-            let written = &written[ring].1;
-            let side = written.written(side);
-            (written.span(side), side + 1)
-        };
         // Sides that cross as surveyed are reported once they are walls.
         let told = given > 0.0 && outline::are_simple(&rings);
-        let partly =
-            matches!(reason, Crooked::Slants(..)).then(|| square::square_partly(&rings, most));
-        let partly = partly.flatten().filter(|squared| {
-            // A walk begins along an axis.
-            let first = front(
-                outline,
-                &written[0].1,
-                &squared.rings[0],
-                Some(squared.turn),
-            );
-            let (p, q) = outline::ends(&squared.rings[0], first);
-            told && (p.x == q.x || p.y == q.y)
+        let partly = match reason {
+            Crooked::Slants(..) if told => partly(outline, &written[0].1, &rings, most),
+            _ => None,
+        };
+        let partly = partly.map(|mut squared| {
+            squared.moved += join::join(&mut squared.rings, join);
+            squared
         });
         if told {
-            self.out.push(match reason {
-                Crooked::Slants(ring, side, angle) => {
-                    let (span, number) = place(ring, side);
-                    say::slants(span, number, angle, square::MOST_OFF)
-                }
-                Crooked::Moves(ring, corner, moved) => {
-                    let (span, number) = written[ring].1.corner(corner);
-                    say::moves(span, number, moved, most)
-                }
-                Crooked::Crosses => say::would_cross(span),
-            });
+            let moved = partly.as_ref().map(|squared| squared.moved);
+            self.out.push(crooked(span, written, reason, (most, moved)));
         }
         match partly {
             Some(squared) => (Some(squared.turn), squared.rings, told),
@@ -335,6 +317,45 @@ impl Surveyed {
         house.origin[0] += corner.x;
         house.origin[1] += corner.y;
         house.azimuth = Heading::new(self.azimuth + turn).degrees();
+    }
+}
+
+/// Squares those walls that do not slant, if the front is one of them: a walk begins along an axis.
+fn partly(
+    outline: &Outline,
+    written: &Written<'_>,
+    rings: &[Ring],
+    most: f64,
+) -> Option<square::Squared> {
+    let squared = square::square_partly(rings, most)?;
+    let first = front(outline, written, &squared.rings[0], Some(squared.turn));
+    let (p, q) = outline::ends(&squared.rings[0], first);
+    (p.x == q.x || p.y == q.y).then_some(squared)
+}
+
+/// Says why an outline is not squared, or not as a whole; corners might move by `most` metres, and did by `moved`.
+fn crooked(
+    points: Span,
+    written: &[(Span, Written<'_>)],
+    reason: Crooked,
+    (most, moved): (f64, Option<f64>),
+) -> Diagnostic {
+    match reason {
+        Crooked::Slants(ring, side, angle) => {
+            let written = &written[ring].1;
+            let side = written.written(side);
+            say::slants(
+                written.span(side),
+                side + 1,
+                (angle, square::MOST_OFF),
+                moved,
+            )
+        }
+        Crooked::Moves(ring, corner, moved) => {
+            let (span, number) = written[ring].1.corner(corner);
+            say::moves(span, number, moved, most)
+        }
+        Crooked::Crosses => say::would_cross(points),
     }
 }
 

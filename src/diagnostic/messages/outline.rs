@@ -33,18 +33,44 @@ pub fn squared(points: Span, squared: f64, joined: f64) -> Diagnostic {
     ))
 }
 
-/// A side that slants too much for the outline to be squared.
+/// A side that slants too much for the outline to be squared: its angle and the greatest that would do, degrees. If the
+/// other walls are squared, how far corners moved for that, metres.
 #[cold]
-pub fn slants(side: Span, number: usize, angle: f64, most: f64) -> Diagnostic {
+pub fn slants(
+    side: Span,
+    number: usize,
+    (angle, most): (f64, f64),
+    moved: Option<f64>,
+) -> Diagnostic {
     let angle = angle.round();
-    let message = text!([number, angle]
-        "the outline is not squared as a whole: side {number} slants by {angle} degrees",
-        "辺 {number} が {angle} 度傾いているため、輪郭全体は直角に直していません"
-    );
-    Diagnostic::note(422, side, message).help(text!([most]
+    let message = match moved.map(millimetres) {
+        None => text!([number, angle]
+            "the outline is not squared: side {number} slants by {angle} degrees",
+            "辺 {number} が {angle} 度傾いているため、輪郭を直角に直していません"
+        ),
+        Some(moved) if moved <= 1.0 => text!([number, angle]
+            "the outline is not square as a whole: side {number} slants by {angle} degrees",
+            "辺 {number} が {angle} 度傾いているため、輪郭は全体としては直角ではありません"
+        ),
+        Some(moved) => text!([number, angle, moved]
+            "the outline is not squared as a whole: side {number} slants by {angle} degrees; where it does not slant it is squared, corners moving by up to {moved} mm",
+            "辺 {number} が {angle} 度傾いているため、輪郭全体は直角に直していません。傾いていない壁だけを直しました(隅は最大 {moved} mm 動きます)"
+        ),
+    };
+    let message = Diagnostic::note(422, side, message);
+    let divide = text!([most]
         "roofs are divided into rectangles where every side lies within {most} degrees of right angles; divide the house, or keep the hip roof",
         "すべての辺が直角から {most} 度以内なら、屋根を矩形に分けて架けます。建物を分けるか、このまま寄棟にしてください"
-    ))
+    );
+    let or_keep = text!([most]
+        "roofs are divided into rectangles where every side lies within {most} degrees of right angles; divide the house, or keep the hip roof; `square=\"no\"` keeps the walls where they are",
+        "すべての辺が直角から {most} 度以内なら、屋根を矩形に分けて架けます。建物を分けるか、このまま寄棟にしてください。壁を動かしたくなければ `square=\"no\"` と書いてください"
+    );
+    message.help(if moved.is_some_and(|m| millimetres(m) > 1.0) {
+        or_keep
+    } else {
+        divide
+    })
 }
 
 /// A corner that would move too far for the outline to be squared.

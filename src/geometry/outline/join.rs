@@ -2,6 +2,7 @@
 
 use super::square::{Axis, straighten};
 use super::{Ring, are_simple, ends};
+use glam::DVec2;
 
 /// Lines nearer to each other become one where they may: no roof is narrower, metres.
 pub const NARROWEST: f64 = 0.5;
@@ -33,8 +34,9 @@ impl Line {
     }
 }
 
-/// Joins the lines of squared rings, the outer ring first: walls move by `most` metres at most. Courtyards that vanish are
-/// empty rings afterwards. Returns the farthest move. Lines stay apart if walls would cross or touch otherwise.
+/// Joins the lines of squared rings, the outer ring first: walls move by `most` metres at most. Slanting walls of partly
+/// squared rings are on no line; their ends move with their neighbours. Courtyards that vanish are empty rings afterwards.
+/// Returns the farthest move. Lines stay apart if walls would cross or touch otherwise.
 pub fn join(rings: &mut Vec<Ring>, most: f64) -> f64 {
     let mut farthest = 0.0_f64;
     let mut keep = |made: Option<(Vec<Ring>, f64)>, rings: &mut Vec<Ring>| match made {
@@ -67,7 +69,7 @@ fn moved(rings: &[Ring], axis: Axis, lines: &[Line], most: f64) -> Option<(Vec<R
             let (p, q) = ends(before, side);
             let was = axis.across(p);
             let line = lines.iter().find(|l| l.low <= was && was <= l.high);
-            let Some(line) = line.filter(|_| Axis::of(q - p) == axis) else {
+            let Some(line) = line.filter(|_| is_along(axis, p, q)) else {
                 continue;
             };
             let now = line.place(most);
@@ -85,13 +87,18 @@ fn moved(rings: &[Ring], axis: Axis, lines: &[Line], most: f64) -> Option<(Vec<R
     (stands && are_simple(&made)).then_some((made, farthest))
 }
 
+/// Returns true if a wall is parallel to an axis.
+fn is_along(axis: Axis, p: DVec2, q: DVec2) -> bool {
+    axis.across(p) == axis.across(q)
+}
+
 /// Returns the lines of all walls along an axis, in order.
 fn lines(rings: &[Ring], axis: Axis) -> Vec<Line> {
     let mut lines: Vec<Line> = vec![];
     for ring in rings {
         for (p, q) in (0..ring.len()).map(|side| ends(ring, side)) {
             let (place, length) = (axis.across(p), p.distance(q));
-            if Axis::of(q - p) == axis && length > 0.0 {
+            if is_along(axis, p, q) && length > 0.0 {
                 lines.push(Line {
                     low: place,
                     high: place,

@@ -11,7 +11,7 @@ use crate::roof::solid::{clip, columns};
 use glam::{DVec2, DVec3};
 
 /// Overlaps of two solids below this volume stay, cubic metres: they touch.
-const TOUCH: f64 = 1e-6;
+const TOUCH: f64 = 1e-7;
 /// Remains of a wall below this volume are left out, cubic metres.
 const CHIP: f64 = 2e-5;
 
