@@ -43,7 +43,8 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
         let top = z + storey.height * SHAKU;
         let parapet = storey.kind == StoreyKind::Parapet;
         number += u32::from(!parapet);
-        let rings = lower_storey(storey.loops, house.unit_shaku * SHAKU, out);
+        let is_ground = storeys.is_empty();
+        let rings = lower_storey(storey.loops, house.unit_shaku * SHAKU, is_ground, out);
         storeys.push(Storey {
             span: storey.span,
             number,
@@ -106,7 +107,12 @@ fn raised(house: &program::House) -> f64 {
     (platform + veranda.map_or(0.0, |v| v.height)) * SHAKU
 }
 
-fn lower_storey(loops: Vec<program::Loop>, unit: f64, out: &mut Diagnostics) -> Vec<Ring> {
+fn lower_storey(
+    loops: Vec<program::Loop>,
+    unit: f64,
+    is_ground: bool,
+    out: &mut Diagnostics,
+) -> Vec<Ring> {
     let mut rings = Vec::with_capacity(loops.len());
     let mut facade = 0;
     for walk in loops {
@@ -117,6 +123,14 @@ fn lower_storey(loops: Vec<program::Loop>, unit: f64, out: &mut Diagnostics) -> 
             continue;
         }
         let closed = !inner && close::close(&mut walked, drawn, out);
+        // Upper storeys stand back that way; a ground floor begins where the house does.
+        if closed
+            && is_ground
+            && !walked.hole
+            && let Some(led) = walked.led.filter(|led| led.whole_line)
+        {
+            out.push(plan::voids_before_front(led.void, led.by.length()));
+        }
         if closed && drawn != Drawn::Outline {
             square::square(&mut walked, unit, out);
         }

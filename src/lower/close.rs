@@ -43,7 +43,8 @@ pub(super) fn close(walk: &mut Walk, drawn: Drawn, out: &mut Diagnostics) -> boo
         true => (length * MEASURED_ERROR).max(SAME),
         false => SAME,
     };
-    if ring && is_interior(walk, length) {
+    let closes = gap.length() <= allowed && closes_with(walk, written(walk));
+    if ring && !closes && is_interior(walk, length) {
         out.push(plan::interior_angles(walk.span, walk.turns[0]));
         return false;
     }
@@ -61,12 +62,12 @@ pub(super) fn close(walk: &mut Walk, drawn: Drawn, out: &mut Diagnostics) -> boo
     true
 }
 
-/// Returns true if a ring does not close as it is written, but closes once its angles are taken for those between the walls.
+/// Returns true if a ring closes once its angles are taken for those between the walls.
 fn is_interior(walk: &Walk, length: f64) -> bool {
     let between = |turn: f64| 180.0 - turn;
     let inner = &walk.turns[..walk.turns.len() - 1];
     let sum = inner.iter().map(|t| between(*t)).sum();
-    if closes_with(walk, written(walk)) || !closes_with(walk, sum) {
+    if !closes_with(walk, sum) {
         return false;
     }
     let turns = walk.turns.iter().map(|t| between(*t));
@@ -125,8 +126,8 @@ fn report_gap(walk: &Walk, ring: bool, gap: DVec2, length: f64, out: &mut Diagno
         }
         return;
     }
-    if let Some((void, by)) = walk.led.filter(|(_, by)| (gap + *by).length() < SAME) {
-        out.push(plan::void_moves_start(void, by.length()));
+    if let Some(led) = walk.led.filter(|led| (gap + led.by).length() < SAME) {
+        out.push(plan::void_moves_start(led.void, led.by.length()));
         return;
     }
     let open = written <= OPEN_TURNS && !walk.hole;

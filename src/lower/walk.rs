@@ -9,6 +9,9 @@ use crate::program::{Content, Loop, WallLine};
 use crate::source::Span;
 use glam::{DVec2, dvec2};
 
+/// The turn at the end of a line without a turn letter, degrees.
+const RIGHT: f64 = 90.0;
+
 /// A loop with its walls placed, before the check that it closes.
 pub(super) struct Walk {
     pub span: Span,
@@ -20,8 +23,19 @@ pub(super) struct Walk {
     pub turns: Vec<f64>,
     /// The end of the walk.
     pub end: DVec2,
-    /// The voids before the first part, which move the start: the first of them, and by how much.
-    pub led: Option<(Span, DVec2)>,
+    /// The voids before the first part, which move the start.
+    pub led: Option<Led>,
+}
+
+/// Voids before the first part of a walk.
+#[derive(Clone, Copy)]
+pub(super) struct Led {
+    /// The first of them.
+    pub void: Span,
+    /// By how much they move the start, units.
+    pub by: DVec2,
+    /// True if nothing else stands on the first line, and it turns right like any other.
+    pub whole_line: bool,
 }
 
 /// Places the walls of a loop; `facade` counts them over the storey.
@@ -48,11 +62,16 @@ pub(super) fn walk(steps: Loop, facade: &mut u32) -> Walk {
             let void = line.units.first().filter(|_| leading > 0).map(|u| u.span);
             let by = heading.vector() * line.units.drain(..leading).map(|u| u.width).sum::<f64>();
             at += by;
-            if let Some(void) = void {
-                let (first, before) = out.led.unwrap_or((void, DVec2::ZERO));
-                out.led = Some((first, before + by));
-            }
             started = !line.units.is_empty();
+            if let Some(void) = void {
+                let first = Led {
+                    void,
+                    by: DVec2::ZERO,
+                    whole_line: !started && line.turn == RIGHT && heading == Heading::default(),
+                };
+                let led = out.led.get_or_insert(first);
+                led.by += by;
+            }
         }
         let length: f64 = line.units.iter().map(|u| u.width).sum();
         let turn = line.turn;

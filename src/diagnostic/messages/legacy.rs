@@ -4,9 +4,11 @@
 mod comments;
 mod header;
 mod roofs;
+mod slips;
 mod walls;
 
 pub use comments::*;
 pub use header::*;
 pub use roofs::*;
+pub use slips::*;
 pub use walls::*;

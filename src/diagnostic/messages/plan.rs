@@ -333,8 +333,22 @@ pub(crate) fn void_moves_start(void: Span, by: f64) -> Diagnostic {
         "最初の行の頭にある空きは開口ではなく、始点を {by} 動かします"
     );
     Diagnostic::error(430, void, message).help(text!(
-        "put a post `HHA 0` before it for an open bay, or delete it if the walls begin there",
-        "開口にするなら空きの前に柱 `HHA 0` を置き、そこから壁が始まるなら空きを消してください"
+        "write `AKI  ` in its place for an open bay, or delete it if the walls begin there",
+        "開口にするなら空きの代わりに `AKI  ` と書き、そこから壁が始まるなら空きを消してください"
+    ))
+}
+
+/// A first line of voids on a ground floor that closes without them.
+#[cold]
+pub(crate) fn voids_before_front(void: Span, by: f64) -> Diagnostic {
+    let by = units(by);
+    let message = text!([by]
+        "the first line is only voids: it moves the start by {by} and turns, so the next line is a side of the house, not its front",
+        "最初の行は空きだけです。始点を {by} 動かして曲がるので、次の行は正面ではなく側面になります"
+    );
+    Diagnostic::note(430, void, message).help(text!(
+        "for an open front write `AKI  ` instead of each void; if the walls begin at the next line, delete this one",
+        "正面を開けるなら空きの代わりに `AKI  ` と書き、次の行から壁が始まるならこの行を消してください"
     ))
 }
 

@@ -231,6 +231,7 @@ fn fixed(
         span,
         column: slip - range.start + 1,
         fix: (all, whole.to_owned()),
+        turn: None,
     };
     let part = |c: &Cell<'_>| piece(line, c.range.clone(), &c.meant(), reporter);
     (cells.iter().map(part).collect(), slip)

@@ -324,57 +324,6 @@ pub fn shifted(span: Span, blanks: usize, voids: usize) -> Diagnostic {
         .fix(title, span, ".".repeat(voids))
 }
 
-/// A line whose codes are not in their columns.
-pub struct Slip {
-    /// Its codes from the first that is out of step.
-    pub span: Span,
-    /// The column of the first.
-    pub column: usize,
-    /// The place of all its codes, and the codes in columns.
-    pub fix: (Span, String),
-}
-
-/// The most lines that one message puts right.
-const MOST_LINES: usize = 500;
-
-/// Words that look like codes but are not in their columns, in one line or in many of a house.
-#[cold]
-pub fn out_of_step(first: Slip, more: Vec<Slip>) -> Diagnostic {
-    let count = 1 + more.len();
-    let meant = first.fix.1.trim_end();
-    let mut line: String = meant.chars().take(80).collect();
-    if line.len() < meant.len() {
-        line.push('…');
-    }
-    let column = first.column;
-    let (message, help) = match count {
-        1 => (
-            text!([column]
-                "from column {column} on, the codes are not in their columns: each takes exactly five",
-                "{column}桁目から部材コードがずれています。部材コードはちょうど五桁ずつです"
-            ),
-            text!([line] "write `{line}`", "`{line}` と書いてください"),
-        ),
-        _ => (
-            text!([column, count]
-                "from column {column} on, the codes are not in their columns, nor in {count} lines of this house in all: each takes exactly five",
-                "{column}桁目から部材コードがずれています。この家では全部で{count}行がずれています。部材コードはちょうど五桁ずつです"
-            ),
-            text!([line] "write `{line}`, and the other lines alike", "`{line}` と書き、ほかの行も同じように直してください"),
-        ),
-    };
-    let span = first.span;
-    let slips = std::iter::once(first).chain(more).take(MOST_LINES);
-    let edits = slips.map(|slip| Edit::new(slip.fix.0, slip.fix.1));
-    Diagnostic::error(132, span, message).help(help).fix_all(
-        text!(
-            "Align the codes to five columns",
-            "部材コードを五桁ずつに揃える"
-        ),
-        edits.collect(),
-    )
-}
-
 /// Five blanks at a line end.
 #[cold]
 pub fn trailing_void(span: Span, count: usize) -> Diagnostic {

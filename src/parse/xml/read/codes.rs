@@ -6,7 +6,7 @@
 //! in. Codes that have left their columns are read by their words, as in the legacy form.
 
 use crate::ast::{CodeText, Item, Piece};
-use crate::diagnostic::messages::legacy::{Slip, out_of_step};
+use crate::diagnostic::messages::legacy::{Slip, SlippedTurn, out_of_step};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::columns::{CELL, Cell, Form};
 use crate::parse::xml::read::Reader;
@@ -122,12 +122,17 @@ impl Reader<'_, '_> {
         });
         // A letter after codes that have left their columns is in none either.
         let loose = loose_letter(line).filter(|_| control.is_none());
-        let read = loose.and_then(|at| Some((self.in_step(text, &line[..at])?, at)));
+        let turn = |at: usize| Some((line[at].byte?, text.range(line[at].range.clone())));
+        let read = loose.and_then(|at| {
+            let turn = turn(at).filter(|_| turns);
+            Some((self.in_step(text, &line[..at], turn)?, at))
+        });
+        let is_told = read.is_some() && turns;
         let (meant, codes) = match read {
             Some((meant, at)) => (Some(meant), at),
             None => {
                 let codes = line.len() - usize::from(control.is_some());
-                (self.in_step(text, &line[..codes]), codes)
+                (self.in_step(text, &line[..codes], None), codes)
             }
         };
         let (codes, end) = line.split_at(codes);
@@ -137,17 +142,25 @@ impl Reader<'_, '_> {
         }
         let control = control.or_else(|| end.first()?.byte);
         let (letter, place) = (control?, text.range(end[0].range.clone()));
-        let bear = self.turn.filter(|_| turns);
-        let bear = bear.map(|at| self.reporter.span(&(at..at)));
-        self.reporter.at(&place, |s| {
-            say::control_letter(s, letter as char, turns, bear)
-        });
+        if !is_told {
+            let bear = self.turn.filter(|_| turns);
+            let bear = bear.map(|at| self.reporter.span(&(at..at)));
+            self.reporter.at(&place, |s| {
+                say::control_letter(s, letter as char, turns, bear)
+            });
+        }
         let degrees = if letter == b'L' { -90.0 } else { 90.0 };
         (letter != b'^').then(|| Spanned::new(degrees, self.reporter.span(&place)))
     }
 
-    /// Reports a line whose codes are not in their columns, and returns the codes that its words mean.
-    fn in_step(&mut self, text: &Text<'_>, line: &[Column]) -> Option<Vec<Item<Piece>>> {
+    /// Reports a line whose codes are not in their columns, with the turn letter after them and its place, and returns the
+    /// codes that its words mean.
+    fn in_step(
+        &mut self,
+        text: &Text<'_>,
+        line: &[Column],
+        turn: Option<(u8, Range<usize>)>,
+    ) -> Option<Vec<Item<Piece>>> {
         let bytes = line.iter().map(|c| c.byte.map(char::from));
         let written: String = bytes.collect::<Option<_>>()?;
         let mut form = Form::default();
@@ -164,13 +177,24 @@ impl Reader<'_, '_> {
         let off = |c: &&Cell<'_>| !c.range.start.is_multiple_of(CELL);
         let slip = cells.iter().find(off).map_or(0, |c| c.range.start);
         let end = written.trim_end_matches(' ').len();
+        let turn = turn.map(|(letter, place)| SlippedTurn {
+            letter: letter as char,
+            span: self.reporter.span(&place),
+            attribute: self.turn.map(|at| self.reporter.span(&(at..at))),
+        });
         let meant: String = cells.iter().map(|c| format!("{:5}", c.meant())).collect();
         let meant = meant.trim_end();
         let all = self.reporter.span(&place(0..end));
         self.reporter.at(&place(slip..end), |span| {
             let fix = (all, meant.to_owned());
             let column = slip + 1;
-            out_of_step(Slip { span, column, fix }, vec![])
+            let slip = Slip {
+                span,
+                column,
+                fix,
+                turn,
+            };
+            out_of_step(slip, vec![])
         });
         let pieces = cells.iter().map(|cell| {
             let span = self.reporter.span(&place(cell.range.clone()));
