@@ -4,9 +4,9 @@ use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::text;
 
-/// Millimetres of a length in metres, rounded up.
+/// Millimetres of a length in metres, rounded up; what lies beyond by less than a micrometre is rounding.
 fn millimetres(length: f64) -> f64 {
-    (length * 1000.0).ceil()
+    (length * 1000.0 - 1e-3).ceil()
 }
 
 /// An outline whose walls were made square, and put on common lines: the farthest moves, metres.
