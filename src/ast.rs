@@ -24,7 +24,7 @@ pub use fittings::{
 };
 pub use frame::{Anchor, Frame, PlacedBy, Placement};
 pub use monuments::{Gate, Given, Hall, Measures, Monument, Pagoda, Pair};
-pub use outline::{Hole, On, Outline, Points, SidePart, SideWall, Stand, Walls};
+pub use outline::{Hole, On, Outline, OutlinePart, Points, SidePart, SideWall, Stand, Walls};
 pub use parts::{WrittenAttribute, WrittenBody, WrittenPart, attribute_value};
 pub use pieces::{CodeText, Half, Part, Piece, Split};
 pub use purpose::Purpose;

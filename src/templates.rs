@@ -23,9 +23,17 @@ pub struct Template {
     text: &'static str,
 }
 
-/// The definitions that some templates include, and the line that includes them.
-const FRONTS: &str = include_str!("../library/fronts.hsd");
-const INCLUDES_FRONTS: &str = "  <include href=\"fronts.hsd\"/>\n";
+/// The definitions that some templates include, and the lines that include them.
+const INCLUDED: [(&str, &str); 2] = [
+    (
+        "  <include href=\"fronts.hsd\"/>\n",
+        include_str!("../library/fronts.hsd"),
+    ),
+    (
+        "  <include href=\"outlines.hsd\"/>\n",
+        include_str!("../library/outlines.hsd"),
+    ),
+];
 
 macro_rules! templates {
     ($folder:literal $($word:literal $ja:literal $romaji:literal $en:literal $aliases:literal)*) => {
@@ -72,6 +80,18 @@ pub static TYPES: &[Template] = templates! { "library"
     "住宅, 民家, 一戸建, 戸建, jūtaku, detached house, modern house, villa"
     "office" "事務所ビル" "jimusho-biru" "office building"
     "事務所, オフィス, ビル, jimusho, ofisu, biru, skyscraper, tower"
+    "block" "ビル建築" "biru-kenchiku" "block of flats or offices on any outline"
+    "ビル, 集合住宅, マンション, アパート, biru, manshon, apāto, apartments, flats"
+    "hospital" "病院" "byōin" "hospital on any outline"
+    "医院, 診療所, クリニック, iin, shinryōjo, clinic"
+    "school" "学校" "gakkō" "school on any outline"
+    "校舎, 小学校, 中学校, 高校, 大学, kōsha, shōgakkō, chūgakkō, kōkō, daigaku, university"
+    "shop-row" "商店長屋" "shōten-nagaya" "row of shops on any outline"
+    "商店, 店舗, 商店街, shōten, tenpo, shōtengai, shops, stores, retail"
+    "temple" "寺院建築" "jiin-kenchiku" "temple building on any outline"
+    "寺, 寺院, お寺, 庫裏, 方丈, tera, jiin, kuri, hōjō"
+    "house" "住宅" "jūtaku" "dwelling on any outline"
+    "民家, 一戸建, 戸建, 家, minka, ie, dwelling, detached house"
 };
 
 /// Finished houses of `examples/` that search finds as well; they have no parameters.
@@ -122,7 +142,11 @@ const SOURCES: &str = "hsd:";
 impl Template {
     /// Returns the content of the source file, which includes no other file.
     pub fn text(&self) -> String {
-        self.text.replacen(INCLUDES_FRONTS, &pieces(FRONTS), 1)
+        let included = INCLUDED.iter().find(|(line, _)| self.text.contains(line));
+        included.map_or_else(
+            || self.text.to_owned(),
+            |(line, file)| self.text.replacen(line, &pieces(file), 1),
+        )
     }
 
     /// Returns its name among the sources of a file that places it: no path, since it is part of the program.

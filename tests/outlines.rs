@@ -1,6 +1,7 @@
 //! Outlines as surveyed: where the walls come to stand, what is squared and joined, what fills the sides
 //! (docs/contract.md 8).
 
+mod parts;
 mod roofs;
 
 use crate::support::{Numbers, Run, compile};

@@ -1,6 +1,6 @@
 //! Outlines as surveyed, and the walls that stand on their sides (docs/contract.md 8).
 
-use super::{Half, Item, Piece};
+use super::{CodeText, Half, Item, Piece};
 use crate::source::{Span, Spanned};
 use glam::DVec2;
 use serde::Serialize;
@@ -54,8 +54,21 @@ pub struct Hole {
 pub struct Walls {
     /// The start tag.
     pub span: Span,
+    /// The part of the outline that they stand on, if not the whole.
+    pub part: Option<OutlinePart>,
+    /// The part of walls that nothing else fills.
+    pub rest: Option<Spanned<CodeText>>,
     /// In the order of the file.
     pub sides: Vec<SideWall>,
+}
+
+/// A rectangle in an outline, along its longest side (002-25).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct OutlinePart {
+    /// Its share of the extent along the longest side, and across it.
+    pub shares: [f64; 2],
+    /// Its place in the rest, along and across: 0 = at the front or at the right end, 1 = at the other.
+    pub at: [f64; 2],
 }
 
 /// The wall of sides of one kind.
@@ -84,6 +97,10 @@ pub enum On {
     Court,
     /// Opposite the front, within 45 degrees.
     Back,
+    /// Along the longest side, within 45 degrees.
+    Long,
+    /// Across the longest side.
+    Short,
     /// All others.
     Any,
 }

@@ -3,6 +3,8 @@
 //! The outline is cleaned, squared and joined once for the house ([`crate::geometry::outline`]); then its sides are the
 //! lines of a walk from the right end of the front, and [`sides`] fills them.
 
+mod part;
+mod ring;
 mod sides;
 
 use super::Pass;
@@ -11,11 +13,11 @@ use crate::diagnostic::Diagnostic;
 use crate::diagnostic::messages::outline as say;
 use crate::geometry::outline::{self, Axis, Crooked, Ring, clean, join, square};
 use crate::geometry::{Heading, SHAKU, area2};
-use crate::program::{Drawn, House, Loop, WallLine};
+use crate::program::{Drawn, House, Loop};
 use crate::rng::Place;
 use crate::source::{Span, Spanned};
 use glam::{DVec2, dvec2};
-use sides::SurveyedSide;
+use ring::SurveyedRing;
 
 /// The usual bounds on the moves of corners and walls, metres.
 const SQUARE: f64 = 0.3;
@@ -48,29 +50,6 @@ pub(super) struct Surveyed {
     has_door: bool,
     /// True if a note says why it is not square.
     told: bool,
-}
-
-/// A walk round a house or a courtyard.
-struct SurveyedRing {
-    span: Span,
-    hole: bool,
-    /// Author frame, U.
-    start: DVec2,
-    /// The direction of its first side, degrees to the right of the front.
-    first: f64,
-    sides: Vec<SurveyedSide>,
-}
-
-impl SurveyedRing {
-    /// Returns the line that turns a walk into the direction of its first side. A walk begins along the front.
-    fn leading(&self) -> Option<WallLine> {
-        (self.first != 0.0).then(|| WallLine {
-            span: self.span,
-            units: vec![],
-            turn: self.first,
-            reflection: false,
-        })
-    }
 }
 
 /// A ring of the survey in the direction of a walk.
@@ -255,6 +234,15 @@ impl Pass<'_, '_> {
         }
     }
 
+    /// Returns the part of the outline on which walls stand; `None` if that is the whole.
+    fn part_of(&mut self, surveyed: &Surveyed, walls: &ast::Walls) -> Option<Vec<SurveyedRing>> {
+        let found = part::part(&surveyed.rings, walls.part?);
+        if found.is_none() && !surveyed.rings.is_empty() {
+            self.once(1144, walls.span, || say::nothing_there(walls.span));
+        }
+        found
+    }
+
     /// Returns the walks of a storey that stands on the outline.
     pub(super) fn outlined(
         &mut self,
@@ -267,8 +255,11 @@ impl Pass<'_, '_> {
         match (surveyed, own, walls) {
             (Some(surveyed), None, walls) => {
                 let place = place.named("outline");
-                let mut filled = self.fill(surveyed, walls, place).into_iter();
-                let rings = surveyed.rings.iter();
+                let part = walls.and_then(|walls| self.part_of(surveyed, walls));
+                let rings = part.as_ref().unwrap_or(&surveyed.rings);
+                let door = &mut surveyed.has_door;
+                let mut filled = self.fill(rings, door, walls, place).into_iter();
+                let rings = rings.iter();
                 let walk = |ring: &SurveyedRing| Loop {
                     span: ring.span,
                     hole: ring.hole,

@@ -1,6 +1,6 @@
 //! Writes a first town: layers with what was found, rules that a reader can change, comments that say how.
 
-use super::fields::Use;
+use super::fields::{Fields, Use};
 use super::{Kind, Surveyed};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -153,6 +153,33 @@ fn meanings(layer: &Surveyed) -> Vec<String> {
     all
 }
 
+/// Kinds of buildings that have a type over outlines, the most storeys of that, and what they are.
+const OVER_OUTLINES: [(Use, &str, u32, &str); 5] = [
+    (Use::Temple, "temple", 1, "temples and shrines"),
+    (Use::Hospital, "hospital", 14, "hospitals"),
+    (Use::School, "school", 5, "schools"),
+    (
+        Use::Shops,
+        "shop-row",
+        3,
+        "shops: one in every spacing of the front",
+    ),
+    (Use::Detached, "house", 3, "detached dwellings"),
+];
+
+/// Returns the `Place` of a type over outlines, with the storeys that the map knows of.
+fn over_outline(fields: &Fields, house: &str, most: u32) -> String {
+    let known = match (fields.levels(), fields.height()) {
+        (Some(_), _) => "levels",
+        (None, Some(_)) => "high / 3.4",
+        (None, None) => return format!("<Place type=\"{house}\"/>"),
+    };
+    if most == 1 {
+        return format!("<Place type=\"{house}\"/>");
+    }
+    format!("<Place type=\"{house}\" storeys=\"{{max(1, min({most}, round({known})))}}\"/>")
+}
+
 /// Writes the rules of buildings.
 fn houses(out: &mut String, layer: &Surveyed, name: &str) {
     let fields = &layer.fields;
@@ -178,16 +205,14 @@ fn houses(out: &mut String, layer: &Surveyed, name: &str) {
          \n  <!-- The rest. The first test that holds decides. -->\n  <for each=\"{name}\" test=\"{{not ({small})}}\">\n",
     );
     let mut cases: Vec<(String, String, &str)> = vec![];
-    if let Some(temples) = test_of(&fields.uses(Use::Temple)) {
-        cases.push((
-            temples,
-            "<Place type=\"hondo\" on=\"centre\"/>".into(),
-            "temples and shrines: one hall in the middle",
-        ));
+    for (kind, house, most, what) in OVER_OUTLINES {
+        if let Some(test) = test_of(&fields.uses(kind)) {
+            cases.push((test, over_outline(fields, house, most), what));
+        }
     }
     cases.push((
         tall.join(" or "),
-        "<Place type=\"office\" on=\"centre\"/>".into(),
+        over_outline(fields, "block", 40),
         "large buildings",
     ));
     if let Some(stores) = test_of(&fields.uses(Use::Store)) {

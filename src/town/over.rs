@@ -57,7 +57,12 @@ fn storey_over(storey: &mut Storey) -> bool {
         wall(On::Back, back.pieces.clone()),
         wall(On::Any, first(&side.pieces, span)),
     ];
-    storey.walls = Some(Box::new(Walls { span, sides }));
+    storey.walls = Some(Box::new(Walls {
+        span,
+        part: None,
+        rest: None,
+        sides,
+    }));
     storey.loops.clear();
     storey.start = None;
     true

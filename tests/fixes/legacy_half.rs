@@ -66,6 +66,7 @@ pub(super) const WITHOUT_FIX: &[(u16, &str)] = &[
     (425, "which side is meant, only the author knows"),
     (426, "which parts may be missing, only the author knows"),
     (427, "corners only the author knows"),
+    (1144, "where a storey stands is the author's choice"),
     (428, "whether rows or walls count, only the author knows"),
     (
         429,

@@ -190,6 +190,19 @@ pub fn walls_without_outline(walls: Span) -> Diagnostic {
     ))
 }
 
+/// Walls on a part of the outline in which nothing lies.
+#[cold]
+pub fn nothing_there(walls: Span) -> Diagnostic {
+    let message = text!(
+        "no part of the outline lies there, so this storey stands on the whole outline",
+        "そこには輪郭がないため、この階は輪郭全体の上に立てます"
+    );
+    Diagnostic::warning(1144, walls, message).help(text!(
+        "set larger shares in `long` and `short`, or move the part with `at`: 0 is the front or the right end, 1 the other",
+        "`long` と `short` の割合を大きくするか、`at` で位置を動かしてください。0 は正面側か右端、1 は反対側です"
+    ))
+}
+
 /// A storey that has rows of its own besides the walls of the outline.
 #[cold]
 pub fn rows_and_walls(walls: Span, rows: Span) -> Diagnostic {

@@ -196,12 +196,14 @@ pub fn far_from_top(height: Span, shaku: f64, storey: u32, top: f64) -> Diagnost
 /// A lower roof that would rise above the storey it surrounds.
 #[cold]
 pub fn high_skirt(span: Span, rise: f64, storey: u32, top: f64, pitch: f64) -> Diagnostic {
-    let (rise, top, pitch) = (short(rise), short(top), short(pitch));
-    let message = text!([rise, storey, top, pitch]
-        "this lower roof would rise to {rise} shaku around storey {storey}, where there is room up to {top}, so its pitch is reduced to {pitch} sun",
-        "この下層の屋根は{storey}階の周りで {rise} 尺まで上がりますが、納まる高さは {top} 尺までなので、{pitch} 寸勾配にしました"
+    let (rise, top, gentle) = (short(rise), short(top), short(pitch));
+    let message = text!([rise, storey, top, gentle]
+        "this lower roof would rise to {rise} shaku around storey {storey}, where there is room up to {top}, so its pitch is reduced to {gentle} sun",
+        "この下層の屋根は{storey}階の周りで {rise} 尺まで上がりますが、納まる高さは {top} 尺までなので、{gentle} 寸勾配にしました"
     );
-    Diagnostic::warning(510, span, message).help(text!(
+    // Roofs round an upper storey are often that gentle; below one sun they drain no more than a flat roof.
+    let severity = [Diagnostic::note, Diagnostic::warning][usize::from(pitch < 1.0)];
+    severity(510, span, message).help(text!(
         "make the storey above higher, set its walls back less, or write a lower pitch",
         "上の階を高くするか、その壁の後退を小さくするか、緩い勾配にしてください"
     ))

@@ -126,11 +126,15 @@ pub(super) const HOLE: &[AttributeSchema] = &[
 #[rustfmt::skip]
 pub(super) const WALLS: &[AttributeSchema] = &[
     may("of", Choice(&["outline"]), "outline", "whose sides", "どの輪郭の辺か"),
+    may("long", Number(0.05, 1.0), "1", "share of the outline's extent along its longest side", "最も長い辺の方向の広がりに対する割合"),
+    may("short", Number(0.05, 1.0), "1", "the same across the longest side", "最も長い辺に直交する方向の割合"),
+    may("rest", Text, "KSK", "code of the wall that fills what parts leave, and sides without a `Side`", "部材の残りと、`Side` の無い辺を埋める壁のコード"),
+    may("at", Point(0.0, 1.0), "0.5 0.5", "where the part lies, along and across: 0 at the front or right end, 1 at the other", "その部分の位置。長い方向と直交する方向に、0 = 正面側か右端、1 = 反対側"),
 ];
 #[rustfmt::skip]
 pub(super) const SIDE_WALL: &[AttributeSchema] = &[
-    may("on", Either(&words(&vocabulary::ON), 1.0, CORNERS_MOST as f64), "any", "which sides: a kind, or the number of one; a number goes before `front`, that before `street`, `neighbour` and `court`, then `back`, then `any`",
-        "どの辺か。種類または番号。番号、`front`、`street` `neighbour` `court`、`back`、`any` の順に優先する"),
+    may("on", Either(&words(&vocabulary::ON), 1.0, CORNERS_MOST as f64), "any", "which sides: a kind, or the number of one; a number goes before `front`, that before `street`, `neighbour` and `court`, then `back`, then `long` and `short`, then `any`",
+        "どの辺か。種類または番号。番号、`front`、`street` `neighbour` `court`、`back`、`long` `short`、`any` の順に優先する"),
 ];
 #[rustfmt::skip]
 pub(super) const LOOP: &[AttributeSchema] = &[

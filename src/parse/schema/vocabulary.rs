@@ -28,12 +28,14 @@ pub(in crate::parse) const SIDES: [(&str, Side); 4] = [
 ];
 
 /// The kinds of sides of an outline.
-pub(in crate::parse) const ON: [(&str, On); 6] = [
+pub(in crate::parse) const ON: [(&str, On); 8] = [
     ("front", On::Front),
     ("street", On::Street),
     ("neighbour", On::Neighbour),
     ("court", On::Court),
     ("back", On::Back),
+    ("long", On::Long),
+    ("short", On::Short),
     ("any", On::Any),
 ];
 

@@ -34,7 +34,7 @@ impl<'a> Expander<'a, '_> {
         let mut wish = Wish {
             span: self.reporter.span(&kind.value.whole()),
             kind: &word,
-            on: self.place_on(&own),
+            on: self.ground(&own, kind, scope),
             front: front.as_deref(),
             cap: self.metres(&own, "cap"),
             gap: self.metres(&own, "gap").unwrap_or(0.0),
@@ -176,6 +176,20 @@ impl<'a> Expander<'a, '_> {
         }
         let number = self.place_of_feature().key();
         (named("seed", number.to_string(), kind), number)
+    }
+
+    /// Returns the ground that a `Place` asks for; a type over outlines asks for that of the feature.
+    fn ground(
+        &mut self,
+        own: &[Attribute<'a>],
+        kind: &Attribute<'a>,
+        scope: &Scope<'a>,
+    ) -> Option<PlaceOn> {
+        if own.iter().any(|a| a.name == "on") {
+            return self.place_on(own);
+        }
+        let origin = self.origin(kind, scope)?;
+        origin.is_over_outlines().then_some(PlaceOn::Outline)
     }
 
     fn place_on(&mut self, own: &[Attribute<'a>]) -> Option<PlaceOn> {

@@ -57,6 +57,34 @@ pub(super) enum Origin<'a> {
     File(Rc<Tree<'a>>, String),
 }
 
+impl Origin<'_> {
+    /// Returns true if the house has an outline, which that of a feature can replace.
+    pub(super) fn is_over_outlines(&self) -> bool {
+        let (tree, roots) = match self {
+            Origin::Piece(piece, _) => (&piece.tree, vec![piece.index]),
+            Origin::File(tree, _) => (tree, tree.roots.clone()),
+        };
+        let children = |index: usize| {
+            tree.elements[index]
+                .children
+                .iter()
+                .filter_map(|c| match c {
+                    Child::Element(index) => Some(*index),
+                    Child::Text(_) => None,
+                })
+        };
+        let tag = |index: usize| schema::named(tree.elements[index].name).map(|s| s.tag);
+        let houses = |root: usize| {
+            let own = std::iter::once(root).chain(children(root));
+            own.filter(|index| tag(*index) == Some(Tag::House))
+        };
+        roots
+            .into_iter()
+            .flat_map(houses)
+            .any(|house| children(house).any(|index| tag(index) == Some(Tag::Outline)))
+    }
+}
+
 impl<'a> Placed<'a> {
     /// Creates the state of a house of this type whose parameters have not been asked for.
     pub(super) fn new(kind: Attribute<'a>, arguments: Arguments<'a>) -> Self {

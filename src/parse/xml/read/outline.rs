@@ -1,7 +1,8 @@
 //! Outlines as surveyed: `Outline`, `Hole`; and what stands on their sides: `Walls`, `Side`, `fill`, `door`.
 
 use crate::ast::{
-    Half, Hole, House, On, Outline, Points, SidePart, SideWall, Stand, Storey, Walls,
+    CodeText, Half, Hole, House, On, Outline, OutlinePart, Points, SidePart, SideWall, Stand,
+    Storey, Walls,
 };
 use crate::diagnostic::messages::xml as say;
 use crate::parse::schema::attributes::CORNERS_MOST;
@@ -39,9 +40,17 @@ impl<'t> Reader<'t, '_> {
         parent: &Element<'t>,
         storey: &mut Storey,
     ) {
-        self.attributes(schema, element);
+        let of = self.attributes(schema, element);
+        let shares = ["long", "short"].map(|name| self.usual(&of, name));
+        let at = self.point(&of, "at");
+        let rest = self.text(&of, "rest");
         let walls = Walls {
             span: self.start(element),
+            rest: rest.map(|code| Spanned::new(CodeText::new(&code.value), code.span)),
+            part: (shares != [1.0; 2]).then(|| OutlinePart {
+                shares,
+                at: at.map_or([0.5; 2], |at| at.value.into()),
+            }),
             sides: self.side_walls(element, schema),
         };
         match storey.walls.as_ref().map(|first| first.span) {
