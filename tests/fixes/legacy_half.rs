@@ -66,7 +66,6 @@ pub(super) const WITHOUT_FIX: &[(u16, &str)] = &[
     (425, "which side is meant, only the author knows"),
     (426, "which parts may be missing, only the author knows"),
     (427, "corners only the author knows"),
-    (1144, "where a storey stands is the author's choice"),
     (428, "whether rows or walls count, only the author knows"),
     (
         429,
@@ -108,4 +107,5 @@ pub(super) const WITHOUT_FIX: &[(u16, &str)] = &[
     (1111, "`hsd town` builds it"),
     (1113, "what a place needs, only the author knows"),
     (1114, "which maps there are, only the author knows"),
+    (1144, "where a storey stands is the author's choice"),
 ];
