@@ -68,6 +68,7 @@ mod tea_shop_pictures;
 mod tessellate;
 mod textures;
 mod tiles;
+mod town_types;
 mod towns;
 mod tutorial;
 mod twins;

@@ -253,6 +253,8 @@ impl Pass<'_, '_> {
         let own = storey.loops.iter().find(|l| !l.hole && !l.inner);
         let walls = storey.walls.as_deref();
         match (surveyed, own, walls) {
+            // Rows inside are rows of its own too.
+            (Some(_), None, None) if !storey.loops.is_empty() => {}
             (Some(surveyed), None, walls) => {
                 let place = place.named("outline");
                 let part = walls.and_then(|walls| self.part_of(surveyed, walls));

@@ -58,6 +58,7 @@ impl Faults {
 pub fn diagnostic(fault: &Fault, cases: usize, origin: Origin) -> Diagnostic {
     let key = fault.feature.as_ref().map(|feature| feature.key());
     let at = say::place(
+        &origin,
         &fault.file,
         key.as_deref(),
         fault.field.as_deref(),

@@ -3,28 +3,51 @@
 //! itself.
 
 use crate::ast::{
-    Half, House, Item, On, Piece, RoofMode, RoofShape, Row, SidePart, SideWall, Storey, Walls,
+    Half, House, Item, Loop, On, Piece, Repeat, RoofMode, RoofShape, Row, SidePart, SideWall,
+    Storey, Walls,
 };
 use crate::geometry::SHAKU;
 use crate::source::{Span, Spanned};
 
-/// Rewrites the rows of a house for its outline, whose front is this long in metres; false if it is written otherwise.
-pub fn rewrite(house: &mut House, front: f64) -> bool {
-    if house.monument.is_some() || !house.structures.is_empty() {
+/// The front of an outline.
+#[derive(Clone, Copy)]
+pub struct Front {
+    /// Its length, metres.
+    pub length: f64,
+    /// How often the type's own front stands on it.
+    pub times: u32,
+}
+
+/// Rewrites the rows of a house for its outline; false, with the house as it was, if it is written otherwise.
+pub fn rewrite(house: &mut House, front: Front) -> bool {
+    let built = house.monument.is_some() || !house.structures.is_empty();
+    if built || !house.storeys.iter().all(can_stand) {
         return false;
     }
-    for item in &mut house.storeys {
-        match item {
-            Item::One(storey) => {
-                if !storey_over(storey) {
-                    return false;
-                }
-            }
-            _ => return false,
-        }
-    }
-    roofs_over(house, front);
+    house.storeys.iter_mut().for_each(|item| stand(item, front));
+    roofs_over(house, front.length);
     true
+}
+
+/// Returns true if storeys can stand on an outline: their rows are front, side and back, or walls inside.
+fn can_stand(item: &Item<Storey>) -> bool {
+    match item {
+        Item::One(storey) => {
+            let outer = storey.loops.iter().find(|l| !l.hole && !l.inner);
+            let rows = |walk: &Loop| walk.rows.iter().filter_map(one).count();
+            storey.walls.is_some() || outer.is_none_or(|walk| rows(walk) >= 3)
+        }
+        Item::Repeat(repeat) => repeat.body.iter().all(can_stand),
+        Item::Random(_) | Item::Replace(_) => false,
+    }
+}
+
+fn stand(item: &mut Item<Storey>, front: Front) {
+    match item {
+        Item::One(storey) => storey_over(storey, front),
+        Item::Repeat(repeat) => repeat.body.iter_mut().for_each(|item| stand(item, front)),
+        Item::Random(_) | Item::Replace(_) => {}
+    }
 }
 
 /// Returns true if a type has walls for outlines.
@@ -35,16 +58,19 @@ pub fn has_walls(house: &House) -> bool {
     })
 }
 
-fn storey_over(storey: &mut Storey) -> bool {
+fn storey_over(storey: &mut Storey, front: Front) {
     if storey.walls.is_some() {
-        return true;
+        return;
     }
     let Some(walk) = storey.loops.iter().find(|l| !l.hole && !l.inner) else {
-        return storey.loops.is_empty();
+        // Walls inside, such as a false front, are as wide as the front.
+        let rows = storey.loops.iter_mut().flat_map(|l| &mut l.rows);
+        rows.for_each(|row| repeated(row, front.times));
+        return;
     };
     let rows: Vec<&Row> = walk.rows.iter().filter_map(one).collect();
-    let [front, side, back, ..] = rows[..] else {
-        return false;
+    let [first_row, side, back, ..] = rows[..] else {
+        return;
     };
     let span = walk.span;
     let wall = |on: On, pieces: Vec<Item<Piece>>| SideWall {
@@ -53,7 +79,7 @@ fn storey_over(storey: &mut Storey) -> bool {
         parts: vec![SidePart::Fill(Half { span, pieces })],
     };
     let sides = vec![
-        wall(On::Front, front.pieces.clone()),
+        wall(On::Front, first_row.pieces.clone()),
         wall(On::Back, back.pieces.clone()),
         wall(On::Any, first(&side.pieces, span)),
     ];
@@ -65,7 +91,20 @@ fn storey_over(storey: &mut Storey) -> bool {
     }));
     storey.loops.clear();
     storey.start = None;
-    true
+}
+
+/// Repeats the parts of a row.
+fn repeated(row: &mut Item<Row>, times: u32) {
+    if let Item::One(row) = row
+        && times > 1
+    {
+        let body = std::mem::take(&mut row.pieces);
+        row.pieces = vec![Item::Repeat(Box::new(Repeat {
+            span: row.span,
+            num: Spanned::new(times, row.span),
+            body,
+        }))];
+    }
 }
 
 fn one<T>(item: &Item<T>) -> Option<&T> {

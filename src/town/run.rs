@@ -388,7 +388,9 @@ fn over_outline(mut house: House, stood: &Stood) -> House {
             let at = w.front as usize - 1;
             w.ring[at].distance(w.ring[(at + 1) % w.ring.len()])
         });
-        over::rewrite(&mut house, front);
+        let times = (front / stood.frontage.max(1e-3)).round().max(1.0) as u32;
+        let length = front;
+        over::rewrite(&mut house, over::Front { length, times });
     }
     house
 }

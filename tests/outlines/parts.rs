@@ -158,3 +158,13 @@ fn types_over_outlines_follow_any_outline() {
         }
     }
 }
+
+#[test]
+fn a_storey_of_walls_inside_does_not_stand_on_the_outline() {
+    let inside = "<Storey/><Storey><Loop inner='yes'><Row>KSK  KSK  </Row></Loop></Storey>";
+    let run = house("points='0 0, 12 0, 12 8, 0 8'>", inside);
+    let rings = &first(&run).storeys[1].rings;
+    assert_eq!(rings.len(), 1, "{}", run.short());
+    assert!(rings[0].inner);
+    assert_eq!(filled(&run, 1, 0), ["KSK KSK"]);
+}

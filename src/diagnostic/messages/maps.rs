@@ -10,21 +10,29 @@ use crate::text;
 
 /// Returns the place of a fault: file, feature, field, byte; and the number of cases if there are several.
 pub fn place(
+    origin: &Origin,
     file: &str,
     feature: Option<&str>,
     field: Option<&str>,
     byte: Option<u64>,
     cases: usize,
 ) -> Text {
-    let mut parts = vec![text!([file] "{file}", "{file}")];
-    parts.extend(feature.map(|key| text!([key] "feature {key}", "地物 {key}")));
+    let mut parts = vec![];
+    if !matches!(origin, Origin::Feature { .. }) {
+        parts.push(text!([file] "{file}", "{file}"));
+        parts.extend(feature.map(|key| text!([key] "feature {key}", "地物 {key}")));
+    }
     parts.extend(field.map(|name| text!([name] "field `{name}`", "フィールド `{name}`")));
     parts.extend(byte.map(|byte| text!([byte] "byte {byte}", "{byte}バイト目")));
     if cases > 1 {
         let more = cases - 1;
         parts.push(text!([more] "and {more} more like it", "ほか{more}件"));
     }
-    Text::joined(parts, ", ", "、")
+    if parts.is_empty() {
+        return text!("", "");
+    }
+    let at = Text::joined(parts, ", ", "、");
+    text!([at] "{at}: ", "{at}：")
 }
 
 /// A map that is not there or may not be read.
@@ -34,8 +42,8 @@ pub fn unreadable(origin: Origin, at: Text, why: &str) -> Diagnostic {
         1001,
         origin,
         text!([at, why]
-            "{at}: the map cannot be read: {why}",
-            "{at}：地図を読み込めません（{why}）"
+            "{at}the map cannot be read: {why}",
+            "{at}地図を読み込めません（{why}）"
         ),
     )
     .help(text!(
@@ -51,8 +59,8 @@ pub fn unknown_format(origin: Origin, at: Text, file: &str) -> Diagnostic {
         1002,
         origin,
         text!([at, file]
-            "{at}: this is no map of a format that is read; `ogr2ogr -f FlatGeobuf map.fgb {file}` converts many others",
-            "{at}：読み込める形式の地図ではありません。多くの形式は `ogr2ogr -f FlatGeobuf map.fgb {file}` で変換できます"
+            "{at}this is no map of a format that is read; `ogr2ogr -f FlatGeobuf map.fgb {file}` converts many others",
+            "{at}読み込める形式の地図ではありません。多くの形式は `ogr2ogr -f FlatGeobuf map.fgb {file}` で変換できます"
         ),
     )
     .help(text!(
@@ -85,8 +93,8 @@ pub fn no_coordinates(origin: Origin, at: Text) -> Diagnostic {
         1002,
         origin,
         text!([at]
-            "{at}: no columns of coordinates in this table",
-            "{at}：この表には座標の列がありません"
+            "{at}no columns of coordinates in this table",
+            "{at}この表には座標の列がありません"
         ),
     )
     .help(text!(
@@ -102,8 +110,8 @@ pub fn no_layer(origin: Origin, at: Text, layer: &str) -> Diagnostic {
         1002,
         origin,
         text!([at, layer]
-            "{at}: the map has no layer `{layer}`",
-            "{at}：地図にレイヤー `{layer}` がありません"
+            "{at}the map has no layer `{layer}`",
+            "{at}地図にレイヤー `{layer}` がありません"
         ),
     )
     .help(text!(
@@ -119,8 +127,8 @@ pub fn damaged(origin: Origin, at: Text, what: &str) -> Diagnostic {
         1003,
         origin,
         text!([at, what]
-            "{at}: the map is damaged here and is read no further: {what}",
-            "{at}：地図がここで壊れているため、この先を読み込めません（{what}）"
+            "{at}the map is damaged here and is read no further: {what}",
+            "{at}地図がここで壊れているため、この先を読み込めません（{what}）"
         ),
     )
     .help(text!(
@@ -136,8 +144,8 @@ pub fn malformed(origin: Origin, at: Text, what: &str) -> Diagnostic {
         1004,
         origin,
         text!([at, what]
-            "{at}: the feature cannot be read: {what}",
-            "{at}：地物を読み込めません（{what}）"
+            "{at}the feature cannot be read: {what}",
+            "{at}地物を読み込めません（{what}）"
         ),
     )
     .help(text!(
@@ -153,8 +161,8 @@ pub fn no_geometry(origin: Origin, at: Text) -> Diagnostic {
         1005,
         origin,
         text!([at]
-            "{at}: the feature has no geometry",
-            "{at}：地物に形がありません"
+            "{at}the feature has no geometry",
+            "{at}地物に形がありません"
         ),
     )
     .help(text!(
@@ -170,8 +178,8 @@ pub fn other_geometry(origin: Origin, at: Text, name: &str) -> Diagnostic {
         1005,
         origin,
         text!([at, name]
-            "{at}: the geometry is a {name}, which is not read",
-            "{at}：形の種類「{name}」は読み込みません"
+            "{at}the geometry is a {name}, which is not read",
+            "{at}形の種類「{name}」は読み込みません"
         ),
     )
     .help(text!(
@@ -187,8 +195,8 @@ pub fn too_few_points(origin: Origin, at: Text, points: usize) -> Diagnostic {
         1005,
         origin,
         text!([at, points]
-            "{at}: the geometry has only {points} different points; a line needs 2, an area 3",
-            "{at}：形に異なる点が{points}個しかありません。線には2個、面には3個が必要です"
+            "{at}the geometry has only {points} different points; a line needs 2, an area 3",
+            "{at}形に異なる点が{points}個しかありません。線には2個、面には3個が必要です"
         ),
     )
     .help(text!(
@@ -204,8 +212,8 @@ pub fn not_finite(origin: Origin, at: Text) -> Diagnostic {
         1005,
         origin,
         text!([at]
-            "{at}: a coordinate is not a number",
-            "{at}：座標に数でない値があります"
+            "{at}a coordinate is not a number",
+            "{at}座標に数でない値があります"
         ),
     )
     .help(text!(
@@ -221,8 +229,8 @@ pub fn unclosed(origin: Origin, at: Text) -> Diagnostic {
         1006,
         origin,
         text!([at]
-            "{at}: the outline is not closed; it was closed by a straight side",
-            "{at}：輪郭が閉じていないので、直線で閉じました"
+            "{at}the outline is not closed; it was closed by a straight side",
+            "{at}輪郭が閉じていないので、直線で閉じました"
         ),
     )
     .help(text!(
@@ -238,8 +246,8 @@ pub fn crossing(origin: Origin, at: Text) -> Diagnostic {
         1006,
         origin,
         text!([at]
-            "{at}: the outline crosses itself or its own holes",
-            "{at}：輪郭がそれ自身または穴と交差しています"
+            "{at}the outline crosses itself or its own holes",
+            "{at}輪郭がそれ自身または穴と交差しています"
         ),
     )
     .help(text!(
@@ -255,8 +263,8 @@ pub fn doubled_points(origin: Origin, at: Text, points: usize) -> Diagnostic {
         1006,
         origin,
         text!([at, points]
-            "{at}: {points} points stand on the one before and were left out",
-            "{at}：直前の点と重なる点{points}個を省きました"
+            "{at}{points} points stand on the one before and were left out",
+            "{at}直前の点と重なる点{points}個を省きました"
         ),
     )
     .help(text!(
@@ -272,8 +280,8 @@ pub fn dropped_parts(origin: Origin, at: Text, parts: usize) -> Diagnostic {
         1006,
         origin,
         text!([at, parts]
-            "{at}: {parts} parts of the geometry have too few points and were left out",
-            "{at}：点が足りない部分{parts}個を省きました"
+            "{at}{parts} parts of the geometry have too few points and were left out",
+            "{at}点が足りない部分{parts}個を省きました"
         ),
     )
     .help(text!(
@@ -289,8 +297,8 @@ pub fn unknown_crs(origin: Origin, at: Text, name: &str) -> Diagnostic {
         1008,
         origin,
         text!([at, name]
-            "{at}: the coordinate reference system `{name}` is not known",
-            "{at}：座標参照系 `{name}` が分かりません"
+            "{at}the coordinate reference system `{name}` is not known",
+            "{at}座標参照系 `{name}` が分かりません"
         ),
     )
     .help(text!(
@@ -306,8 +314,8 @@ pub fn late_crs(origin: Origin, at: Text, name: &str) -> Diagnostic {
         1008,
         origin,
         text!([at, name]
-            "{at}: the map names a second coordinate reference system, `{name}`, which is ignored",
-            "{at}：地図に2つ目の座標参照系 `{name}` が書かれていますが、無視します"
+            "{at}the map names a second coordinate reference system, `{name}`, which is ignored",
+            "{at}地図に2つ目の座標参照系 `{name}` が書かれていますが、無視します"
         ),
     )
     .help(text!(
@@ -339,8 +347,8 @@ pub fn outside_crs(
         1007,
         origin,
         text!([at, x, y, crs, seems]
-            "{at}: the coordinates {x}, {y} cannot be of {crs}: {seems}",
-            "{at}：座標 {x}, {y} は {crs} の値ではありません。{seems}"
+            "{at}the coordinates {x}, {y} cannot be of {crs}: {seems}",
+            "{at}座標 {x}, {y} は {crs} の値ではありません。{seems}"
         ),
     )
     .help(text!(

@@ -10,8 +10,8 @@ pub fn duplicate_key(origin: Origin, at: Text) -> Diagnostic {
         1009,
         origin,
         text!([at]
-            "{at}: another feature before has the same id",
-            "{at}：前の地物と同じ ID です"
+            "{at}another feature before has the same id",
+            "{at}前の地物と同じ ID です"
         ),
     )
     .help(text!(
@@ -27,8 +27,8 @@ pub fn duplicate_field(origin: Origin, at: Text) -> Diagnostic {
         1010,
         origin,
         text!([at]
-            "{at}: the field is written twice; the second value counts",
-            "{at}：フィールドが2回書かれています。2つ目の値を使います"
+            "{at}the field is written twice; the second value counts",
+            "{at}フィールドが2回書かれています。2つ目の値を使います"
         ),
     )
     .help(text!("remove one of them", "一方を削除してください"))
@@ -41,8 +41,8 @@ pub fn duplicate_column(origin: Origin, at: Text) -> Diagnostic {
         1010,
         origin,
         text!([at]
-            "{at}: two columns have this name; the second is called with a number behind it",
-            "{at}：同じ名前の列が2つあるので、2つ目の名前に番号を付けました"
+            "{at}two columns have this name; the second is called with a number behind it",
+            "{at}同じ名前の列が2つあるので、2つ目の名前に番号を付けました"
         ),
     )
     .help(text!(
@@ -58,8 +58,8 @@ pub fn not_a_number(origin: Origin, at: Text, words: &str) -> Diagnostic {
         1010,
         origin,
         text!([at, words]
-            "{at}: `{words}` stands in a field of numbers and counts as no value",
-            "{at}：数のフィールドに `{words}` があるので、値なしとします"
+            "{at}`{words}` stands in a field of numbers and counts as no value",
+            "{at}数のフィールドに `{words}` があるので、値なしとします"
         ),
     )
     .help(text!(
@@ -75,8 +75,8 @@ pub fn column_type(origin: Origin, at: Text, of: char) -> Diagnostic {
         1010,
         origin,
         text!([at, of]
-            "{at}: the type `{of}` of this column is read as text",
-            "{at}：この列の型 `{of}` は文字列として読み込みます"
+            "{at}the type `{of}` of this column is read as text",
+            "{at}この列の型 `{of}` は文字列として読み込みます"
         ),
     )
     .help(text!(
@@ -92,8 +92,8 @@ pub fn no_row(origin: Origin, at: Text) -> Diagnostic {
         1010,
         origin,
         text!([at]
-            "{at}: the table has no row for this feature, so its fields are empty",
-            "{at}：表にこの地物の行がないので、フィールドは空です"
+            "{at}the table has no row for this feature, so its fields are empty",
+            "{at}表にこの地物の行がないので、フィールドは空です"
         ),
     )
     .help(text!(
@@ -109,8 +109,8 @@ pub fn encoding(origin: Origin, at: Text) -> Diagnostic {
         1011,
         origin,
         text!([at]
-            "{at}: the text holds bytes that are not in the encoding of the map",
-            "{at}：地図の文字コードにないバイトがあります"
+            "{at}the text holds bytes that are not in the encoding of the map",
+            "{at}地図の文字コードにないバイトがあります"
         ),
     )
     .help(text!(
@@ -126,8 +126,8 @@ pub fn unknown_encoding(origin: Origin, at: Text, name: &str) -> Diagnostic {
         1011,
         origin,
         text!([at, name]
-            "{at}: there is no encoding `{name}`",
-            "{at}：文字コード `{name}` はありません"
+            "{at}there is no encoding `{name}`",
+            "{at}文字コード `{name}` はありません"
         ),
     )
     .help(text!(
@@ -143,8 +143,8 @@ pub fn missing_part(origin: Origin, at: Text, part: &str) -> Diagnostic {
         1012,
         origin,
         text!([at, part]
-            "{at}: the file {part} is missing beside it",
-            "{at}：隣に {part} ファイルがありません"
+            "{at}the file {part} is missing beside it",
+            "{at}隣に {part} ファイルがありません"
         ),
     )
     .help(text!(
@@ -160,8 +160,8 @@ pub fn counts_differ(origin: Origin, at: Text, said: u64, found: u64) -> Diagnos
         1012,
         origin,
         text!([at, said, found]
-            "{at}: the table has {said} rows for {found} shapes",
-            "{at}：{found}個の形に対して表は{said}行です"
+            "{at}the table has {said} rows for {found} shapes",
+            "{at}{found}個の形に対して表は{said}行です"
         ),
     )
     .help(text!(
@@ -177,8 +177,8 @@ pub fn missing_members(origin: Origin, at: Text, members: usize) -> Diagnostic {
         1012,
         origin,
         text!([at, members]
-            "{at}: {members} of the points or lines of this feature are not in the map",
-            "{at}：この地物の点や線のうち{members}個が地図にありません"
+            "{at}{members} of the points or lines of this feature are not in the map",
+            "{at}この地物の点や線のうち{members}個が地図にありません"
         ),
     )
     .help(text!(
@@ -194,8 +194,8 @@ pub fn too_large(origin: Origin, at: Text, what: &str, limit: u64) -> Diagnostic
         1013,
         origin,
         text!([at, what, limit]
-            "{at}: the map has more than {limit} {what}",
-            "{at}：地図が上限を超えています（{what} が{limit}を超過）"
+            "{at}the map has more than {limit} {what}",
+            "{at}地図が上限を超えています（{what} が{limit}を超過）"
         ),
     )
     .help(text!(

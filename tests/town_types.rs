@@ -1,0 +1,142 @@
+//! Types of the library on outlines of any shape: in a town none warns of its own roofs, and messages name each thing once.
+
+use serde_json::{Value, json};
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// Runs the program in a folder.
+fn hsd(folder: &Path, words: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_hsd"));
+    let run = command.args(words).current_dir(folder).output();
+    run.expect("the program runs")
+}
+
+fn said(run: &Output) -> String {
+    String::from_utf8_lossy(&[&run.stdout[..], &run.stderr].concat()).into_owned()
+}
+
+/// Outlines that are no rectangles, and a wide one, along a street on the line north = 0.
+fn outlines() -> Vec<Vec<[f64; 2]>> {
+    vec![
+        vec![[0., 3.], [9., 3.], [9., 9.], [5., 9.], [5., 13.], [0., 13.]],
+        vec![
+            [0., 6.],
+            [4., 6.],
+            [4., 3.],
+            [13., 3.],
+            [13., 12.],
+            [0., 12.],
+        ],
+        vec![[0., 3.], [21., 3.], [21., 12.], [0., 12.]],
+        vec![[0., 3.], [7., 3.4], [8., 11.], [3., 14.]],
+    ]
+}
+
+fn write_map(folder: &Path) {
+    let area = |n: usize, ring: Vec<[f64; 2]>| {
+        let east = 40.0 * n as f64;
+        let mut ring: Vec<[f64; 2]> = ring.iter().map(|[x, y]| [x + east, *y]).collect();
+        ring.push(ring[0]);
+        json!({"type": "Feature", "properties": {"key": format!("h{n}")},
+            "geometry": {"type": "Polygon", "coordinates": [ring]}})
+    };
+    let houses: Vec<Value> = outlines()
+        .into_iter()
+        .enumerate()
+        .map(|(n, ring)| area(n, ring))
+        .collect();
+    let street = json!({"type": "Feature", "properties": {"width": 4},
+        "geometry": {"type": "LineString", "coordinates": [[-50, 0], [250, 0]]}});
+    for (name, features) in [("houses.geojson", houses), ("roads.geojson", vec![street])] {
+        let all = json!({"type": "FeatureCollection", "features": features});
+        fs::write(folder.join(name), all.to_string()).expect("is written");
+    }
+}
+
+fn town(place: &str) -> String {
+    format!(
+        r#"<Town seed="4"><Layer name="houses" src="houses.geojson" crs="local" key="key"/>
+           <Layer name="roads" src="roads.geojson" crs="local"/>
+           <for each="houses">{place}</for></Town>"#
+    )
+}
+
+#[test]
+fn roofs_of_types_fit_outlines_of_any_shape() {
+    let folder = tempfile::tempdir().expect("a folder");
+    write_map(folder.path());
+    let types = [
+        "so-nikai",
+        "chu-nikai",
+        "sangai",
+        "hiraya",
+        "shimotaya",
+        "kanban",
+        "modern-house",
+        "office",
+        "kura",
+    ];
+    for word in types
+        .iter()
+        .chain(&["block", "hospital", "school", "shop-row", "temple", "house"])
+    {
+        let place = format!(r#"<Place type="{word}" on="outline"/>"#);
+        fs::write(folder.path().join("t.hsd"), town(&place)).expect("is written");
+        let run = hsd(
+            folder.path(),
+            &["town", "t.hsd", "-o", "t.glb", "--detail", "0"],
+        );
+        let text = said(&run);
+        // A roof inside a storey, or off its walls, would be the type's own.
+        for code in ["HSD0503", "HSD0516", "HSD0502", "error["] {
+            assert!(!text.contains(code), "{word}: {text}");
+        }
+    }
+}
+
+#[test]
+fn messages_of_init_name_file_and_feature_once() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let rings = [
+        "[[0,0],[9,0],[9,9],[0,9],[0,0]]",
+        "[[20,0],[29,9],[29,0],[20,9],[20,0]]",
+    ];
+    let area = |ring: &&str| {
+        format!(
+            r#"{{"type":"Feature","properties":{{}},"geometry":{{"type":"Polygon","coordinates":[{ring}]}}}}"#
+        )
+    };
+    let all: Vec<String> = rings.iter().map(area).collect();
+    let map = format!(
+        r#"{{"type":"FeatureCollection","features":[{}]}}"#,
+        all.join(",")
+    );
+    fs::write(folder.path().join("lots.geojson"), map).expect("is written");
+    for language in ["en", "ja"] {
+        let run = hsd(
+            folder.path(),
+            &[
+                "town",
+                "init",
+                "lots.geojson",
+                "-o",
+                "t.hsd",
+                "--lang",
+                language,
+                "--force",
+            ],
+        );
+        let text = said(&run);
+        let line = text
+            .lines()
+            .find(|l| l.contains('⚠'))
+            .unwrap_or_else(|| panic!("{text}"));
+        assert_eq!(line.matches("lots.geojson").count(), 1, "{text}");
+        assert_eq!(
+            line.matches("feature").count() + line.matches("地物").count(),
+            1,
+            "{text}"
+        );
+    }
+}
