@@ -4,6 +4,7 @@
 //! 000-33. STL keeps z upwards. No back end writes a file itself: each returns [`OutFile`]s, so that a shell
 //! can put all of them in place or none.
 
+pub mod cityjson;
 pub mod dump;
 pub mod flat;
 pub mod gltf;

@@ -6,10 +6,12 @@
 //! | features belong to the tile of their centroid, or of a field | `mesh` |
 //! | the rules make the houses of a tile; a hash of them names its files | `input` |
 //! | the houses are made once and written at each level of detail | `make` |
+//! | or written as CityJSON | `city` |
 //! | tiles that are there already are kept, others made; all become a tileset | `run` |
 //!
 //! Files go to a [`TileStore`], which a shell provides; nothing here touches a file system.
 
+pub mod city;
 pub mod input;
 pub mod make;
 pub mod mesh;

@@ -11,6 +11,7 @@ mod backend;
 mod bake;
 mod catalog;
 mod catalogs;
+mod cityjson;
 mod cli;
 mod citations;
 mod close_by;

@@ -6,13 +6,13 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 /// Runs the program in a folder.
-fn hsd(folder: &Path, words: &[&str]) -> Output {
+pub(crate) fn hsd(folder: &Path, words: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_hsd"));
     let run = command.args(words).current_dir(folder).output();
     run.expect("the program runs")
 }
 
-fn said(run: &Output) -> String {
+pub(crate) fn said(run: &Output) -> String {
     String::from_utf8_lossy(&[&run.stdout[..], &run.stderr].concat()).into_owned()
 }
 
@@ -33,7 +33,7 @@ fn outlines() -> Vec<Vec<[f64; 2]>> {
     ]
 }
 
-fn write_map(folder: &Path) {
+pub(crate) fn write_map(folder: &Path) {
     let area = |n: usize, ring: Vec<[f64; 2]>| {
         let east = 40.0 * n as f64;
         let mut ring: Vec<[f64; 2]> = ring.iter().map(|[x, y]| [x + east, *y]).collect();
@@ -54,7 +54,7 @@ fn write_map(folder: &Path) {
     }
 }
 
-fn town(place: &str) -> String {
+pub(crate) fn town(place: &str) -> String {
     format!(
         r#"<Town seed="4"><Layer name="houses" src="houses.geojson" crs="local" key="key"/>
            <Layer name="roads" src="roads.geojson" crs="local"/>

@@ -48,6 +48,13 @@ pub struct TileScene {
     pub library: Library,
 }
 
+impl TileHouses {
+    /// Returns the houses in their order; `None` for one that would exceed a limit.
+    pub fn built(&self) -> impl Iterator<Item = Option<&Built>> {
+        self.houses.iter().map(|(built, _)| built.as_ref())
+    }
+}
+
 impl<'a> TileDriver<'a> {
     /// Creates one for a town of these levels of detail.
     pub fn new(

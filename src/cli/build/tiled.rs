@@ -165,7 +165,7 @@ pub(super) fn build(
 }
 
 /// Returns the value of the parameter `year` in this run, if the town has one.
-fn year(read: &driver::Read) -> Option<String> {
+pub(super) fn year(read: &driver::Read) -> Option<String> {
     let mut all = read.documents.iter().flat_map(|d| &d.parameters);
     let found = all.find(|p| p.name == "year")?;
     found.value.as_ref().map(ToString::to_string)

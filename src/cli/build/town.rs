@@ -1,5 +1,7 @@
 //! `hsd town`: builds a town from its maps.
 
+mod city;
+
 use super::tiled::{FEATURE, Wish, tables};
 use super::{streamed, tiled};
 use crate::backend::gltf::Writer;
@@ -18,20 +20,23 @@ use crate::text;
 use crate::town::decision::problems;
 use crate::town::stream::{Ledger, TownStream};
 use crate::town::{Plan, TownInput, run};
+use city::CityForm;
 use clap::Args;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Build a town from the layers of maps that a town file names.
 ///
-/// OUT is a folder for 3D Tiles, whose root is `tileset.json`, or one model (.glb). In the folder or beside the model stand
+/// OUT is a folder for 3D Tiles, whose root is `tileset.json`, one model (.glb), or CityJSON 2.0 of LoD 1 to 3 (.city.json, or .city.jsonl with
+/// a line for each house; `--detail 0` leaves out LoD 3). In the folder or beside the model stand
 /// `decisions.csv`, with a line for each feature, and `report.json`. Tiles that are there already and would be the same are
 /// kept, so a run that was interrupted goes on. The exit status is 1 if a feature has no house that nobody asked to skip.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   hsd town kyoto.hsd -o kyoto/       write kyoto/tileset.json with its tiles, kyoto/decisions.csv and kyoto/report.json
-  hsd town kyoto.hsd -o kyoto.glb --param year=1928")]
+  hsd town kyoto.hsd -o kyoto.glb --param year=1928
+  hsd town kyoto.hsd -o kyoto.city.jsonl --detail 0    write walls and roofs for a GIS, a line for each house")]
 pub(in crate::cli) struct Town {
     #[command(flatten)]
     input_args: InputArgs,
@@ -96,10 +101,30 @@ impl Town {
                 return Ok(Exit::Errors);
             }
         };
-        match self.is_model()? {
-            true => self.build(input, read, &plan, out, language),
-            false => self.tiles(input, read, &plan, out, language),
+        match CityForm::of(&self.output).filter(|_| !self.is_folder()) {
+            Some(form) => self.city(form, input, (read, &plan), out, language),
+            None if self.is_model()? => self.build(input, read, &plan, out, language),
+            None => self.tiles(input, read, &plan, out, language),
         }
+    }
+
+    /// Builds a town as CityJSON.
+    fn city(
+        &self,
+        form: CityForm,
+        input: TownInput<'_>,
+        town: (driver::Read, &Plan),
+        out: Diagnostics,
+        language: Language,
+    ) -> Outcome {
+        let openings = self.detail.iter().copied().max().unwrap_or(3) > 0;
+        let wish = (&*self.output, form, openings, self.quiet);
+        let (incomplete, included, out) = city::build(wish, input, town, out, language)?;
+        let spoiled = out.has_errors();
+        let mut sources = vec![input.source.clone()];
+        sources.extend(included);
+        self.print(&sources, out, language)?;
+        Ok(exit(incomplete || spoiled))
     }
 
     /// Builds a town in tiles.
@@ -205,8 +230,8 @@ impl Town {
             Some(other) if !self.is_folder() => {
                 let other = other.to_string_lossy();
                 Err(Failure::Usage(text!([other]
-                    "a town is written to a folder or a `.glb`, not to `.{other}`",
-                    "町の出力先はフォルダーか `.glb` です。`.{other}` には書けません"
+                    "a town is written to a folder, a `.glb`, a `.city.json` or a `.city.jsonl`, not to `.{other}`",
+                    "町の出力先はフォルダー、`.glb`、`.city.json`、`.city.jsonl` のどれかです。`.{other}` には書けません"
                 )))
             }
             _ => Ok(false),

@@ -1,0 +1,110 @@
+//! `hsd town` to a `.city.json` or `.city.jsonl`: a town as CityJSON.
+
+use crate::backend::cityjson::CityHouse;
+use crate::cli::Failure;
+use crate::cli::build::tiled::{FEATURE, tables, year};
+use crate::cli::files::temporary::Temporary;
+use crate::cli::files::terminal::{HOUSE, bytes, counted};
+use crate::diagnostic::{Diagnostics, Language, Text};
+use crate::driver;
+use crate::source::Source;
+use crate::text;
+use crate::tiles::city;
+use crate::tiles::run::TileJob;
+use crate::town::stream::Ledger;
+use crate::town::{Plan, TownInput};
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+
+/// The form of a city.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum CityForm {
+    /// One object of JSON: CityJSON.
+    Whole,
+    /// A line for each house: CityJSONSeq.
+    Lines,
+}
+
+impl CityForm {
+    /// Returns the form for the name of an output.
+    pub(super) fn of(path: &Path) -> Option<CityForm> {
+        let name = path.file_name()?.to_string_lossy().to_lowercase();
+        let ends = |end: &str| name.ends_with(end);
+        match () {
+            () if ends(".city.jsonl") => Some(CityForm::Lines),
+            () if ends(".city.json") => Some(CityForm::Whole),
+            () => None,
+        }
+    }
+}
+
+/// Builds a town and writes it as CityJSON, at LoD 1, 2, and with `openings` 3; returns whether something is missing that
+/// the author wanted, the files that were read, and what was found.
+pub(super) fn build(
+    (path, form, openings, quiet): (&Path, CityForm, bool, bool),
+    input: TownInput<'_>,
+    (read, plan): (driver::Read, &Plan),
+    mut out: Diagnostics,
+    language: Language,
+) -> Result<(bool, Vec<Source>, Diagnostics), Failure> {
+    let failed = |error| Failure::at(path.display(), error);
+    let year = year(&read);
+    let job = TileJob {
+        input,
+        plan,
+        catalog: &read.catalog,
+        parts: &[],
+        written: &[],
+        year: year.as_deref(),
+        division: &plan.town.tiles,
+        threads: rayon::current_num_threads(),
+    };
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
+    let mut file = Temporary::new_in(folder.unwrap_or(Path::new("."))).map_err(failed)?;
+    let head = city::city(plan);
+    let mut written = BufWriter::new(file.as_file_mut());
+    let (mut houses, mut kept) = (0, vec![]);
+    let mut size = 0;
+    let mut write = |text: String| -> io::Result<()> {
+        size += text.len();
+        written.write_all(text.as_bytes())
+    };
+    if form == CityForm::Lines {
+        write(head.first_line()).map_err(failed)?;
+    }
+    let mut take = |house: CityHouse| {
+        houses += 1;
+        match form {
+            CityForm::Lines => write(house.line()),
+            CityForm::Whole => {
+                kept.push(house);
+                Ok(())
+            }
+        }
+    };
+    let made = city::houses(job, openings, &mut take, &mut out);
+    let (ledger, included) = made.map_err(failed)?;
+    if form == CityForm::Whole {
+        write(head.file(kept)).map_err(failed)?;
+    }
+    written.flush().map_err(failed)?;
+    drop(written);
+    file.persist(path).map_err(failed)?;
+    tables(path, &ledger)?;
+    if !quiet {
+        let line = summary(path, &ledger, houses, size);
+        writeln!(io::stderr(), "{}", line.in_language(language))?;
+    }
+    Ok((ledger.incomplete, included, out))
+}
+
+/// Returns the line that tells what was built.
+fn summary(path: &Path, ledger: &Ledger, houses: usize, size: usize) -> Text {
+    let (name, report) = (path.display(), &ledger.report);
+    let (features, built) = (counted(report.features, FEATURE), report.built);
+    let (houses, size) = (counted(houses, HOUSE), bytes(size));
+    text!([name, features, built, houses, size]
+        "{name}: {features}, {built} of them built, {houses}, {size}",
+        "{name}: {features}、うち {built} 件に{houses}、{size}"
+    )
+}

@@ -1,0 +1,98 @@
+//! A town as CityJSON: the houses of one tile after another, each with its levels of detail.
+
+use super::input::{TileSalt, evaluate};
+use super::mesh::tiles;
+use super::run::TileJob;
+use crate::backend::cityjson::{City, CityHouse};
+use crate::backend::flat::places;
+use crate::backend::gltf::FeatureRow;
+use crate::diagnostic::Diagnostics;
+use crate::driver::TileDriver;
+use crate::scene::Detail;
+use crate::source::Source;
+use crate::town::Plan;
+use crate::town::decision::problems;
+use crate::town::run::TownHouses;
+use crate::town::stream::Ledger;
+use serde_json::{Map, Value};
+use std::io;
+
+/// Returns the head of a town's city.
+pub fn city(plan: &Plan) -> City {
+    let name = &plan.frame.crs.name;
+    City {
+        epsg: name.strip_prefix("EPSG:").map(str::to_owned),
+        origin: plan.frame.origin,
+    }
+}
+
+/// Makes the houses of a town; with openings if `openings`, else walls and roofs only. `take` gets each.
+///
+/// # Errors
+/// Those of `take`, and the one that ended the houses.
+pub fn houses(
+    job: TileJob<'_>,
+    openings: bool,
+    take: &mut dyn FnMut(CityHouse) -> io::Result<()>,
+    out: &mut Diagnostics,
+) -> io::Result<(Ledger, Vec<Source>)> {
+    let levels: &[(&str, Detail)] = match openings {
+        true => &[("2", Detail::Body), ("3", Detail::Openings)],
+        false => &[("2", Detail::Body)],
+    };
+    let details: Vec<Detail> = levels.iter().map(|(_, detail)| *detail).collect();
+    let (input, options) = (job.input, job.input.options);
+    let town = TownHouses::new(input, job.plan);
+    let driver = TileDriver::new(input.source, job.catalog, (input.world, options), &details);
+    let salt = TileSalt::new(input, &details, (job.parts, job.written));
+    let mut ledger = Ledger::default();
+    for tile in tiles(job.plan, job.division) {
+        let mut input = evaluate(&town, &tile, (job.plan, job.input.source), job.year, &salt);
+        let houses = std::mem::take(&mut input.houses);
+        let names: Vec<String> = houses.iter().map(|house| house.name.clone()).collect();
+        let mut found = Diagnostics::new();
+        let made = driver.houses(houses, &mut found)?;
+        let mut all: Vec<Option<CityHouse>> = made
+            .built()
+            .zip(names)
+            .zip(&input.row_of)
+            .map(|((built, name), row)| {
+                let known = attributes(&input.rows[*row as usize]);
+                built.map(|built| CityHouse::new(name, known, built))
+            })
+            .collect();
+        for (lod, detail) in levels {
+            let level = driver.level(&made, *detail, &mut found);
+            let places = places(&level.scene);
+            for (house, nodes) in all.iter_mut().zip(&level.houses) {
+                if let Some(house) = house {
+                    house.level(lod, &level.scene, nodes.clone(), &places);
+                }
+            }
+        }
+        ledger.add(input.chunk);
+        ledger.report.corrected.extend(problems(&found));
+        out.append(found);
+        all.into_iter().flatten().try_for_each(&mut *take)?;
+    }
+    Ok(ledger.finish(job.plan, out))
+}
+
+/// Returns what is known of a feature; what is not known is left out.
+fn attributes(row: &FeatureRow) -> Map<String, Value> {
+    let texts = [
+        ("key", &row.key),
+        ("layer", &row.layer),
+        ("type", &row.kind),
+        ("year", &row.year),
+        ("evidence", &row.evidence),
+        ("parameters", &row.parameters),
+    ];
+    let texts = texts.into_iter().filter(|(_, text)| !text.is_empty());
+    let mut all: Map<String, Value> = texts
+        .map(|(name, text)| (name.to_owned(), Value::from(text.as_str())))
+        .collect();
+    all.insert("rule".into(), row.rule.into());
+    all.insert("line".into(), row.line.into());
+    all
+}
