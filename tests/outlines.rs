@@ -171,7 +171,9 @@ fn what_does_not_slant_is_squared_and_joined_and_says_how_far() {
     assert_eq!(codes(&run), [422], "{said}");
     assert!(said.contains("corners moving by up to"), "{said}");
     let walls = &first(&run).storeys[0].rings[0].walls;
-    let slanting = walls.iter().filter(|w| w.direction.abs().max_element() < 1.0);
+    let slanting = walls
+        .iter()
+        .filter(|w| w.direction.abs().max_element() < 1.0);
     assert_eq!((walls.len(), slanting.count()), (8, 3), "{said}");
     let run = house(&format!("points='{wing}' square='no'>"), "");
     assert_eq!(ground(&run, 0).len(), 10, "{}", run.short());

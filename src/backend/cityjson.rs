@@ -197,7 +197,7 @@ impl CityHouse {
                 continue;
             }
             let kind = surface(scene, number);
-            for primitive in flat::primitives(scene, node) {
+            for primitive in flat::primitives(scene.whole(), node) {
                 let at = |i: &u32| place.point(flat::point(primitive.positions[*i as usize]));
                 for corners in primitive.indices.chunks_exact(3) {
                     let corners: Vec<DVec3> = corners.iter().map(at).collect();
@@ -245,7 +245,7 @@ impl CityHouse {
 fn lowest(scene: &Scene, nodes: Range<usize>, places: &[Placement]) -> f64 {
     let mut least = f64::INFINITY;
     for number in nodes.filter(|n| places[*n].sound) {
-        for primitive in flat::primitives(scene, &scene.nodes[number]) {
+        for primitive in flat::primitives(scene.whole(), &scene.nodes[number]) {
             let heights = primitive.positions.iter();
             let heights = heights.map(|p| places[number].point(flat::point(*p)).z);
             least = heights.fold(least, f64::min);

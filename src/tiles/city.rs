@@ -63,7 +63,7 @@ pub fn houses(
             .collect();
         for (lod, detail) in levels {
             let level = driver.level(&made, *detail, &mut found);
-            let places = places(&level.scene);
+            let places = places(level.scene.whole());
             for (house, nodes) in all.iter_mut().zip(&level.houses) {
                 if let Some(house) = house {
                     house.level(lod, &level.scene, nodes.clone(), &places);

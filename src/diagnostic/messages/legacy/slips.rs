@@ -30,7 +30,10 @@ impl SlippedTurn {
     fn edits(&self) -> Vec<Edit> {
         let turn = format!(" turn=\"{}\"", self.letter);
         let written = self.attribute.map(|at| Edit::new(at, turn));
-        written.into_iter().chain([Edit::new(self.span, "")]).collect()
+        written
+            .into_iter()
+            .chain([Edit::new(self.span, "")])
+            .collect()
     }
 }
 
