@@ -17,10 +17,6 @@ mod feature;
 mod flatgeobuf;
 mod format;
 mod geojson;
-#[cfg(feature = "geopackage")]
-mod geopackage;
-#[cfg(feature = "geoparquet")]
-mod geoparquet;
 mod input;
 mod moj;
 mod osm;
@@ -108,12 +104,12 @@ pub fn open(world: &dyn World, path: &str, options: &Options) -> Result<Box<dyn 
         #[cfg(feature = "geopackage")]
         Format::GeoPackage => {
             drop(input);
-            Box::new(geopackage::GeoPackage::open(world, &file, options)?)
+            Box::new(wkb::geopackage::GeoPackage::open(world, &file, options)?)
         }
         #[cfg(feature = "geoparquet")]
         Format::GeoParquet => {
             drop(input);
-            Box::new(geoparquet::GeoParquet::open(world, &file, options)?)
+            Box::new(wkb::geoparquet::GeoParquet::open(world, &file, options)?)
         }
         #[cfg(not(feature = "geopackage"))]
         Format::GeoPackage => {

@@ -1,9 +1,18 @@
 //! Well-known binary: geometries as GeoPackage and GeoParquet hold them. Points with heights and measures are read in the
 //! numbering of ISO (1001 = point with a height) and in that of PostGIS (bits of the type).
 
-use super::fault::Kind;
+#[cfg(feature = "geopackage")]
+pub(super) mod geopackage;
+#[cfg(feature = "geoparquet")]
+pub(super) mod geoparquet;
+
+use super::fault::{Fault, Kind};
 use super::feature::{Area, Chain, Geometry};
+use super::input::unreadable;
+use crate::source::World;
 use glam::{DVec2, dvec2};
+use std::io::Read;
+use std::sync::Arc;
 
 /// The nesting of geometries that is read; collections of collections are one deeper than any program writes.
 const DEEPEST: usize = 4;
@@ -12,6 +21,22 @@ const DEEPEST: usize = 4;
 const HEIGHT: u32 = 0x8000_0000;
 const MEASURE: u32 = 0x4000_0000;
 const SYSTEM: u32 = 0x2000_0000;
+
+/// The most bytes of a file that is not on the disk.
+const IN_MEMORY: u64 = 1 << 30;
+
+/// Reads a file that is not on the disk, for libraries that need the whole of it.
+fn in_memory(world: &dyn World, file: &Arc<str>) -> Result<Vec<u8>, Fault> {
+    let stream = world.open(file).map_err(|e| unreadable(file, &e))?;
+    let mut bytes = vec![];
+    let read = stream.take(IN_MEMORY + 1).read_to_end(&mut bytes);
+    let length = read.map_err(|e| unreadable(file, &e))?;
+    if length as u64 > IN_MEMORY {
+        let (what, limit) = ("bytes of the file", IN_MEMORY);
+        return Err(Fault::of_file(file, Kind::TooLarge { what, limit }));
+    }
+    Ok(bytes)
+}
 
 /// Returns the geometry of some bytes, of at most so many points.
 pub(super) fn geometry(bytes: &[u8], most: usize) -> Result<Geometry, Kind> {

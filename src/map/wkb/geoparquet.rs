@@ -3,10 +3,11 @@
 //!
 //! Columns are unpacked page by page.
 
-use super::fault::{Fault, Kind};
-use super::feature::{Feature, Layer, Place, Value};
-use super::input::unreadable;
-use super::{Crs, Options, Reader, wkb};
+use super::in_memory;
+use crate::map::fault::{Fault, Kind};
+use crate::map::feature::{Feature, Layer, Place, Value};
+use crate::map::input::unreadable;
+use crate::map::{Crs, Options, Reader, stem, wkb};
 use crate::source::World;
 use parquet::data_type::AsBytes;
 use parquet::file::reader::{ChunkReader, FileReader};
@@ -15,17 +16,13 @@ use parquet::record::Field;
 use parquet::record::reader::RowIter;
 use serde_json::Value as Json;
 use std::fs::File;
-use std::io::Read;
 use std::sync::Arc;
-
-/// The most bytes of a file that is not on the disk.
-const IN_MEMORY: u64 = 1 << 30;
 
 /// Days from the beginning of the era to 1970.
 const DAYS_BEFORE_1970: i64 = 719_468;
 
 /// A reader of GeoParquet.
-pub(super) struct GeoParquet {
+pub(in crate::map) struct GeoParquet {
     rows: RowIter<'static>,
     file: Arc<str>,
     layer: Layer,
@@ -42,7 +39,7 @@ impl GeoParquet {
     ///
     /// # Errors
     /// If it is no GeoParquet, or its geometries are written in another way than as well-known binary.
-    pub(super) fn open(
+    pub(in crate::map) fn open(
         world: &dyn World,
         file: &Arc<str>,
         options: &Options,
@@ -72,7 +69,7 @@ impl GeoParquet {
         }
         let mut reader = GeoParquet {
             layer: Layer {
-                name: super::stem(file).into(),
+                name: stem(file).into(),
                 crs: options.crs.clone(),
                 count: u64::try_from(metadata.num_rows()).ok(),
                 ..Layer::default()
@@ -154,19 +151,6 @@ impl GeoParquet {
 fn table(of: impl ChunkReader + 'static) -> Option<Box<dyn FileReader>> {
     let reader = SerializedFileReader::new(of).ok()?;
     Some(Box::new(reader))
-}
-
-/// Reads a file that is not on the disk.
-fn in_memory(world: &dyn World, file: &Arc<str>) -> Result<Vec<u8>, Fault> {
-    let stream = world.open(file).map_err(|e| unreadable(file, &e))?;
-    let mut bytes = vec![];
-    let read = stream.take(IN_MEMORY + 1).read_to_end(&mut bytes);
-    let length = read.map_err(|e| unreadable(file, &e))?;
-    if length as u64 > IN_MEMORY {
-        let (what, limit) = ("bytes of the file", IN_MEMORY);
-        return Err(Fault::of_file(file, Kind::TooLarge { what, limit }));
-    }
-    Ok(bytes)
 }
 
 /// Returns the value of a field; `None` for structures, such as the bounds that files carry for their readers, and bytes.

@@ -4,10 +4,10 @@
 //! SQLite is a library of its own that opens files itself, so this reader needs a file of the disk, or takes the whole of
 //! it into memory. Rows are read some hundred at a time. Only tables are read: a view could make the reader wait for ever.
 
-use super::fault::{Fault, Kind};
-use super::feature::{Feature, Geometry, Layer, Place, Value};
-use super::input::unreadable;
-use super::{Crs, Options, Reader, wkb};
+use super::in_memory;
+use crate::map::fault::{Fault, Kind};
+use crate::map::feature::{Feature, Geometry, Layer, Place, Value};
+use crate::map::{Crs, Limits, Options, Reader, wkb};
 use crate::source::World;
 use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 use rusqlite::limits::Limit;
@@ -15,15 +15,11 @@ use rusqlite::types::ValueRef;
 use rusqlite::{Connection, MAIN_DB, OpenFlags, OptionalExtension, params};
 use std::collections::VecDeque;
 use std::fs;
-use std::io::Read;
 use std::path::Path;
 use std::sync::Arc;
 
 /// Rows that are read at a time.
 const ROWS: usize = 256;
-
-/// The most bytes of a file that is not on the disk.
-const IN_MEMORY: u64 = 1 << 30;
 
 /// Bytes of the header of a geometry without its envelope.
 const HEADER: usize = 8;
@@ -32,7 +28,7 @@ const HEADER: usize = 8;
 const RESERVED: &AsciiSet = &CONTROLS.add(b'?').add(b'#').add(b'%').add(b'\\');
 
 /// A reader of GeoPackage.
-pub(super) struct GeoPackage {
+pub(in crate::map) struct GeoPackage {
     base: Connection,
     file: Arc<str>,
     layer: Layer,
@@ -45,7 +41,7 @@ pub(super) struct GeoPackage {
     /// The key of the last row.
     last: i64,
     number: u64,
-    limits: super::Limits,
+    limits: Limits,
     is_over: bool,
 }
 
@@ -54,7 +50,7 @@ impl GeoPackage {
     ///
     /// # Errors
     /// If it is no GeoPackage, or has no such layer.
-    pub(super) fn open(
+    pub(in crate::map) fn open(
         world: &dyn World,
         file: &Arc<str>,
         options: &Options,
@@ -69,7 +65,7 @@ impl GeoPackage {
         };
         let base = match world.on_disk(file) {
             Some(path) => on_disk(&path).map_err(damaged)?,
-            None => in_memory(world, file)?,
+            None => of_bytes(&in_memory(world, file)?).map_err(damaged)?,
         };
         harden(&base, options.limits.feature_bytes).map_err(damaged)?;
         let (table, column, system) = layer_of(&base, options.layer.as_deref())
@@ -230,23 +226,11 @@ fn on_disk(path: &Path) -> rusqlite::Result<Connection> {
     }
 }
 
-/// Reads a file that is not on the disk.
-fn in_memory(world: &dyn World, file: &Arc<str>) -> Result<Connection, Fault> {
-    let stream = world.open(file).map_err(|e| unreadable(file, &e))?;
-    let mut bytes = vec![];
-    let read = stream.take(IN_MEMORY + 1).read_to_end(&mut bytes);
-    let length = read.map_err(|e| unreadable(file, &e))?;
-    if length as u64 > IN_MEMORY {
-        let (what, limit) = ("bytes of the file", IN_MEMORY);
-        return Err(Fault::of_file(file, Kind::TooLarge { what, limit }));
-    }
-    let open = || {
-        let mut base = Connection::open_in_memory()?;
-        base.deserialize_read_exact(MAIN_DB, &bytes[..], length, true)?;
-        Ok(base)
-    };
-    let what = "a GeoPackage";
-    open().map_err(|_: rusqlite::Error| Fault::of_file(file, Kind::Damaged { what }))
+/// Opens the bytes of a file.
+fn of_bytes(bytes: &[u8]) -> rusqlite::Result<Connection> {
+    let mut base = Connection::open_in_memory()?;
+    base.deserialize_read_exact(MAIN_DB, bytes, bytes.len(), true)?;
+    Ok(base)
 }
 
 /// Trusts nothing in the file: it runs no functions, and no value is longer than a feature may be.
