@@ -16,10 +16,10 @@ use crate::material::SurfaceId;
 use crate::program::{Content, PictureId, Split, Unit};
 use crate::scene::{Kind, MeshId, NodeId};
 use crate::tessellate::part::bay::Layer;
-use crate::tessellate::part::wall_layer;
 use crate::tessellate::store::draft::MeshDraft;
 use crate::tessellate::store::look::{Look, Share};
 use crate::tessellate::store::{Key, PartKey, tenths};
+use crate::tessellate::wall::ceiling::Section;
 use crate::tessellate::wall::finish::{default_finish, finish_of};
 use crate::tessellate::wall::member::LintelRoom;
 use crate::tessellate::{Level, Walker, part, turn_of};
@@ -50,6 +50,8 @@ pub(super) struct PlacedUnit<'a> {
     pub(super) around: SurfaceId,
     /// Height at its right and left end, metres.
     pub(super) tops: (f64, f64),
+    /// The height that it would have without ceilings, metres.
+    own_top: f64,
 }
 
 impl PlacedUnit<'_> {
@@ -66,6 +68,17 @@ impl PlacedUnit<'_> {
     /// Returns the height of its horizontal top, metres.
     pub(super) fn top(&self) -> f64 {
         self.tops.0.min(self.tops.1)
+    }
+
+    /// Returns the sections of its top where they are not all level with it.
+    pub(super) fn sections(&self, level: Level<'_>, wall: &Wall) -> Vec<Section> {
+        if self.top() == self.own_top {
+            return vec![];
+        }
+        let unit = level.house.unit;
+        let at = |x: f64| wall.from + wall.direction * (x / unit);
+        let (from, to) = (at(self.offset), at(self.offset + self.width));
+        ceiling::sections(level, from, to, self.own_top)
     }
 }
 
@@ -97,6 +110,7 @@ impl<'a> Line<'a> {
                 stance,
                 face,
                 around: unset,
+                own_top: top,
                 tops: match level.ceilings.is_empty() {
                     true => (top, top),
                     false => ceiling::tops(level, at(offset), at(to), top),
@@ -291,29 +305,10 @@ impl Walker<'_> {
             within: 0,
         };
         self.unit(level, slot, placed.unit);
-        let (right, left) = placed.tops;
-        if placed.solid() && (right - left).abs() > 1e-3 {
-            let base = placed.top();
-            let layer = wall_layer(placed.stance);
-            let bodies = ceiling::wedge(
-                placed.around,
-                layer,
-                placed.width,
-                base,
-                left - base,
-                right - base,
-            );
-            let mesh = self.store.finish("wedge".into(), bodies, Share::default());
-            let mesh = self.store.push(mesh);
-            let at = dvec3(slot.x, 0.0, 0.0);
-            let node = self.node(
-                Some(facade),
-                Kind::Member,
-                format_compact!("wedge {number}"),
-                at,
-            );
-            node.mesh = Some(mesh);
-            node.storey = Some(level.storey.number);
+        if placed.solid() {
+            for (n, section) in placed.sections(level, line.wall).into_iter().enumerate() {
+                self.above(level, facade, placed, section, (number, n));
+            }
         }
     }
 

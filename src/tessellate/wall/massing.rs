@@ -70,6 +70,7 @@ impl Walker<'_> {
             along = from - line.length - last;
             self.air = self.air_before(level, line.wall);
             let mut stretches = self.stretches(level, line);
+            let above = self.stretches_above(level, line);
             self.air = None;
             if let Some(stretch) = stretches.first_mut().filter(|s| s.from < 1e-6) {
                 stretch.from -= first;
@@ -83,7 +84,7 @@ impl Walker<'_> {
                 let flat = turn.rotate(dvec2(x, -face));
                 at + flat.extend(z)
             };
-            for stretch in stretches {
+            for stretch in stretches.into_iter().chain(above) {
                 draw(&stretch, from, place, soups);
             }
         }
@@ -129,6 +130,41 @@ impl Walker<'_> {
             }
         }
         stretches
+    }
+
+    /// Returns what stands on units that a ceiling covers with a part of their width.
+    fn stretches_above(&mut self, level: Level<'_>, line: &Line<'_>) -> Vec<Stretch> {
+        let mut found = vec![];
+        for placed in line.units.iter().filter(|s| s.solid()) {
+            let sections = placed.sections(level, line.wall);
+            if sections.len() < 2 {
+                continue;
+            }
+            let (base, unit) = (placed.top(), level.house.unit);
+            for section in sections {
+                let (right, left) = section.tops;
+                if right.max(left) - base < 1e-3 {
+                    continue;
+                }
+                let z = (base, right.min(left));
+                let look = self
+                    .store
+                    .surface_at(placed.around, f64::midpoint(z.0, z.1));
+                let [from, to] = [section.from, section.to].map(|u| placed.offset + u * unit);
+                found.push(Stretch {
+                    from,
+                    to,
+                    face: placed.face,
+                    tops: section.tops,
+                    bands: vec![Band {
+                        z,
+                        look,
+                        picture: false,
+                    }],
+                });
+            }
+        }
+        found
     }
 
     /// Returns the stripes of a unit from its foot to its top; the first unit of a half stands for all of it.
@@ -234,13 +270,13 @@ fn draw(
             true => (stretch.tops.1, stretch.tops.0),
             false => (z1, z1),
         };
-        let corners = [
-            (left, z0),
-            (right, z0),
-            (right, high_right),
-            (left, high_left),
-        ];
-        let points = corners.map(|(x, z)| place(x, stretch.face, z));
+        let mut corners = vec![(left, z0), (right, z0)];
+        let high = [(right, high_right), (left, high_left)];
+        corners.extend(high.into_iter().filter(|(_, z)| z - z0 > 1e-6));
+        let points: Vec<DVec3> = corners
+            .iter()
+            .map(|(x, z)| place(*x, stretch.face, *z))
+            .collect();
         let soup = &mut soups[at].1;
         let first = soup.positions.len();
         soup.face(&points, false);
