@@ -173,3 +173,17 @@ fn a_sequence_has_a_line_for_each_house() {
     }
     assert_eq!(ids.len(), 4);
 }
+
+#[test]
+fn a_missing_folder_is_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    write_map(folder.path());
+    let place = r#"<Place type="house" storeys="2"/>"#;
+    fs::write(folder.path().join("t.hsd"), town(place)).expect("is written");
+    let run = hsd(folder.path(), &["town", "t.hsd", "-o", "none/t.city.json"]);
+    let told = said(&run);
+    assert!(
+        !run.status.success() && told.contains("no such folder: none"),
+        "{told}"
+    );
+}

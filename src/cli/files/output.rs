@@ -291,6 +291,23 @@ pub(in crate::cli) fn folder_of(path: &Path) -> &Path {
     }
 }
 
+/// Fails if there is no such folder.
+fn there(folder: &Path) -> io::Result<()> {
+    if folder.is_dir() {
+        return Ok(());
+    }
+    let shown = folder.display();
+    let why = text!([shown] "no such folder: {shown}", "フォルダー {shown} がありません");
+    Err(reason::error(io::ErrorKind::NotFound, why))
+}
+
+/// Creates a temporary file in a folder, which must be there.
+pub(in crate::cli) fn temporary_in(folder: &Path) -> io::Result<Temporary> {
+    there(folder)?;
+    // Drops the temporary path from the error message.
+    Temporary::new_in(folder).map_err(|e| io::Error::from(e.kind()))
+}
+
 /// Writes a temporary file in the folder of the target; returns the number of bytes, the file and the target with
 /// links resolved. Devices and pipes are written directly.
 fn prepare(target: &Path, content: Content<'_>) -> io::Result<(u64, Option<(Temporary, PathBuf)>)> {
@@ -317,17 +334,12 @@ fn prepare(target: &Path, content: Content<'_>) -> io::Result<(u64, Option<(Temp
     } else {
         folder
     };
-    if !asked.is_dir() {
-        let shown = asked.display();
-        let why = text!([shown] "no such folder: {shown}", "フォルダー {shown} がありません");
-        return Err(reason::error(io::ErrorKind::NotFound, why));
-    }
+    there(asked)?;
     // Other folders are not created, so that a misspelt path fails.
     if of_textures {
         fs::create_dir(folder)?;
     }
-    // Drops the temporary path from the error message.
-    let mut file = Temporary::new_in(folder).map_err(|e| io::Error::from(e.kind()))?;
+    let mut file = temporary_in(folder)?;
     let length = content.write_file(file.as_file_mut())?;
     // Keeps the permissions of an existing file.
     if let Some(rights) = rights {

@@ -3,7 +3,7 @@
 use crate::backend::cityjson::CityHouse;
 use crate::cli::Failure;
 use crate::cli::build::tiled::{FEATURE, tables, year};
-use crate::cli::files::temporary::Temporary;
+use crate::cli::files::output::{folder_of, temporary_in};
 use crate::cli::files::terminal::{HOUSE, bytes, counted};
 use crate::diagnostic::{Diagnostics, Language, Text};
 use crate::driver;
@@ -59,8 +59,7 @@ pub(super) fn build(
         division: &plan.town.tiles,
         threads: rayon::current_num_threads(),
     };
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
-    let mut file = Temporary::new_in(folder.unwrap_or(Path::new("."))).map_err(failed)?;
+    let mut file = temporary_in(folder_of(path)).map_err(failed)?;
     let head = city::city(plan);
     let mut written = BufWriter::new(file.as_file_mut());
     let (mut houses, mut kept) = (0, vec![]);
