@@ -268,7 +268,9 @@ mod tests {
             ("土塀 築地 dobei どべい", "buke-bei"),
             ("塀 hei へい", "hei-tsuki buke-bei taka-bei"),
             ("板塀 itabei", "taka-bei"),
-            ("寺 寺院 tera お寺 temple", "hondo pagoda"),
+            ("寺 寺院 tera お寺", "hondo temple pagoda"),
+            ("寺院建築 temple", "temple"),
+            ("学校 gakko school", "school"),
             ("神社 jinja じんじゃ shrine", "shrine"),
             ("五重塔 塔 gojunoto gojūnotō pagoda", "pagoda"),
             ("門 mon もん", "buke-nagaya buke-bei taka-bei suzakumon"),
@@ -327,7 +329,7 @@ mod tests {
                 "{word}"
             );
         }
-        for word in ["駅", "学校", "school", "橋", "igloo", "茅葺", "銭湯"] {
+        for word in ["駅", "station", "橋", "igloo", "茅葺", "銭湯"] {
             assert!(Template::found(word).is_empty(), "{word}");
             assert!(Template::nearest(word).is_empty(), "{word}");
         }
