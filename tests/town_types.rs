@@ -140,3 +140,66 @@ fn messages_of_init_name_file_and_feature_once() {
         );
     }
 }
+
+/// Candidates of one plot (002-27): the first is what the town builds, all are drawn, each with its line.
+#[test]
+fn candidates_of_a_plot_are_drawn_side_by_side() {
+    let folder = tempfile::tempdir().expect("a folder");
+    write_map(folder.path());
+    let place = r#"<random><choice weight="1"><Place type="so-nikai"/></choice>
+        <choice weight="1"><Place type="house" storeys="{1 + floor(draw(3))}"/></choice></random>"#;
+    fs::write(folder.path().join("t.hsd"), town(place)).expect("is written");
+    let draw = |key: &str, name: &str| {
+        let words = [
+            "town",
+            "candidates",
+            "t.hsd",
+            "--key",
+            key,
+            "--detail",
+            "0",
+            "-o",
+            name,
+        ];
+        hsd(folder.path(), &words)
+    };
+    let run = draw("h2", "sheet.png");
+    assert!(run.status.success(), "{}", said(&run));
+    let lines = String::from_utf8(run.stdout).expect("UTF-8");
+    let lines: Vec<Vec<&str>> = lines.lines().map(|l| l.split('\t').collect()).collect();
+    let seeds: Vec<&str> = lines.iter().map(|l| l[0]).collect();
+    assert_eq!(seeds, ["4", "5", "6", "7", "8", "9", "10", "11", "12"]);
+    let kinds: std::collections::BTreeSet<&str> = lines.iter().map(|l| l[1]).collect();
+    assert_eq!(kinds.into_iter().collect::<Vec<_>>(), ["house", "so-nikai"]);
+    let built = hsd(
+        folder.path(),
+        &["town", "t.hsd", "--detail", "0", "-o", "t.glb"],
+    );
+    assert!(built.status.success(), "{}", said(&built));
+    let table = fs::read_to_string(folder.path().join("t.decisions.csv")).expect("is there");
+    let own = table
+        .lines()
+        .find(|l| l.starts_with("h2,"))
+        .expect("a line");
+    assert_eq!(own.split(',').nth(3), Some(lines[0][1]));
+    let sheet = image::open(folder.path().join("sheet.png"))
+        .expect("an image")
+        .into_rgb8();
+    // Nine images in three rows, and something else than paper and sky in each.
+    let (width, height) = (sheet.width() / 3, sheet.height() / 3);
+    for cell in 0..9 {
+        let (x, y) = (cell % 3 * width, cell / 3 * height);
+        let own = image::imageops::crop_imm(&sheet, x + 20, y + 40, width - 40, height - 60);
+        let own = own.to_image();
+        let colours: std::collections::BTreeSet<[u8; 3]> = own.pixels().map(|p| p.0).collect();
+        assert!(
+            colours.len() > 20,
+            "image {cell}: {} colours",
+            colours.len()
+        );
+    }
+    let none = draw("h9", "sheet.png");
+    assert!(said(&none).contains(
+        "no rule of the town takes a feature with the key `h9`; keys are such as h0, h1, h2"
+    ));
+}

@@ -14,9 +14,8 @@ const PAPER: image::Rgb<u8> = image::Rgb([0xf6, 0xf3, 0xec]);
 /// Image widths in pixels by the minimum number of images.
 const WIDTHS: [(usize, u32); 4] = [(0, 360), (25, 240), (101, 160), (401, 96)];
 
-/// Draws the contact sheet of a scene; `houses` are its houses in order.
-pub fn sheet(scene: &Scene, houses: &[Built]) -> RgbImage {
-    let cells = cells(scene, houses);
+/// Draws a contact sheet of some houses of a scene.
+pub fn sheet(scene: &Scene, cells: &[Cell]) -> RgbImage {
     let wide = WIDTHS.iter().rev().find(|(from, _)| cells.len() >= *from);
     let width = wide.map_or(WIDTHS[0].1, |(_, width)| *width);
     let height = width * 3 / 4;
@@ -28,7 +27,7 @@ pub fn sheet(scene: &Scene, houses: &[Built]) -> RgbImage {
         PAPER,
     );
     let one = |cell: &Cell| picture(scene, &cell.nodes, (width, height));
-    let pictures = on_all_processors(&cells, one);
+    let pictures = on_all_processors(cells, one);
     for (index, (cell, mut picture)) in (0..).zip(cells.iter().zip(pictures)) {
         let dot = (width / 120).max(1);
         digits::write(cell.seed, &mut picture, (3 * dot, 3 * dot), dot);
@@ -39,13 +38,17 @@ pub fn sheet(scene: &Scene, houses: &[Built]) -> RgbImage {
     sheet
 }
 
-/// The houses of one variant.
-struct Cell {
-    seed: u64,
-    nodes: Vec<NodeId>,
+/// The houses of one image.
+#[derive(Debug)]
+pub struct Cell {
+    /// The seed that is written in it.
+    pub seed: u64,
+    /// Their nodes.
+    pub nodes: Vec<NodeId>,
 }
 
-fn cells(scene: &Scene, houses: &[Built]) -> Vec<Cell> {
+/// Returns an image for each variant; `houses` are those of the scene in order.
+pub fn variants(scene: &Scene, houses: &[Built]) -> Vec<Cell> {
     let roots = scene
         .nodes
         .iter()

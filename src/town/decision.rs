@@ -65,6 +65,13 @@ pub struct Record {
 pub const HEAD: &str = "key,layer,rule,type,x,y,facing,front_x1,front_y1,front_x2,front_y2,width,depth,access,corner,iou,iou_full,what,why,parameters,measures\n";
 
 impl Record {
+    /// Returns the parameters of the house as `name=value`.
+    pub fn parameters(&self) -> String {
+        let named = self.parameters.iter();
+        let named = named.map(|(name, value)| format!("{name}={}", short(value)));
+        named.collect::<Vec<String>>().join(" ")
+    }
+
     /// Begins the record of a feature.
     pub fn new(id: LotId, layer: &Arc<str>, lot: &Lot, site: &LotSite<'_>) -> Record {
         let at = lot.shape.centre();
@@ -127,11 +134,6 @@ impl Record {
         };
         let front = |f: fn(Segment) -> f64| of(&|d| Some(f(d.front)));
         let (what, why) = self.what();
-        let parameters: Vec<String> = self
-            .parameters
-            .iter()
-            .map(|(name, value)| format!("{name}={}", short(value)))
-            .collect();
         let cells = [
             self.key.to_string(),
             self.layer.to_string(),
@@ -152,7 +154,7 @@ impl Record {
             of(&|d| d.iou_full),
             what.to_owned(),
             why,
-            parameters.join(" "),
+            self.parameters(),
             self.measures.trim_end().to_owned(),
         ];
         let cells: Vec<String> = cells.iter().map(|cell| quoted(cell)).collect();

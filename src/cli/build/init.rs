@@ -1,6 +1,7 @@
 //! `hsd town init`: writes a first town from maps.
 
 use super::town::Town;
+use super::town::candidates::Candidates;
 use crate::cli::files::output::{self, Files};
 use crate::cli::files::terminal::counted;
 use crate::cli::options::report;
@@ -26,6 +27,7 @@ pub(in crate::cli) enum TownCommand {
 #[derive(Debug, Subcommand)]
 pub(in crate::cli) enum Step {
     Init(Init),
+    Candidates(Box<Candidates>),
 }
 
 impl TownCommand {
@@ -33,6 +35,7 @@ impl TownCommand {
         match self {
             TownCommand::Build(build) => build.run(language),
             TownCommand::Step(Step::Init(init)) => init.run(language),
+            TownCommand::Step(Step::Candidates(candidates)) => candidates.run(language),
         }
     }
 }

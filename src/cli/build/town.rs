@@ -1,5 +1,6 @@
 //! `hsd town`: builds a town from its maps.
 
+pub(super) mod candidates;
 mod city;
 
 use super::tiled::{FEATURE, Wish, tables};
@@ -59,53 +60,79 @@ pub(in crate::cli) struct Town {
     quiet: bool,
 }
 
+/// Reads a town and its maps and hands them to `then`; prints what is wrong with one that cannot be read.
+fn planned(
+    args: &InputArgs,
+    detail: Detail,
+    language: Language,
+    then: impl FnOnce(TownInput<'_>, driver::Read, &Plan, Diagnostics) -> Outcome,
+) -> Outcome {
+    args.check_folders()?;
+    let [input] = &args.inputs[..] else {
+        return Err(Failure::Usage(text!(
+            "`hsd town` builds one town at a time",
+            "`hsd town` が一度に作る町は一つです"
+        )));
+    };
+    let mut out = Diagnostics::new();
+    let limits = args.limits();
+    let inputs = Inputs::read(std::slice::from_ref(input), limits.bytes, &mut out)?;
+    let options = driver::Options {
+        detail,
+        ..args.options(&inputs, &mut out)?
+    };
+    let world = args.world(&args.inputs);
+    let accepted = inputs.accepted();
+    let mut read = driver::documents(&accepted, &world, &options, &mut out);
+    let town = read.documents.iter_mut().find_map(|d| d.town.take());
+    let (Some(town), [source]) = (town, &accepted[..]) else {
+        if !out.has_errors() {
+            return Err(Failure::Usage(text!(
+                "this is no town: `hsd build` builds houses",
+                "町のファイルではありません。建物は `hsd build` で作ります"
+            )));
+        }
+        print(&inputs.and(read.included), out, language)?;
+        return Ok(Exit::Errors);
+    };
+    let input = TownInput {
+        source,
+        world: &world,
+        options: &options,
+    };
+    match run::plan(input, &town, &mut out) {
+        Some(plan) if !out.has_errors() => then(input, read, &plan, out),
+        _ => {
+            print(&inputs.and(read.included), out, language)?;
+            Ok(Exit::Errors)
+        }
+    }
+}
+
+fn print(sources: &[Source], out: Diagnostics, language: Language) -> Result<(), Failure> {
+    let list = out.into_sorted();
+    if list.is_empty() {
+        return Ok(());
+    }
+    let written = Report::new(sources, &list).in_language(language);
+    report(&written, Format::Human, &mut io::stderr())
+}
+
 impl Town {
     pub(in crate::cli) fn run(&self, language: Language) -> Outcome {
-        self.input_args.check_folders()?;
-        let [input] = &self.input_args.inputs[..] else {
-            return Err(Failure::Usage(text!(
-                "`hsd town` builds one town at a time",
-                "`hsd town` が一度に作る町は一つです"
-            )));
-        };
-        let mut out = Diagnostics::new();
-        let limits = self.input_args.limits();
-        let inputs = Inputs::read(std::slice::from_ref(input), limits.bytes, &mut out)?;
-        let options = driver::Options {
-            detail: Detail::ALL[usize::from(self.detail.iter().copied().max().unwrap_or(3))],
-            ..self.input_args.options(&inputs, &mut out)?
-        };
-        let world = self.input_args.world(&self.input_args.inputs);
-        let accepted = inputs.accepted();
-        let mut read = driver::documents(&accepted, &world, &options, &mut out);
-        let town = read.documents.iter_mut().find_map(|d| d.town.take());
-        let (Some(town), [source]) = (town, &accepted[..]) else {
-            if !out.has_errors() {
-                return Err(Failure::Usage(text!(
-                    "this is no town: `hsd build` builds houses",
-                    "町のファイルではありません。建物は `hsd build` で作ります"
-                )));
-            }
-            self.print(&inputs.and(read.included), out, language)?;
-            return Ok(Exit::Errors);
-        };
-        let input = TownInput {
-            source,
-            world: &world,
-            options: &options,
-        };
-        let plan = match run::plan(input, &town, &mut out) {
-            Some(plan) if !out.has_errors() => plan,
-            _ => {
-                self.print(&inputs.and(read.included), out, language)?;
-                return Ok(Exit::Errors);
-            }
-        };
-        match CityForm::of(&self.output).filter(|_| !self.is_folder()) {
-            Some(form) => self.city(form, input, (read, &plan), out, language),
-            None if self.is_model()? => self.build(input, read, &plan, out, language),
-            None => self.tiles(input, read, &plan, out, language),
-        }
+        let detail = self.detail.iter().copied().max().unwrap_or(3);
+        let detail = Detail::ALL[usize::from(detail)];
+        planned(
+            &self.input_args,
+            detail,
+            language,
+            |input, read, plan, out| match CityForm::of(&self.output).filter(|_| !self.is_folder())
+            {
+                Some(form) => self.city(form, input, (read, plan), out, language),
+                None if self.is_model()? => self.build(input, read, plan, out, language),
+                None => self.tiles(input, read, plan, out, language),
+            },
+        )
     }
 
     /// Builds a town as CityJSON.
@@ -123,7 +150,7 @@ impl Town {
         let spoiled = out.has_errors();
         let mut sources = vec![input.source.clone()];
         sources.extend(included);
-        self.print(&sources, out, language)?;
+        print(&sources, out, language)?;
         Ok(exit(incomplete || spoiled))
     }
 
@@ -146,7 +173,7 @@ impl Town {
         let spoiled = out.has_errors();
         let mut sources = vec![input.source.clone()];
         sources.extend(included);
-        self.print(&sources, out, language)?;
+        print(&sources, out, language)?;
         Ok(exit(incomplete || spoiled))
     }
 
@@ -180,7 +207,7 @@ impl Town {
         let spoiled = out.has_errors();
         let mut sources = vec![input.source.clone()];
         sources.extend(included);
-        self.print(&sources, out, language)?;
+        print(&sources, out, language)?;
         if spoiled {
             return Ok(Exit::Errors);
         }
@@ -236,19 +263,5 @@ impl Town {
             }
             _ => Ok(false),
         }
-    }
-
-    fn print(
-        &self,
-        sources: &[Source],
-        out: Diagnostics,
-        language: Language,
-    ) -> Result<(), Failure> {
-        let list = out.into_sorted();
-        if list.is_empty() {
-            return Ok(());
-        }
-        let written = Report::new(sources, &list).in_language(language);
-        report(&written, Format::Human, &mut io::stderr())
     }
 }

@@ -12,7 +12,7 @@ use crate::render::sheet;
 use crate::report::{Format, Report};
 use crate::text;
 use crate::texture;
-use image::DynamicImage;
+use image::{DynamicImage, RgbImage};
 use std::io::{self, Write};
 use std::num::NonZeroU32;
 use std::path::Path;
@@ -108,17 +108,31 @@ impl Build {
         if spoiled {
             return Ok(exit(true));
         }
-        let drawn = sheet::sheet(&made.scene, &made.building.houses);
-        let bytes = match format_of(path) {
-            Some(SheetFormat::Png) => texture::png(DynamicImage::ImageRgb8(drawn), true),
-            _ => texture::jpeg(&drawn, QUALITY),
-        };
-        output::write(path, Files::bytes(bytes))?;
-        if !self.quiet {
-            let shown = path.display();
-            let message = text!([shown] "wrote {shown}", "{shown} を書きました");
-            writeln!(io::stderr(), "{}", message.in_language(language))?;
-        }
+        let drawn = sheet::sheet(
+            &made.scene,
+            &sheet::variants(&made.scene, &made.building.houses),
+        );
+        write_sheet(path, drawn, self.quiet, language)?;
         Ok(Exit::Done)
     }
+}
+
+/// Writes a contact sheet in the format of its extension.
+pub(super) fn write_sheet(
+    path: &Path,
+    drawn: RgbImage,
+    quiet: bool,
+    language: Language,
+) -> Result<(), Failure> {
+    let bytes = match format_of(path) {
+        Some(SheetFormat::Png) => texture::png(DynamicImage::ImageRgb8(drawn), true),
+        _ => texture::jpeg(&drawn, QUALITY),
+    };
+    output::write(path, Files::bytes(bytes))?;
+    if !quiet {
+        let shown = path.display();
+        let message = text!([shown] "wrote {shown}", "{shown} を書きました");
+        writeln!(io::stderr(), "{}", message.in_language(language))?;
+    }
+    Ok(())
 }

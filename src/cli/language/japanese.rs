@@ -11,6 +11,7 @@ pub(in crate::cli) use errors::error_message;
 use crate::cli::files::terminal;
 use clap::builder::PossibleValue;
 use clap::{Arg, Command};
+use help::town::TOWN;
 use help::{COMMANDS, COMMON, CommandHelp};
 
 /// The width of help texts in columns.
@@ -32,7 +33,7 @@ fn translated(mut command: Command, path: &str) -> Command {
         .zip(["[オプション]", "[コマンド]", "<コマンド>"])
         .fold(usage.to_owned(), |text, (en, ja)| text.replace(en, ja));
     // The subcommands of `hsd help` have the entries of the commands they describe.
-    let entry = COMMANDS.iter().find(|w| w.path == path);
+    let entry = COMMANDS.iter().chain(TOWN).find(|w| w.path == path);
     let below = |name: &str| match path {
         "" | "help" => name.to_owned(),
         _ => format!("{path} {name}"),
@@ -204,7 +205,7 @@ mod tests {
     fn every_entry_of_the_table_has_a_command() {
         let mut english = Cli::command();
         english.build();
-        for entry in COMMANDS {
+        for entry in COMMANDS.iter().chain(TOWN) {
             let mut command = &english;
             for name in entry.path.split_whitespace() {
                 let found = command.find_subcommand(name);

@@ -1,6 +1,8 @@
 //! The Japanese help texts. The English ones are doc comments of the options; tests check that both have the same
 //! entries.
 
+pub(super) mod town;
+
 /// The help of a command.
 pub(super) struct CommandHelp {
     /// The subcommand path after `hsd`; empty for the program itself.
@@ -425,48 +427,6 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
             ("png", "可逆圧縮"),
             ("jpg", "非可逆圧縮、大きさは数分の一"),
         ],
-    },
-    CommandHelp {
-        path: "town",
-        about: "町のファイルに書いた地図のレイヤーから町を作る",
-        more: "OUT は 3D Tiles を書くフォルダー(根は `tileset.json`)、一つのモデル (.glb)、LoD 1〜3 の CityJSON 2.0 (.city.json、または建物ごとに一行の .city.jsonl。`--detail 0` なら LoD 3 なし) のどれかです。フォルダーの中、またはモデルの横に、地物ごとに一行の `decisions.csv` と `report.json` を書きます。\
-               前からあって同じになるタイルはそのまま使うので、中断した実行は続きから進みます。省くと書いていない地物に建物が無ければ、終了コードは 1 です。",
-        examples: "\
-例:
-  hsd town kyoto.hsd -o kyoto/       kyoto/tileset.json とタイル、kyoto/decisions.csv、kyoto/report.json を書く
-  hsd town kyoto.hsd -o kyoto.glb --param year=1928
-  hsd town kyoto.hsd -o kyoto.city.jsonl --detail 0    GIS 用に、壁と屋根を建物ごとに一行で書く",
-        arguments: &[
-            (
-                "output",
-                "タイルをこのフォルダーに、または一つのモデルをこのファイルに書く",
-                "",
-            ),
-            (
-                "detail",
-                "タイルの詳細度をコンマで区切って、またはモデルの詳細度を指定する。0 は壁と屋根、1 は部材ごとにテクスチャー、\
-                 2 は開口と太い桟を立体に、3 はすべてを立体に [既定値: `Tiles` のもの、なければ 0,1,3。モデルは 3]",
-                "",
-            ),
-            ("stats", "タイルの三角形、バイト数、描画メモリーの見積もりを表示する", ""),
-            ("quiet", "指摘だけを表示する", ""),
-        ],
-        values: &[],
-    },
-    CommandHelp {
-        path: "town init",
-        about: "地図から最初の町のファイルを書く。書き換えて使う",
-        more: "地図の層が何か（建物、筆、道、地点）を形と属性から見分け、属性の意味（階数、高さ、種別）を推定します。地図は TOWN のフォルダーか、その下に置きます。",
-        examples: "\
-例:
-  hsd town init buildings.geojson roads.geojson -o kyoto.hsd
-  hsd town kyoto.hsd -o kyoto.glb",
-        arguments: &[
-            ("maps", "地図: GeoJSON、シェープファイル、FlatGeobuf、OpenStreetMap、登記所備付地図の XML、CityGML、地点の CSV", ""),
-            ("output", "町をこのファイルに書く", ""),
-            ("force", "すでにあるファイルを置き換える", ""),
-        ],
-        values: &[],
     },
     CommandHelp {
         path: "lsp",

@@ -1,0 +1,65 @@
+//! The help of `hsd town` and its steps.
+
+use super::CommandHelp;
+
+/// The help of these commands.
+pub(in crate::cli::language::japanese) static TOWN: &[CommandHelp] = &[
+    CommandHelp {
+        path: "town",
+        about: "町のファイルに書いた地図のレイヤーから町を作る",
+        more: "OUT は 3D Tiles を書くフォルダー(根は `tileset.json`)、一つのモデル (.glb)、LoD 1〜3 の CityJSON 2.0 (.city.json、または建物ごとに一行の .city.jsonl。`--detail 0` なら LoD 3 なし) のどれかです。フォルダーの中、またはモデルの横に、地物ごとに一行の `decisions.csv` と `report.json` を書きます。\
+               前からあって同じになるタイルはそのまま使うので、中断した実行は続きから進みます。省くと書いていない地物に建物が無ければ、終了コードは 1 です。",
+        examples: "\
+例:
+  hsd town kyoto.hsd -o kyoto/       kyoto/tileset.json とタイル、kyoto/decisions.csv、kyoto/report.json を書く
+  hsd town kyoto.hsd -o kyoto.glb --param year=1928
+  hsd town kyoto.hsd -o kyoto.city.jsonl --detail 0    GIS 用に、壁と屋根を建物ごとに一行で書く",
+        arguments: &[
+            (
+                "output",
+                "タイルをこのフォルダーに、または一つのモデルをこのファイルに書く",
+                "",
+            ),
+            (
+                "detail",
+                "タイルの詳細度をコンマで区切って、またはモデルの詳細度を指定する。0 は壁と屋根、1 は部材ごとにテクスチャー、\
+                 2 は開口と太い桟を立体に、3 はすべてを立体に [既定値: `Tiles` のもの、なければ 0,1,3。モデルは 3]",
+                "",
+            ),
+            ("stats", "タイルの三角形、バイト数、描画メモリーの見積もりを表示する", ""),
+            ("quiet", "指摘だけを表示する", ""),
+        ],
+        values: &[],
+    },
+    CommandHelp {
+        path: "town init",
+        about: "地図から最初の町のファイルを書く。書き換えて使う",
+        more: "地図の層が何か（建物、筆、道、地点）を形と属性から見分け、属性の意味（階数、高さ、種別）を推定します。地図は TOWN のフォルダーか、その下に置きます。",
+        examples: "\
+例:
+  hsd town init buildings.geojson roads.geojson -o kyoto.hsd
+  hsd town kyoto.hsd -o kyoto.glb",
+        arguments: &[
+            ("maps", "地図: GeoJSON、シェープファイル、FlatGeobuf、OpenStreetMap、登記所備付地図の XML、CityGML、地点の CSV", ""),
+            ("output", "町をこのファイルに書く", ""),
+            ("force", "すでにあるファイルを置き換える", ""),
+        ],
+        values: &[],
+    },
+    CommandHelp {
+        path: "town candidates",
+        about: "一つの敷地に町が建てうるものを並べて描く。それぞれに乱数の種を書く",
+        more: "割合で選ぶ型や、引いて決まるパラメーターが、種ごとに変わります。ファイルに書いてある値は変わりません。最初の候補は、町が実際に建てるものです。標準出力の各行に、種、型、パラメーターを書きます。いちばん近いものを、`test=\"{key = 'K'}\"` の規則に書いてください。",
+        examples: "\
+例:
+  hsd town candidates kyoto.hsd --key 417 -o sheet.png",
+        arguments: &[
+            ("key", "敷地: `decisions.csv` にある地物のキー", ""),
+            ("layer", "同じキーの地物が複数のレイヤーにあるときの、レイヤー", ""),
+            ("variants", "描く数", ""),
+            ("output", "画像をこのファイルに書く (.png か .jpg)", ""),
+            ("quiet", "指摘だけを表示する", ""),
+        ],
+        values: &[],
+    },
+];
