@@ -20,7 +20,6 @@ mod geojson;
 mod input;
 mod moj;
 mod osm;
-mod report;
 mod rings;
 mod shapefile;
 #[cfg(any(feature = "geopackage", feature = "geoparquet"))]
@@ -28,12 +27,10 @@ mod wkb;
 mod xml;
 
 pub use crs::{Crs, Datum, Datums, Mismatch, Outside, Projection, Transform, on_globe};
-pub use fault::{Fault, Kind, Which};
+pub use fault::{Fault, Faults, Kind, Which, diagnostic};
 pub use feature::{
     Area, Chain, Column, ColumnType, Columns, Feature, Geometry, Layer, Place, Value,
 };
-
-pub use report::{Faults, diagnostic};
 
 use crate::source::World;
 use format::Format;

@@ -5,7 +5,7 @@ use crate::support::cpu::assert_linear;
 use hsd::building::Built;
 use hsd::diagnostic::Diagnostics;
 use hsd::driver::Compiled;
-use hsd::render::sheet::sheet;
+use hsd::render::sheet::{sheet, variants};
 use hsd::scene::Detail;
 use hsd::source::{FileId, NoFiles, Source};
 use hsd::templates::Template;
@@ -189,7 +189,7 @@ fn what_is_said_of_one_is_not_said_again_of_the_next() {
 fn a_contact_sheet_shows_every_variant() {
     let text = Template::named("kura").expect("is a type").text();
     let made = built(&text, None, Some(5));
-    let sheet = sheet(&made.scene, &made.building.houses);
+    let sheet = sheet(&made.scene, &variants(&made.scene, &made.building.houses));
     // Three columns and two rows of 360 by 270 pixels, six between them; the last place is free.
     assert_eq!(sheet.dimensions(), (3 * 366 + 6, 2 * 276 + 6));
     let paper = sheet.get_pixel(0, 0);

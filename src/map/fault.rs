@@ -1,4 +1,8 @@
-//! Faults of maps: what is wrong, in which file, feature and field. They become diagnostics in [`super::report`].
+//! Faults of maps: what is wrong, in which file, feature and field. They become diagnostics in [`report`].
+
+mod report;
+
+pub use report::{Faults, diagnostic};
 
 use super::crs::Outside;
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! Faults become diagnostics here, once for each kind and field, with the number of cases.
 
-use super::fault::{Fault, Kind};
+use super::{Fault, Kind};
 use crate::diagnostic::messages::maps as say;
 use crate::diagnostic::{Diagnostic, Diagnostics, Origin};
 use crate::source::Span;
