@@ -206,6 +206,10 @@ fn diagnostics_are_those_that_the_program_prints() {
         let Ok(text) = std::fs::read_to_string(path) else {
             continue;
         };
+        // The server does not read maps, so it evaluates no rules of towns.
+        if text.contains("<Town") {
+            continue;
+        }
         let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_hsd"));
         command
             .env("LC_ALL", "C")
