@@ -50,6 +50,18 @@ pub(crate) enum Stance {
     Free,
 }
 
+/// The kind of an opening that people use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Opening {
+    /// To walk through.
+    Door,
+    /// To look through.
+    Window,
+}
+
+/// The lowest head of a door, shaku: low side doors end at 4.5.
+const HEAD: f64 = 4.0;
+
 /// The filling under an opening.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Below {
@@ -141,6 +153,22 @@ impl PartDef {
     /// blank for the void. Custom parts have that of their base.
     pub fn class(&self) -> char {
         self.class
+    }
+
+    /// Returns the opening that it closes; `None` for walls, posts and open bays. Modern parts have one class for all, so
+    /// their heights decide: a door reaches from the floor to a head's height, a window stands above a sill or is glass.
+    pub fn opening(&self) -> Option<Opening> {
+        match (self.class, self.from) {
+            ('T', _) => Some(Opening::Door),
+            ('M' | 'G', _) => Some(Opening::Window),
+            ('N', Some(foot)) if foot > 0.0 => Some(Opening::Window),
+            ('N', Some(_)) => self
+                .to
+                .is_some_and(|to| to >= HEAD)
+                .then_some(Opening::Door),
+            ('N', None) => self.reflection.map(|_| Opening::Window),
+            _ => None,
+        }
     }
 
     /// Returns true if it is open down to the floor. In class A, party walls, aprons, rails and benches are not.

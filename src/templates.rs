@@ -245,43 +245,48 @@ mod tests {
         assert!(Template::named("machiya").is_none());
     }
 
+    /// Words that people search for, and the templates that they mean.
+    const SEARCHES: &[(&str, &str)] = &[
+        (
+            "町家 machiya Machiya まちや マチヤ 町屋",
+            "so-nikai chu-nikai sangai hiraya shimotaya hei-tsuki kanban omotedana",
+        ),
+        (
+            "京町家 kyō-machiya kyoumachiya",
+            "so-nikai chu-nikai sangai hiraya shimotaya hei-tsuki",
+        ),
+        ("厨子二階 つし二階 tsushinikai", "chu-nikai"),
+        ("大塀造 高塀造 daibeizukuri", "hei-tsuki"),
+        ("長屋 nagaya ながや 長家", "ura-nagaya"),
+        ("表長屋 長屋門 nagayamon", "buke-nagaya"),
+        ("武家屋敷 bukeyashiki", "buke-nagaya buke-bei"),
+        (
+            "蔵 倉 土蔵 kura くら クラ dozou dozo dozō storehouse warehouse",
+            "kura",
+        ),
+        ("店蔵 misegura", "kura omotedana"),
+        ("土塀 築地 dobei どべい", "buke-bei"),
+        ("塀 hei へい", "hei-tsuki buke-bei taka-bei"),
+        ("板塀 itabei", "taka-bei"),
+        ("寺 寺院 tera お寺", "hondo temple pagoda"),
+        ("寺院建築 temple", "temple"),
+        ("学校 gakko school", "school"),
+        ("神社 jinja じんじゃ shrine", "shrine"),
+        ("五重塔 塔 gojunoto gojūnotō pagoda", "pagoda"),
+        ("門 mon もん", "buke-nagaya buke-bei taka-bei suzakumon"),
+        ("gate", "hei-tsuki buke-nagaya buke-bei taka-bei suzakumon"),
+        ("薬医門 yakuimon", "buke-bei"),
+        ("事務所 オフィス jimusho office", "office"),
+        ("表店 omotedana", "omotedana"),
+        ("旅館 ryokan inn", "sangai"),
+        ("農家 nouka farmhouse", "l-house"),
+        ("shop", "so-nikai chu-nikai kanban omotedana"),
+    ];
+
     /// Tests that common search terms find the right templates.
     #[test]
     fn what_people_search_for_is_found() {
-        let towns = "so-nikai chu-nikai sangai hiraya shimotaya hei-tsuki kanban omotedana";
-        for (words, found) in [
-            ("町家 machiya Machiya まちや マチヤ 町屋", towns),
-            (
-                "京町家 kyō-machiya kyoumachiya",
-                "so-nikai chu-nikai sangai hiraya shimotaya hei-tsuki",
-            ),
-            ("厨子二階 つし二階 tsushinikai", "chu-nikai"),
-            ("大塀造 高塀造 daibeizukuri", "hei-tsuki"),
-            ("長屋 nagaya ながや 長家", "ura-nagaya"),
-            ("表長屋 長屋門 nagayamon", "buke-nagaya"),
-            ("武家屋敷 bukeyashiki", "buke-nagaya buke-bei"),
-            (
-                "蔵 倉 土蔵 kura くら クラ dozou dozo dozō storehouse warehouse",
-                "kura",
-            ),
-            ("店蔵 misegura", "kura omotedana"),
-            ("土塀 築地 dobei どべい", "buke-bei"),
-            ("塀 hei へい", "hei-tsuki buke-bei taka-bei"),
-            ("板塀 itabei", "taka-bei"),
-            ("寺 寺院 tera お寺", "hondo temple pagoda"),
-            ("寺院建築 temple", "temple"),
-            ("学校 gakko school", "school"),
-            ("神社 jinja じんじゃ shrine", "shrine"),
-            ("五重塔 塔 gojunoto gojūnotō pagoda", "pagoda"),
-            ("門 mon もん", "buke-nagaya buke-bei taka-bei suzakumon"),
-            ("gate", "hei-tsuki buke-nagaya buke-bei taka-bei suzakumon"),
-            ("薬医門 yakuimon", "buke-bei"),
-            ("事務所 オフィス jimusho office", "office"),
-            ("表店 omotedana", "omotedana"),
-            ("旅館 ryokan inn", "sangai"),
-            ("農家 nouka farmhouse", "l-house"),
-            ("shop", "so-nikai chu-nikai kanban omotedana"),
-        ] {
+        for (words, found) in SEARCHES.iter().copied() {
             for word in words.split(' ') {
                 let hits = match Template::named(word) {
                     Some(own) => vec![own.word],

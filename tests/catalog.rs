@@ -1,7 +1,7 @@
 //! The built-in catalogue: every part is there with its name and width, and codes are found.
 
 use hsd::ast::CodeText;
-use hsd::catalog::{Catalog, Era, Query};
+use hsd::catalog::{Catalog, Era, Opening, Query};
 use hsd::diagnostic::Diagnostics;
 use hsd::source::{FileId, Limits, Source};
 
@@ -23,6 +23,30 @@ fn every_part_is_found_by_its_code() {
         assert!("KTMGHAN ".contains(part.class()));
         assert!(!part.ja.is_empty() && !part.romaji.is_empty() && !part.en.is_empty());
     }
+}
+
+/// CityJSON tells doors and windows from walls; modern parts have no class for either.
+#[test]
+fn doors_and_windows_are_known_as_such() {
+    let of = |wanted: Opening| -> Vec<&str> {
+        let modern = hsd::parse::builtin().parts().iter();
+        let modern = modern.filter(|part| part.class() == 'N');
+        let own = modern.filter(|part| part.opening() == Some(wanted));
+        own.map(|part| part.code().trim_end()).collect()
+    };
+    assert_eq!(of(Opening::Door), ["NSH 2", "NAD 2"]);
+    assert_eq!(
+        of(Opening::Window),
+        ["NAS 2", "NGC", "NWI", "NSW 2", "NBA 2"]
+    );
+    let of = |code: &str| {
+        let catalog = hsd::parse::builtin();
+        let part = catalog.find(&CodeText::new(code)).expect("is there");
+        catalog.part(part).opening()
+    };
+    assert_eq!(of("TKD 2"), Some(Opening::Door));
+    assert_eq!([of("MKU"), of("GDE")], [Some(Opening::Window); 2]);
+    assert_eq!([of("KSK"), of("AKI"), of("NSP")], [None; 3]);
 }
 
 #[test]

@@ -187,3 +187,28 @@ fn a_missing_folder_is_named() {
         "{told}"
     );
 }
+
+/// Objects are told apart by their names, so features of one key must not replace each other.
+#[test]
+fn features_of_one_key_are_objects_of_their_own() {
+    let folder = tempfile::tempdir().expect("a folder");
+    write_map(folder.path());
+    let map = folder.path().join("houses.geojson");
+    let one_key = fs::read_to_string(&map)
+        .expect("is there")
+        .replace("\"h1\"", "\"h0\"");
+    fs::write(&map, one_key).expect("is written");
+    let place = r#"<Place type="house" storeys="2"/>"#;
+    fs::write(folder.path().join("t.hsd"), town(place)).expect("is written");
+    for name in ["t.city.json", "t.city.jsonl"] {
+        let run = hsd(
+            folder.path(),
+            &["town", "t.hsd", "--detail", "0", "-o", name],
+        );
+        assert!(run.status.success(), "{}", said(&run));
+        let text = fs::read_to_string(folder.path().join(name)).expect("is there");
+        for object in ["\"houses h0\"", "\"houses h0_2\"", "\"houses h2\""] {
+            assert!(text.contains(object), "{name} lacks {object}");
+        }
+    }
+}

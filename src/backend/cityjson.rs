@@ -5,6 +5,7 @@
 use super::flat::{self, Placement};
 use crate::ast::StoreyKind;
 use crate::building::Built;
+use crate::catalog::Opening;
 use crate::geometry::area2;
 use crate::scene::{Kind, Scene};
 use glam::{DVec2, DVec3};
@@ -56,7 +57,7 @@ impl Vertices {
     }
 }
 
-/// What all objects of a city have in common.
+/// The frame of a city: its reference system and origin.
 pub struct City {
     /// The code of the plane, if it has one.
     pub epsg: Option<String>,
@@ -188,7 +189,14 @@ impl CityHouse {
     }
 
     /// Adds the triangles of some nodes of a scene as a level of detail.
-    pub fn level(&mut self, lod: &str, scene: &Scene, nodes: Range<usize>, places: &[Placement]) {
+    /// `opening` says what a code is.
+    pub fn level(
+        &mut self,
+        lod: &str,
+        (scene, places): (&Scene, &[Placement]),
+        nodes: Range<usize>,
+        opening: &dyn Fn(&str) -> Option<Opening>,
+    ) {
         let (mut faces, mut kinds) = (vec![], vec![]);
         let ground = lowest(scene, nodes.clone(), places);
         for number in nodes {
@@ -196,7 +204,7 @@ impl CityHouse {
             if !place.sound {
                 continue;
             }
-            let kind = surface(scene, number);
+            let kind = surface(scene, number, opening);
             for primitive in flat::primitives(scene.whole(), node) {
                 let at = |i: &u32| place.point(flat::point(primitive.positions[*i as usize]));
                 for corners in primitive.indices.chunks_exact(3) {
@@ -255,35 +263,21 @@ fn lowest(scene: &Scene, nodes: Range<usize>, places: &[Placement]) -> f64 {
 }
 
 /// Returns what the surfaces of a node are, by the nearest node that says so.
-fn surface(scene: &Scene, number: usize) -> usize {
+fn surface(scene: &Scene, number: usize, opening: &dyn Fn(&str) -> Option<Opening>) -> usize {
     let mut at = Some(number);
     while let Some(node) = at.and_then(|n| scene.nodes.get(n)) {
         match (node.kind, &node.code) {
             (Kind::Roof | Kind::Finial, _) => return ROOF,
-            (Kind::Part, Some(code)) => return of_code(code),
+            (Kind::Part, Some(code)) => {
+                return match opening(code) {
+                    Some(Opening::Door) => DOOR,
+                    Some(Opening::Window) => WINDOW,
+                    None => WALL,
+                };
+            }
             _ => {}
         }
         at = node.parent.map(|parent| parent.0 as usize);
     }
     WALL
-}
-
-/// Returns what the surfaces of a part are, by its code: doors begin with T, windows with M or G.
-fn of_code(code: &str) -> usize {
-    const OPENINGS: [(&str, usize); 7] = [
-        ("NAD", DOOR),
-        ("NSH", DOOR),
-        ("NAS", WINDOW),
-        ("NWI", WINDOW),
-        ("NGC", WINDOW),
-        ("NSW", WINDOW),
-        ("NBA", WINDOW),
-    ];
-    let modern = OPENINGS.iter().find(|(own, _)| code.starts_with(own));
-    match (modern, code.as_bytes().first()) {
-        (Some((_, kind)), _) => *kind,
-        (None, Some(b'T')) => DOOR,
-        (None, Some(b'M' | b'G')) => WINDOW,
-        _ => WALL,
-    }
 }

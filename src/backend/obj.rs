@@ -10,12 +10,13 @@ mod text;
 mod tinted;
 
 use super::flat::{self, Placement, places};
+use super::names::Names;
 use super::number::Number;
 use super::spool::{NewSpool, Section, in_memory};
 use super::{Images, OutFile, one_word, picture_folder};
 use crate::scene::{Image, Material, Node, Primitive, Scene, ScenePart};
 use glam::DVec3;
-use numbers::{Names, Numbers};
+use numbers::Numbers;
 use std::fmt::Write as _;
 use std::io;
 pub use text::Text;
@@ -44,7 +45,7 @@ pub struct Writer {
     lines: Section,
     /// The lines of the houses in work.
     out: String,
-    /// What is known of the materials so far, by their numbers in the scene.
+    /// The materials so far, by their numbers in the scene.
     looks: Vec<Look>,
     vertices: Numbers<3>,
     coordinates: Numbers<3>,
@@ -55,7 +56,7 @@ pub struct Writer {
     on_pages: bool,
 }
 
-/// What the writer has to know of a material.
+/// A material as OBJ needs it.
 #[derive(Clone, Copy)]
 struct Look {
     coordinates: Coordinates,

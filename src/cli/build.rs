@@ -3,7 +3,7 @@
 mod bake;
 mod job;
 mod statistics;
-mod streamed;
+pub(in crate::cli) mod streamed;
 pub(in crate::cli) mod init;
 mod tiled;
 pub(in crate::cli) mod town;

@@ -2,7 +2,7 @@
 
 use super::options::{FormatArg, InputArgs, exit, report};
 use super::{Exit, Outcome};
-use crate::backend::spool::Spool;
+use crate::cli::build::streamed;
 use crate::cli::files::input::Inputs;
 use crate::cli::files::terminal::{FILE, HOUSE, counted};
 use crate::diagnostic::{Diagnostics, Language};
@@ -11,11 +11,8 @@ use crate::report::{Format, Report};
 use crate::text;
 use crate::town::{self, TownInput};
 use clap::Args;
+use std::env;
 use std::io::{self, Write};
-use tempfile::spooled_tempfile;
-
-/// The bytes of a list that stay in memory.
-const IN_MEMORY: usize = 4 << 20;
 
 /// Check source files for errors without building a model.
 ///
@@ -35,11 +32,6 @@ pub(super) struct Check {
     format: FormatArg,
 }
 
-/// Returns a list that goes to a temporary file as it grows.
-fn in_a_file() -> io::Result<Box<dyn Spool>> {
-    Ok(Box::new(spooled_tempfile(IN_MEMORY)))
-}
-
 impl Check {
     pub(super) fn run(&self, language: Language) -> Outcome {
         self.input_args.check_folders()?;
@@ -53,7 +45,9 @@ impl Check {
             sources: &sources,
             long: &inputs.long,
         };
-        let checked = driver::inspect(feed, &world, &options, &mut out, &in_a_file)?;
+        let checked = driver::inspect(feed, &world, &options, &mut out, &|| {
+            streamed::spool(&env::temp_dir())
+        })?;
         let mut houses = checked.houses;
         for source in &sources {
             let input = TownInput {

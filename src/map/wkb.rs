@@ -38,7 +38,7 @@ fn in_memory(world: &dyn World, file: &Arc<str>) -> Result<Vec<u8>, Fault> {
     Ok(bytes)
 }
 
-/// Returns the geometry of some bytes, of at most so many points.
+/// Decodes a geometry; one of more than `most` points is refused.
 pub(super) fn geometry(bytes: &[u8], most: usize) -> Result<Geometry, Kind> {
     let mut reader = Bytes {
         rest: bytes,
@@ -94,7 +94,7 @@ impl Bytes<'_> {
         })
     }
 
-    /// Returns the number of items that follow, each of at least so many bytes.
+    /// Reads a count of items that take at least `bytes` each; fails if fewer bytes are left.
     fn count(&mut self, layout: Layout, bytes: usize) -> Result<usize, Kind> {
         let count = self.number(layout)? as usize;
         let fits = count

@@ -3,9 +3,11 @@
 use super::input::{TileSalt, evaluate};
 use super::mesh::tiles;
 use super::run::TileJob;
+use crate::ast::CodeText;
 use crate::backend::cityjson::{City, CityHouse};
 use crate::backend::flat::places;
 use crate::backend::gltf::FeatureRow;
+use crate::backend::names::Names;
 use crate::diagnostic::Diagnostics;
 use crate::driver::TileDriver;
 use crate::scene::Detail;
@@ -46,10 +48,20 @@ pub fn houses(
     let driver = TileDriver::new(input.source, job.catalog, (input.world, options), &details);
     let salt = TileSalt::new(input, &details, (job.parts, job.written));
     let mut ledger = Ledger::default();
+    let scope = job.catalog.known_in(0, 0);
+    let opening = |code: &str| {
+        let part = job.catalog.find_in(scope, &CodeText::new(code))?;
+        job.catalog.part(part).opening()
+    };
+    // Objects of a city are told apart by their names; features of one key have the same.
+    let mut unique = Names::default();
     for tile in tiles(job.plan, job.division) {
         let mut input = evaluate(&town, &tile, (job.plan, job.input.source), job.year, &salt);
         let houses = std::mem::take(&mut input.houses);
-        let names: Vec<String> = houses.iter().map(|house| house.name.clone()).collect();
+        let names: Vec<String> = houses
+            .iter()
+            .map(|house| unique.unique(&house.name))
+            .collect();
         let mut found = Diagnostics::new();
         let made = driver.houses(houses, &mut found)?;
         let mut all: Vec<Option<CityHouse>> = made
@@ -66,7 +78,7 @@ pub fn houses(
             let places = places(level.scene.whole());
             for (house, nodes) in all.iter_mut().zip(&level.houses) {
                 if let Some(house) = house {
-                    house.level(lod, &level.scene, nodes.clone(), &places);
+                    house.level(lod, (&level.scene, &places), nodes.clone(), &opening);
                 }
             }
         }

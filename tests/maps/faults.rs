@@ -248,7 +248,7 @@ pub(super) const MOJ: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <主題属性><筆 id="H1"><地番>194-1</地番><形状 idref="F1"/></筆></主題属性>
 </地図>"#;
 
-/// Formats that need a library of C, or many crates, are told even by a program that was built without them.
+/// A build without GeoPackage or GeoParquet names the feature that reads the file.
 #[test]
 fn formats_that_were_not_built_are_named() {
     for (name, feature, built) in [
@@ -266,4 +266,52 @@ fn formats_that_were_not_built_are_named() {
             true => assert!(matches!(fault.kind, Kind::Damaged { .. }), "{fault:?}"),
         }
     }
+}
+
+/// QGIS saves queries as views, whose functions are not run.
+#[test]
+#[cfg(feature = "geopackage")]
+fn layers_of_a_geopackage_are_found_or_told() {
+    let path = crate::support::root().join("tests/data/houses.gpkg");
+    let whole = std::fs::read(path).unwrap();
+    let with = |sql: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.gpkg");
+        std::fs::write(&path, &whole).unwrap();
+        rusqlite::Connection::open(&path)
+            .unwrap()
+            .execute_batch(sql)
+            .unwrap();
+        std::fs::read(path).unwrap()
+    };
+    let read = |bytes: Vec<u8>, layer: Option<&str>| {
+        let options = Options {
+            layer: layer.map(Box::from),
+            ..Options::default()
+        };
+        let read = read_bytes(&[("a.gpkg", bytes)], &options);
+        read.map(|read| read.counts()).map_err(|fault| fault.kind)
+    };
+    let view = with(
+        "CREATE VIEW seen AS SELECT * FROM houses;
+         INSERT INTO gpkg_contents (table_name, data_type, identifier) VALUES ('seen', 'features', 'seen');
+         INSERT INTO gpkg_geometry_columns SELECT 'seen', column_name, geometry_type_name, srs_id, z, m
+         FROM gpkg_geometry_columns WHERE table_name = 'houses';",
+    );
+    assert_eq!(read(view.clone(), None), Ok((5, 0)));
+    let why = "its layer `seen` is a view; save it as a table".into();
+    assert_eq!(
+        read(view.clone(), Some("seen")),
+        Err(Kind::Unreadable { why })
+    );
+    let layer = "roads".into();
+    assert_eq!(read(view, Some("roads")), Err(Kind::NoLayer { layer }));
+    let empty = with("DELETE FROM gpkg_contents;");
+    let why = "it has no layer of features".into();
+    assert_eq!(read(empty, None), Err(Kind::Unreadable { why }));
+    // One row is no geometry, another has none; the others are read.
+    let broken = with(
+        "UPDATE houses SET geom = x'4750' WHERE fid = 2; UPDATE houses SET geom = NULL WHERE fid = 3;",
+    );
+    assert_eq!(read(broken, None), Ok((3, 2)));
 }

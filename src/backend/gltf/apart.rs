@@ -4,7 +4,7 @@ use super::Model;
 use crate::backend::OutFile;
 use crate::backend::spool::Section;
 use crate::source::reference;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 
 /// A `.gltf` in several files, ready to be written.
 pub struct Gltf<'a> {
@@ -84,17 +84,13 @@ impl Json<'_> {
     ///
     /// # Errors Those of the spools and of `out`.
     pub fn write(mut self, out: &mut dyn Write) -> io::Result<u64> {
-        let mut out = Counted {
-            out: BufWriter::new(out),
-            length: 0,
-        };
+        let mut out = Counted { out, length: 0 };
         self.0.json(&mut out)?;
-        out.flush()?;
         Ok(out.length)
     }
 }
 
-/// Counts what is written.
+/// Counts the bytes that are written.
 struct Counted<W> {
     out: W,
     length: u64,

@@ -33,24 +33,3 @@ impl<const N: usize> Numbers<N> {
         number
     }
 }
-
-/// How many objects have had a name.
-#[derive(Default)]
-pub(super) struct Names(HashMap<String, usize>);
-
-impl Names {
-    /// Forgets all names.
-    pub(super) fn clear(&mut self) {
-        self.0.clear();
-    }
-
-    /// Returns the name, with a number from the second of a name on.
-    pub(super) fn unique(&mut self, name: &str) -> String {
-        let count = self.0.entry(name.to_owned()).or_insert(0);
-        *count += 1;
-        match *count {
-            1 => name.to_owned(),
-            n => self.unique(&format!("{name}_{n}")),
-        }
-    }
-}

@@ -131,7 +131,7 @@ impl<'n> Started<'n> {
 }
 
 /// Returns a list or array of a model that is written as it grows.
-pub(super) fn spool(folder: &Path) -> io::Result<Box<dyn Spool>> {
+pub(in crate::cli) fn spool(folder: &Path) -> io::Result<Box<dyn Spool>> {
     let spool: SpooledTempFile = spooled_tempfile_in(IN_MEMORY, folder);
     Ok(Box::new(spool))
 }

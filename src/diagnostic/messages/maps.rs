@@ -76,8 +76,8 @@ pub fn not_built(origin: Origin, at: Text, file: &str, feature: &str) -> Diagnos
         1002,
         origin,
         text!([at, file]
-            "{at}: this hsd was built without this format; `ogr2ogr -f FlatGeobuf map.fgb {file}` converts it",
-            "{at}：この hsd はこの形式を含めずにビルドされています。`ogr2ogr -f FlatGeobuf map.fgb {file}` で変換できます"
+            "{at}this hsd was built without this format; `ogr2ogr -f FlatGeobuf map.fgb {file}` converts it",
+            "{at}この hsd はこの形式を含めずにビルドされています。`ogr2ogr -f FlatGeobuf map.fgb {file}` で変換できます"
         ),
     )
     .help(text!([feature]

@@ -1,6 +1,6 @@
 //! Outlines as surveyed, and what stands on their sides.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Text};
 use crate::source::Span;
 use crate::text;
 
@@ -57,20 +57,17 @@ pub fn slants(
             "辺 {number} が {angle} 度傾いているため、輪郭全体は直角に直していません。傾いていない壁だけを直しました(隅は最大 {moved} mm 動きます)"
         ),
     };
-    let message = Diagnostic::note(422, side, message);
-    let divide = text!([most]
-        "roofs are divided into rectangles where every side lies within {most} degrees of right angles; divide the house, or keep the hip roof",
-        "すべての辺が直角から {most} 度以内なら、屋根を矩形に分けて架けます。建物を分けるか、このまま寄棟にしてください"
-    );
-    let or_keep = text!([most]
-        "roofs are divided into rectangles where every side lies within {most} degrees of right angles; divide the house, or keep the hip roof; `square=\"no\"` keeps the walls where they are",
-        "すべての辺が直角から {most} 度以内なら、屋根を矩形に分けて架けます。建物を分けるか、このまま寄棟にしてください。壁を動かしたくなければ `square=\"no\"` と書いてください"
-    );
-    message.help(if moved.is_some_and(|m| millimetres(m) > 1.0) {
-        or_keep
-    } else {
-        divide
-    })
+    let keep = match moved.is_some_and(|m| millimetres(m) > 1.0) {
+        true => text!(
+            "; `square=\"no\"` keeps the walls where they are",
+            "。壁を動かしたくなければ `square=\"no\"` と書いてください"
+        ),
+        false => Text::default(),
+    };
+    Diagnostic::note(422, side, message).help(text!([most, keep]
+        "roofs are divided into rectangles where every side lies within {most} degrees of right angles; divide the house, or keep the hip roof{keep}",
+        "すべての辺が直角から {most} 度以内なら、屋根を矩形に分けて架けます。建物を分けるか、このまま寄棟にしてください{keep}"
+    ))
 }
 
 /// A corner that would move too far for the outline to be squared.

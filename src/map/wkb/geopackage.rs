@@ -24,7 +24,7 @@ const ROWS: usize = 256;
 /// Bytes of the header of a geometry without its envelope.
 const HEADER: usize = 8;
 
-/// What is not written as itself in the path of a URI.
+/// Characters that are percent-encoded in the path of a URI.
 const RESERVED: &AsciiSet = &CONTROLS.add(b'?').add(b'#').add(b'%').add(b'\\');
 
 /// A reader of GeoPackage.
@@ -68,17 +68,28 @@ impl GeoPackage {
             None => of_bytes(&in_memory(world, file)?).map_err(damaged)?,
         };
         harden(&base, options.limits.feature_bytes).map_err(damaged)?;
-        let (table, column, system) = layer_of(&base, options.layer.as_deref())
-            .map_err(damaged)?
-            .ok_or_else(|| {
-                let layer = options.layer.clone().unwrap_or_else(|| "*".into());
-                Fault::of_file(file, Kind::NoLayer { layer })
-            })?;
+        let found = layer_of(&base, options.layer.as_deref()).map_err(damaged)?;
+        let found = match (found, &options.layer) {
+            (Some(found), _) if found.is_table => found,
+            (Some(found), _) => {
+                let why = format!("its layer `{}` is a view; save it as a table", found.name);
+                let why = why.into();
+                return Err(Fault::of_file(file, Kind::Unreadable { why }));
+            }
+            (None, Some(layer)) => {
+                let layer = layer.clone();
+                return Err(Fault::of_file(file, Kind::NoLayer { layer }));
+            }
+            (None, None) => {
+                let why = "it has no layer of features".into();
+                return Err(Fault::of_file(file, Kind::Unreadable { why }));
+            }
+        };
         let mut reader = GeoPackage {
             base,
             file: file.clone(),
             layer: Layer {
-                name: table.as_str().into(),
+                name: found.name.as_str().into(),
                 crs: options.crs.clone(),
                 ..Layer::default()
             },
@@ -91,9 +102,11 @@ impl GeoPackage {
             limits: options.limits,
             is_over: false,
         };
-        reader.prepare(&table, &column).map_err(damaged)?;
+        reader
+            .prepare(&found.name, &found.geometry)
+            .map_err(damaged)?;
         if reader.layer.crs.is_none() {
-            reader.read_crs(system).map_err(damaged)?;
+            reader.read_crs(found.system).map_err(damaged)?;
         }
         Ok(reader)
     }
@@ -243,20 +256,34 @@ fn harden(base: &Connection, most: usize) -> rusqlite::Result<()> {
     Ok(())
 }
 
-/// Returns the table of a layer, its column of geometries and the number of its reference system: the layer of this name,
-/// else the first.
-fn layer_of(
-    base: &Connection,
-    name: Option<&str>,
-) -> rusqlite::Result<Option<(String, String, i64)>> {
-    let query = "SELECT c.table_name, g.column_name, g.srs_id \
+/// A layer as the file describes it.
+struct Found {
+    name: String,
+    /// The column of geometries.
+    geometry: String,
+    /// The number of the reference system.
+    system: i64,
+    /// False if it is a view.
+    is_table: bool,
+}
+
+/// Returns the layer of this name, else the first, a table if there is one.
+fn layer_of(base: &Connection, name: Option<&str>) -> rusqlite::Result<Option<Found>> {
+    let query = "SELECT c.table_name, g.column_name, g.srs_id, m.type = 'table' \
                  FROM gpkg_contents c \
                  JOIN gpkg_geometry_columns g ON g.table_name = c.table_name \
-                 JOIN sqlite_master m ON m.name = c.table_name AND m.type = 'table' \
+                 JOIN sqlite_master m ON m.name = c.table_name AND m.type IN ('table', 'view') \
                  WHERE c.data_type = 'features' \
                  AND (?1 IS NULL OR c.table_name = ?1 OR c.identifier = ?1) \
-                 ORDER BY c.rowid LIMIT 1";
-    let row = |row: &rusqlite::Row<'_>| Ok((row.get(0)?, row.get(1)?, row.get(2)?));
+                 ORDER BY m.type, c.rowid LIMIT 1";
+    let row = |row: &rusqlite::Row<'_>| {
+        Ok(Found {
+            name: row.get(0)?,
+            geometry: row.get(1)?,
+            system: row.get(2)?,
+            is_table: row.get(3)?,
+        })
+    };
     base.query_row(query, params![name], row).optional()
 }
 

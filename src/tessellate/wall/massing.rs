@@ -132,7 +132,7 @@ impl Walker<'_> {
         stretches
     }
 
-    /// Returns what stands on units that a ceiling covers with a part of their width.
+    /// Returns the wall above units of which a ceiling covers only a part.
     fn stretches_above(&mut self, level: Level<'_>, line: &Line<'_>) -> Vec<Stretch> {
         let mut found = vec![];
         for placed in line.units.iter().filter(|s| s.solid()) {

@@ -37,7 +37,7 @@ pub(in crate::cli) struct Candidates {
     #[arg(long, value_name = "NAME")]
     layer: Option<String>,
 
-    /// Draw this many.
+    /// Set the number of candidates.
     #[arg(long, value_name = "N", default_value = "9")]
     variants: NonZeroU32,
 

@@ -56,7 +56,7 @@ pub(in crate::cli::language::japanese) static TOWN: &[CommandHelp] = &[
         arguments: &[
             ("key", "敷地: `decisions.csv` にある地物のキー", ""),
             ("layer", "同じキーの地物が複数のレイヤーにあるときの、レイヤー", ""),
-            ("variants", "描く数", ""),
+            ("variants", "候補の数を指定する", ""),
             ("output", "画像をこのファイルに書く (.png か .jpg)", ""),
             ("quiet", "指摘だけを表示する", ""),
         ],
