@@ -198,8 +198,18 @@ fn candidates_of_a_plot_are_drawn_side_by_side() {
             colours.len()
         );
     }
+    let map = folder.path().join("houses.geojson");
+    let twice = fs::read_to_string(&map)
+        .expect("is there")
+        .replace("\"h1\"", "\"h0\"");
+    fs::write(&map, twice).expect("is written");
+    let several = said(&draw("h0", "sheet.png"));
+    assert!(
+        several.contains("several features of houses have the key `h0`"),
+        "{several}"
+    );
     let none = draw("h9", "sheet.png");
     assert!(said(&none).contains(
-        "no rule of the town takes a feature with the key `h9`; keys are such as h0, h1, h2"
+        "no rule of the town takes a feature with the key `h9`; keys are such as h0, h0, h2"
     ));
 }

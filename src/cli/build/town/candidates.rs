@@ -79,6 +79,13 @@ impl Candidates {
         let key = &self.key;
         match (found.next(), found.next()) {
             (Some(lot), None) => Ok(*lot),
+            (Some(one), Some(other)) if one.0 == other.0 => {
+                let layer = name(one);
+                Err(Failure::Usage(text!([key, layer]
+                    "several features of {layer} have the key `{key}`: name a field with a value for each in `key` of the layer",
+                    "{layer} にはキー `{key}` の地物が複数あります。地物ごとに違う値の属性を、レイヤーの `key` に書いてください"
+                )))
+            }
             (Some(one), Some(other)) => {
                 let (one, other) = (name(one), name(other));
                 Err(Failure::Usage(text!([key, one, other]
