@@ -4,8 +4,11 @@ use super::super::tree::Tree;
 use crate::ast::Value;
 use crate::source::Span;
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 use std::rc::Rc;
+
+/// The most names that are compared with a misspelt one: far more than anybody chooses among.
+const MOST_NAMES: usize = 1000;
 
 /// A shared frame.
 pub(super) type Scope<'a> = Rc<Frame<'a>>;
@@ -144,24 +147,42 @@ impl<'a> Frame<'a> {
 
     /// Returns all names known here, the nearest first.
     pub(super) fn names(&self) -> Vec<String> {
-        let keys = |frame: &Frame<'a>| frame.names.borrow().keys().cloned().collect();
+        let keys = |frame: &Frame<'a>| {
+            frame
+                .names
+                .borrow()
+                .keys()
+                .take(MOST_NAMES)
+                .cloned()
+                .collect()
+        };
         self.gather(keys)
     }
 
     /// Returns all definitions known here, the nearest first.
     pub(super) fn pieces(&self) -> Vec<String> {
-        let keys = |frame: &Frame<'a>| frame.pieces.borrow().keys().cloned().collect();
+        let keys = |frame: &Frame<'a>| {
+            frame
+                .pieces
+                .borrow()
+                .keys()
+                .take(MOST_NAMES)
+                .cloned()
+                .collect()
+        };
         self.gather(keys)
     }
 
     fn gather(&self, keys: impl Fn(&Frame<'a>) -> Vec<String>) -> Vec<String> {
-        let mut found: Vec<String> = vec![];
+        let (mut found, mut known) = (vec![], HashSet::new());
         for frame in self.frames() {
             let files = frame.files.borrow();
             let files = files.iter().flat_map(|f| keys(f));
             for name in keys(frame).into_iter().chain(files) {
-                // Far more names than anybody reads in a message.
-                if found.len() < 1000 && !found.contains(&name) {
+                if found.len() == MOST_NAMES {
+                    return found;
+                }
+                if known.insert(name.clone()) {
                     found.push(name);
                 }
             }
