@@ -7,6 +7,7 @@ mod files;
 mod build;
 mod check;
 mod completions;
+mod draw;
 mod dump;
 mod explain;
 mod fmt;
@@ -134,6 +135,7 @@ enum Command {
     Build(build::Build),
     Town(build::init::TownCommand),
     Check(check::Check),
+    Draw(draw::Draw),
     Dump(dump::Dump),
     New(new::New),
     Params(params::Params),
@@ -163,6 +165,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Build(c) => c.run(language),
         Command::Town(c) => c.run(language),
         Command::Check(c) => c.run(language),
+        Command::Draw(c) => c.run(language),
         Command::Dump(c) => c.run(language),
         Command::New(c) => c.run(language),
         Command::Params(c) => c.run(language),

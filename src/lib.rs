@@ -16,13 +16,17 @@
 //! program, its tests, benchmarks and fuzz targets, which are crates of their own; they are hidden from this page and
 //! follow no semantic versioning.
 //!
-//! | feature (all on by default) | adds |
+//! | feature | adds |
 //! |---|---|
 //! | `maps` | readers of maps: features out of files |
 //! | `models` | scenes, textures, back ends; without it the chain ends with roofed buildings |
 //! | `cli` | the program `hsd` |
 //! | `view` | `hsd view`, `hsd render` |
+//! | `drawings` | plans, elevations, sections to scale |
 //! | `lsp` | `hsd lsp` |
+//! | `compress` (off by default, needs C++) | models for the web |
+//! | `geopackage` (off by default, needs C) | maps in GeoPackage |
+//! | `geoparquet` (off by default) | maps in GeoParquet |
 //!
 //! # The chain
 //!
@@ -130,6 +134,9 @@ pub mod survey;
 #[cfg(all(feature = "maps", feature = "models"))]
 #[doc(hidden)]
 pub mod tiles;
+#[cfg(feature = "drawings")]
+#[doc(hidden)]
+pub mod drawing;
 #[cfg(any(feature = "lsp", feature = "view"))]
 #[doc(hidden)]
 pub mod ide;
