@@ -108,6 +108,8 @@ pub struct Checked {
     pub building: Building,
     /// The values of expressions and names, if requested.
     pub values: Values,
+    /// True if one of the sources is a town, whose rules are evaluated with its maps.
+    pub is_town: bool,
 }
 
 /// Runs the chain up to the roofs and reads the images, so that every error is reported.
@@ -124,6 +126,7 @@ pub fn check(
     let parameters = read.documents.iter_mut().flat_map(parameters).collect();
     let views = read.documents.iter_mut();
     let views = views.flat_map(|d| std::mem::take(&mut d.views)).collect();
+    let is_town = read.documents.iter().any(|d| d.town.is_some());
     let building = house::houses(&mut read, (sources, false), world, options, out);
     let (included, catalog) = (read.included, read.catalog);
     #[cfg(feature = "models")]
@@ -136,6 +139,7 @@ pub fn check(
         catalog,
         building,
         values,
+        is_town,
     }
 }
 

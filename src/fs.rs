@@ -10,6 +10,7 @@ use crate::source::{IncludeError, PictureFile, Stream, World};
 use std::collections::BTreeSet;
 use std::fs;
 use std::fs::File;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
@@ -115,6 +116,10 @@ impl World for FolderWorld {
         Ok(Box::new(self.roots.open(path)?))
     }
 
+    fn stamp(&self, path: &str) -> Option<u64> {
+        stamp(&self.roots.resolved(path).ok()?)
+    }
+
     fn on_disk(&self, path: &str) -> Option<PathBuf> {
         self.roots.resolved(path).ok()
     }
@@ -127,6 +132,23 @@ fn file(path: &str) -> PictureFile {
         path: path.to_owned(),
         size: size.unwrap_or((1, 1)),
     }
+}
+
+/// Hashes names, sizes and times of the files that differ from one in their extension only.
+fn stamp(path: &Path) -> Option<u64> {
+    let stem = path.file_stem()?;
+    let entries = fs::read_dir(path.parent()?).ok()?.flatten();
+    let mut alike: Vec<_> = entries
+        .filter(|entry| Path::new(&entry.file_name()).file_stem() == Some(stem))
+        .filter_map(|entry| {
+            let about = fs::metadata(entry.path()).ok()?;
+            Some((entry.file_name(), about.len(), about.modified().ok()?))
+        })
+        .collect();
+    alike.sort();
+    let mut hasher = DefaultHasher::new();
+    alike.hash(&mut hasher);
+    Some(hasher.finish())
 }
 
 /// Reads the width and height from the header of an image.

@@ -22,14 +22,17 @@ mod walked;
 mod vocabulary;
 
 use crate::catalog::Catalog;
-use crate::diagnostic::{Diagnostic, Diagnostics, Text};
+use crate::diagnostic::{Diagnostic, Diagnostics, Origin, Text};
 use crate::driver::{self, Checked, Options};
+use crate::parse::Seen;
 use crate::parse::syntax::Outline;
 use crate::source::{FileId, Source, Span, World};
 use crate::text;
+use crate::town::TownFacts;
 use std::cell::OnceCell;
 use std::ops::Range;
 use std::path::Path;
+use std::sync::Arc;
 
 /// The analysis of a source file.
 #[derive(Debug)]
@@ -40,6 +43,10 @@ pub struct Analysis {
     pub diagnostics: Vec<Diagnostic>,
     /// Parameters, other files, custom parts, walls and roofs.
     pub checked: Checked,
+    /// The fields of its maps, if it is a town: as they were when it was last checked with them.
+    pub town: Option<Arc<TownFacts>>,
+    /// True if `town` is of this text, and its problems are among the diagnostics.
+    is_town_checked: bool,
     options: Options,
     outline: OnceCell<Outline>,
     /// The outlines of the included files.
@@ -69,6 +76,8 @@ impl Analysis {
             source,
             diagnostics: out.into_sorted(),
             checked,
+            town: None,
+            is_town_checked: false,
             options: options.clone(),
             outline: OnceCell::new(),
             outlines: OnceCell::new(),
@@ -83,7 +92,44 @@ impl Analysis {
         if self.diagnostics.len() > before {
             let place = |d: &Diagnostic| (d.origin.clone(), d.code);
             self.diagnostics.sort_by_key(place);
+            self.diagnostics.dedup();
         }
+    }
+
+    /// Adds what a check of this text as a town with its maps has found, and the files in which it was found.
+    pub fn add_town(
+        &mut self,
+        town: Arc<TownFacts>,
+        included: Vec<Source>,
+        found: impl IntoIterator<Item = Diagnostic>,
+    ) {
+        self.town = Some(town);
+        self.is_town_checked = true;
+        self.checked.included = included;
+        self.outlines = OnceCell::new();
+        self.names = OnceCell::new();
+        self.add(found);
+    }
+
+    /// Returns the values that were computed at a place.
+    fn seen(&self, place: Span) -> Option<Seen> {
+        let town = self.town.as_ref().filter(|_| self.is_town_checked);
+        let of_features = || town?.values.get(&place).cloned();
+        of_features().or_else(|| self.checked.values.at(place))
+    }
+
+    /// Returns the span at which an editor shows a diagnostic: one about a feature at the name of its layer.
+    pub fn place_of(&self, diagnostic: &Diagnostic) -> Option<Span> {
+        let Origin::Feature { layer, .. } = &diagnostic.origin else {
+            return diagnostic.span();
+        };
+        let mut elements = self.outline().elements.iter();
+        let named = elements.find_map(|e| {
+            let is_layer = e.schema.is_some_and(|s| s.name == "Layer");
+            let name = e.attribute("name").filter(|_| is_layer)?;
+            (name.value.trim() == &**layer).then_some(name)
+        });
+        Some(self.source.span(named?.inner.clone()))
     }
 
     /// Returns the outline of the file.

@@ -3,7 +3,8 @@
 //! The server is a loop on one thread. It first receives all pending messages, so that cancelled requests are never started
 //! and a document with several changes is analysed once. Then it answers the oldest request. If there is none, it
 //! analyses a changed document and publishes its diagnostics. A full check takes milliseconds, so analyses are not
-//! incremental.
+//! incremental. Only a town is checked with its maps behind the loop, since that takes as long as its maps are large; its
+//! diagnostics are published when that is done.
 //!
 //! The loop tolerates malformed messages, invalid positions, unknown documents and requests in any order. A panic fails a
 //! request, never the server.
@@ -15,6 +16,7 @@
 //! | `session` | the state of a client connection |
 //! | `client`, `settings` | capabilities and settings of the client |
 //! | `documents`, `world` | open documents, and the files around them |
+//! | `towns` | towns checked with their maps, on another thread |
 //! | `preview` | the live preview beside the editor |
 //! | `publish`, `actions` | diagnostics and their fixes |
 //! | `proto`, `lines`, `uri` | conversion of locations, positions and file names |
@@ -30,6 +32,7 @@ mod requests;
 mod server;
 mod session;
 mod settings;
+mod towns;
 mod transport;
 mod uri;
 mod world;

@@ -62,6 +62,13 @@ pub trait World: Send + Sync {
         Err(std::io::Error::new(std::io::ErrorKind::NotFound, path))
     }
 
+    /// Returns what changes when a file found by [`World::text`] changes, or one beside it that differs in its extension
+    /// only, as the files of one map do; `None` if nobody can tell.
+    fn stamp(&self, path: &str) -> Option<u64> {
+        let _ = path;
+        None
+    }
+
     /// Returns a file that may be opened as a path of the system, for libraries that open files themselves.
     fn on_disk(&self, path: &str) -> Option<std::path::PathBuf> {
         let _ = path;
@@ -184,6 +191,12 @@ enum Offsets {
 }
 
 impl Source {
+    /// Returns the same file with another number.
+    #[must_use]
+    pub fn numbered(self, id: FileId) -> Source {
+        Source { id, ..self }
+    }
+
     /// Decodes a file. A byte order mark decides; then an XML declaration's label; then whatever is
     /// valid UTF-8 is UTF-8; otherwise Shift_JIS or EUC-JP, whichever fits (docs/evidence.md 2.6, A13).
     pub fn new(id: FileId, name: impl Into<String>, bytes: &[u8]) -> Source {

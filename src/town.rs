@@ -9,9 +9,11 @@
 //! | a house is put on it: a rectangle, or its walls | `plot`, `over` |
 //! | the rules of the town file make the houses | `run` |
 //! | every decision is recorded | `decision`, `stream` |
+//! | or nothing is made, and what an editor asks for is kept | `check`, `layer/kept` |
 //!
 //! Frame: metres east and north of the town's origin, z up. Rings run counter-clockwise.
 
+mod check;
 pub mod decision;
 pub mod frontage;
 pub mod grid;
@@ -28,25 +30,8 @@ pub mod stream;
 pub mod street;
 pub mod table;
 
-use crate::diagnostic::Diagnostics;
-use crate::driver;
-
-/// Checks a town file with its maps: evaluates its rules at every feature, and makes nothing. Returns the number of houses
-/// that they ask for; `None` if the file is no town.
-pub fn check(input: TownInput<'_>, out: &mut Diagnostics) -> Option<usize> {
-    let mut known = Diagnostics::new();
-    let read = driver::documents(&[input.source], input.world, input.options, &mut known);
-    let town = read.documents.into_iter().find_map(|d| d.town)?;
-    if known.has_errors() {
-        return Some(0);
-    }
-    let plan = run::plan(input, &town, out)?;
-    let mut houses = stream::TownStream::new(input, &plan);
-    let count = houses.by_ref().count();
-    houses.finish(out);
-    Some(count)
-}
-
+pub use check::{FieldFacts, LayerFacts, TownFacts, check};
 pub use decision::TownReport;
+pub use layer::KeptMaps;
 pub use plan::Plan;
 pub use run::{TownHouses, TownInput};

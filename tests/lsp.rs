@@ -8,3 +8,4 @@ mod fixes;
 mod program;
 mod speed;
 mod stream;
+mod towns;

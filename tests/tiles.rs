@@ -79,6 +79,7 @@ fn build(text: &str, folder: &Path, store: &Memory, threads: usize) -> io::Resul
         source: &source,
         world: &world,
         options: &options,
+        kept: None,
     };
     let plan = town::run::plan(input, &written, &mut out).expect("its maps are read");
     let division: Tiles = written.tiles.clone();

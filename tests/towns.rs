@@ -41,6 +41,7 @@ pub(crate) fn in_folder(text: &str, folder: &Path, look: impl FnOnce(&Plan)) -> 
         source: &source,
         world: &world,
         options: &options,
+        kept: None,
     };
     let plan = written.and_then(|town| run::plan(input, &town, &mut out));
     let mut built = Built {
@@ -330,8 +331,9 @@ fn a_misspelt_field_of_a_where_names_the_nearest_one() {
         source: &source,
         world: &world,
         options: &options,
+        kept: None,
     };
-    hsd::town::check(input, &mut out);
+    hsd::town::check(input, &mut vec![], &|| true, &mut out);
     let list = out.into_sorted();
     let wrong = list.iter().find(|d| d.code.to_string() == "HSD1141");
     let found = wrong.expect("the field is not there");

@@ -45,7 +45,7 @@ impl Check {
             sources: &sources,
             long: &inputs.long,
         };
-        let checked = driver::inspect(feed, &world, &options, &mut out, &|| {
+        let mut checked = driver::inspect(feed, &world, &options, &mut out, &|| {
             streamed::spool(&env::temp_dir())
         })?;
         let mut houses = checked.houses;
@@ -54,8 +54,10 @@ impl Check {
                 source,
                 world: &world,
                 options: &options,
+                kept: None,
             };
-            houses += town::check(input, &mut out).unwrap_or_default();
+            let town = town::check(input, &mut checked.included, &|| true, &mut out);
+            houses += town.map_or(0, |town| town.houses);
         }
         let list = out.into_sorted();
         let format = Format::from(self.format);

@@ -161,6 +161,32 @@ impl Diagnostics {
         moved
     }
 
+    /// Gives the files of all places other numbers.
+    pub fn renumber(&mut self, number: &mut dyn FnMut(FileId) -> FileId) {
+        let list = std::mem::take(&mut self.list);
+        let counts: Vec<(Kind, Tally)> = std::mem::take(&mut self.kinds).into_iter().collect();
+        for mut diagnostic in list {
+            let labels = diagnostic.labels.iter_mut().map(|label| &mut label.span);
+            let edits = diagnostic.fixes.iter_mut().flat_map(|fix| &mut fix.edits);
+            for span in labels.chain(edits.map(|edit| &mut edit.span)) {
+                span.file = number(span.file);
+            }
+            if let Origin::Source(span) = &mut diagnostic.origin {
+                span.file = number(span.file);
+            }
+            self.list.push(diagnostic);
+        }
+        for (mut kind, mut tally) in counts {
+            if let Whole::File(file) = &mut kind.of {
+                *file = number(*file);
+            }
+            if let Origin::Source(span) = &mut tally.last {
+                span.file = number(span.file);
+            }
+            self.kinds.insert(kind, tally);
+        }
+    }
+
     /// Returns those of the kept diagnostics that are to be kept further.
     #[must_use]
     pub fn filtered(mut self, keep: impl FnMut(&Diagnostic) -> bool) -> Diagnostics {

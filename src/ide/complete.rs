@@ -4,6 +4,7 @@
 //! decide (see `place`).
 
 mod cells;
+mod fields;
 pub(super) mod legacy;
 pub(super) mod names;
 pub(super) mod parts;

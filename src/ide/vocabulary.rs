@@ -1,8 +1,11 @@
 //! Descriptions of the language's words: values, roof lines, the legacy header, and letters of classes.
 
+pub(super) mod fields;
+mod measures;
 mod shapes;
 mod stuffs;
 
+pub(super) use measures::MEASURES;
 pub(super) use shapes::SHAPES;
 pub(super) use stuffs::STUFFS;
 

@@ -2,15 +2,18 @@
 
 use super::lines::{Encoding, Lines};
 use super::settings::Settings;
+use super::towns::{TownDone, TownJob};
 use super::uri;
 use super::world::{MARK, Open, Overlay, key, marked};
 use crate::driver::Options;
 use crate::ide::Analysis;
 use crate::roof::KeptRoofs;
 use crate::source::{FileId, Source};
+use crate::town::{KeptMaps, TownFacts};
 use gen_lsp_types::{Range, TextDocumentContentChangeEvent};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// An open document.
 pub(super) struct Document {
@@ -30,6 +33,10 @@ pub(super) struct Document {
     given_up: bool,
     /// The files requested by the last analysis.
     asked: BTreeSet<PathBuf>,
+    /// The number of the last analysis among all.
+    reading: u64,
+    /// What is known of the town that it is, or was before the last changes.
+    town: Option<Arc<TownFacts>>,
 }
 
 impl Document {
@@ -88,6 +95,10 @@ pub(super) struct Documents {
     pub(super) edition: u64,
     /// The roofs of all documents: a key changes those of one house.
     roofs: KeptRoofs,
+    /// The maps of all towns.
+    maps: KeptMaps,
+    /// The number of analyses so far.
+    readings: u64,
 }
 
 impl Documents {
@@ -126,6 +137,8 @@ impl Documents {
             analysis: None,
             given_up: false,
             asked: BTreeSet::new(),
+            reading: 0,
+            town: None,
         };
         self.open.insert(uri.clone(), document);
         self.changed(&uri);
@@ -205,11 +218,51 @@ impl Documents {
         let Some(document) = self.open.get(uri).filter(|d| d.analysis.is_none()) else {
             return false;
         };
-        let (analysis, asked) = self.read(uri, &document.text, settings);
+        let (mut analysis, asked) = self.read(uri, &document.text, settings);
+        self.readings += 1;
         if let Some(document) = self.open.get_mut(uri) {
+            document.town = document.town.take().filter(|_| analysis.checked.is_town);
+            analysis.town.clone_from(&document.town);
             document.analysis = Some(analysis);
             document.asked = asked;
+            document.reading = self.readings;
         }
+        true
+    }
+
+    /// Returns the work of checking a document as a town, if its analysis says that it is one.
+    pub(super) fn town(&self, uri: &str, settings: &Settings) -> Option<TownJob> {
+        let document = self.open.get(uri)?;
+        let analysis = document.analysis.as_ref()?;
+        analysis.checked.is_town.then(|| TownJob {
+            uri: uri.to_owned(),
+            reading: document.reading,
+            folder: uri::to_path(uri).and_then(|p| p.parent().map(Path::to_owned)),
+            source: analysis.source.clone(),
+            included: analysis.checked.included.clone(),
+            open: self.files.clone(),
+            settings: settings.clone(),
+            maps: self.maps.clone(),
+        })
+    }
+
+    /// Adds the result of checking a town to its analysis; returns false if the text has changed since.
+    pub(super) fn add_town(&mut self, made: TownDone) -> bool {
+        let Some(document) = self.open.get_mut(&made.uri) else {
+            return false;
+        };
+        let is_same = document.reading == made.reading;
+        let Some(analysis) = document.analysis.as_mut().filter(|_| is_same) else {
+            return false;
+        };
+        document.asked.extend(made.asked);
+        let town = Arc::new(made.facts);
+        // While its text has errors the maps may not be readable; their fields are still of use.
+        if !town.layers.is_empty() || document.town.is_none() {
+            document.town = Some(town.clone());
+        }
+        analysis.add_town(town, made.included, made.found);
+        analysis.town.clone_from(&document.town);
         true
     }
 

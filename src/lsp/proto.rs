@@ -128,7 +128,8 @@ impl<'a> Places<'a> {
         d: &diagnostic::Diagnostic,
         language: Language,
     ) -> Option<(String, lsp::Diagnostic)> {
-        let place = match d.span().and_then(|span| self.span(span)) {
+        let place = self.analysis.place_of(d).and_then(|span| self.span(span));
+        let place = match place {
             Some(place) => place,
             // No place of the document is to blame, but somewhere it must stand.
             None => self.location(self.analysis.source.id(), &(0..0))?,

@@ -14,9 +14,16 @@ use serde_json::{Value, json};
 use std::collections::VecDeque;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::Sender;
+use std::time::Duration;
 
 /// The ID of the request for settings.
 const SETTINGS: &str = "hsd/settings";
+
+/// The files that the client watches: sources, images, tables and maps.
+const WATCHED: &str = "**/*.{hsd,png,jpg,jpeg,PNG,JPG,JPEG,csv,geojson,geojsonl,json,shp,dbf,prj,cpg,gpkg,fgb,parquet,osm,pbf,xml,gml}";
+
+/// How often the result of a town that is being checked is asked for.
+const PATIENCE: Duration = Duration::from_millis(10);
 
 /// The phase of the protocol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,6 +61,7 @@ impl Server {
     pub(super) fn run(mut self) -> bool {
         loop {
             self.drain();
+            self.session.take_towns();
             self.session
                 .previews
                 .follow(&self.session.documents, &self.session.settings);
@@ -64,13 +72,8 @@ impl Server {
                         self.refresh_or_give_up(&uri);
                         continue;
                     }
-                    None => match self.session.connection.receiver.recv() {
-                        Ok(message) => {
-                            self.enqueue(message);
-                            continue;
-                        }
-                        Err(_) => return self.phase == Phase::ShutDown,
-                    },
+                    None if self.receive() => continue,
+                    None => return self.phase == Phase::ShutDown,
                 },
             };
             match message {
@@ -82,6 +85,21 @@ impl Server {
                 Message::Response(response) => self.response(response),
             }
         }
+    }
+
+    /// Waits for a message, or for a town that is being checked; returns false at the end of the stream.
+    fn receive(&mut self) -> bool {
+        let receiver = &self.session.connection.receiver;
+        let message = match self.session.towns.is_busy() {
+            true => match receiver.recv_timeout(PATIENCE) {
+                Err(error) if error.is_timeout() => return true,
+                other => other.ok(),
+            },
+            false => receiver.recv().ok(),
+        };
+        let is_open = message.is_some();
+        message.into_iter().for_each(|m| self.enqueue(m));
+        is_open
     }
 
     /// Receives all pending messages.
@@ -253,7 +271,7 @@ impl Server {
             self.ask_for_settings();
         }
         if self.session.client.watches {
-            let watchers = json!([{ "globPattern": "**/*.{hsd,png,jpg,jpeg,PNG,JPG,JPEG}" }]);
+            let watchers = json!([{ "globPattern": WATCHED }]);
             let method = "workspace/didChangeWatchedFiles";
             let registration = json!({ "registrations": [{
                 "id": "hsd-files",

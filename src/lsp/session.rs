@@ -5,6 +5,7 @@ use super::documents::Documents;
 use super::preview::{Previews, RequestSender};
 use super::publish::Published;
 use super::settings::Settings;
+use super::towns::Towns;
 use super::transport::bytes;
 use super::uri;
 use crate::diagnostic::Language;
@@ -26,6 +27,7 @@ pub(super) struct Session {
     pub(super) settings: Settings,
     pub(super) published: Published,
     pub(super) previews: Previews,
+    pub(super) towns: Towns,
     /// The default language, if the client names none.
     locale: Language,
 }
@@ -44,6 +46,7 @@ impl Session {
             settings: Settings::new(locale),
             published: Published::default(),
             previews: Previews::default(),
+            towns: Towns::default(),
             locale,
         }
     }
@@ -90,11 +93,30 @@ impl Session {
         }
     }
 
-    /// Analyses a document if it has changed, and publishes its diagnostics.
+    /// Analyses a document if it has changed, and publishes its diagnostics; those of a town once it is checked with its
+    /// maps too.
     pub(super) fn refresh(&mut self, uri: &str) {
         if !self.documents.analyse(uri, &self.settings) {
             return;
         }
+        match self.documents.town(uri, &self.settings) {
+            Some(job) => self.towns.start(job),
+            None => self.publish_document(uri),
+        }
+    }
+
+    /// Takes over the results of checked towns.
+    pub(super) fn take_towns(&mut self) {
+        while let Some((uri, made)) = self.towns.take() {
+            let is_current = made.is_none_or(|made| self.documents.add_town(made));
+            if is_current {
+                self.publish_document(&uri);
+            }
+        }
+    }
+
+    /// Publishes the diagnostics of a document.
+    fn publish_document(&mut self, uri: &str) {
         let (encoding, language) = (self.client.encoding, self.settings.language);
         if let Some(document) = self.documents.get(uri) {
             let published = &mut self.published;

@@ -4,7 +4,7 @@ use super::settings::Settings;
 use crate::driver::Options;
 use crate::expand;
 use crate::fs::FolderWorld;
-use crate::source::{FileId, IncludeError, Limits, PictureFile, Source, World};
+use crate::source::{FileId, IncludeError, Limits, PictureFile, Source, Stream, World};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -151,6 +151,18 @@ impl World for Overlay<'_> {
             Err(IncludeError::Missing) => self.unsaved(from, href).ok_or(IncludeError::Missing),
             found => found,
         }
+    }
+
+    fn open(&self, path: &str) -> io::Result<Box<dyn Stream>> {
+        self.disk.open(path)
+    }
+
+    fn stamp(&self, path: &str) -> Option<u64> {
+        self.disk.stamp(path)
+    }
+
+    fn on_disk(&self, path: &str) -> Option<PathBuf> {
+        self.disk.on_disk(path)
     }
 
     fn text_bytes(&self, path: &str, limit: usize) -> io::Result<Vec<u8>> {

@@ -128,13 +128,23 @@ pub struct Expression {
 }
 
 impl Expression {
-    /// Returns the expression between these braces; `at` = the start of the text that contains it.
-    pub(super) fn new(inner: &str, range: Range<usize>) -> Expression {
+    /// Returns the expression at a range of a value, braces included; `place` maps a range of the value to the file. A name
+    /// in which a reference such as `&amp;` stands is left out: it is not written there as it is read.
+    pub(super) fn new(
+        value: &str,
+        range: Range<usize>,
+        place: impl Fn(Range<usize>) -> Range<usize>,
+    ) -> Expression {
         let start = range.start + 1;
+        let inner = value.get(start..range.end - 1).unwrap_or_default();
         let names = expr::names(inner).into_iter();
+        let names = names.filter_map(|name| {
+            let written = place(start + name.start..start + name.end);
+            (written.len() == name.len()).then_some(written)
+        });
         Expression {
-            names: names.map(|n| start + n.start..start + n.end).collect(),
-            range,
+            names: names.collect(),
+            range: place(range),
         }
     }
 }

@@ -4,7 +4,7 @@
 //! kept.
 
 use crate::ast::Value;
-use crate::source::Span;
+use crate::source::{FileId, Span};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
@@ -26,6 +26,39 @@ pub struct Seen {
     pub more: bool,
     /// The first few different numbers of the storeys in which it was evaluated, if any.
     pub storeys: Vec<u64>,
+    /// How often it was computed.
+    pub times: usize,
+    /// How often it was true.
+    pub held: usize,
+}
+
+impl Seen {
+    fn append(&mut self, later: Seen) {
+        for value in later.values {
+            self.add(value);
+        }
+        self.more |= later.more;
+        for storey in later.storeys {
+            self.in_storey(storey);
+        }
+        self.times += later.times;
+        self.held += later.held;
+    }
+
+    fn add(&mut self, value: Value) {
+        if !self.values.contains(&value) {
+            match self.values.len() < KEPT {
+                true => self.values.push(value),
+                false => self.more = true,
+            }
+        }
+    }
+
+    fn in_storey(&mut self, storey: u64) {
+        if self.storeys.len() < KEPT && !self.storeys.contains(&storey) {
+            self.storeys.push(storey);
+        }
+    }
 }
 
 impl Values {
@@ -34,20 +67,38 @@ impl Values {
         self.seen.borrow().get(&place).cloned()
     }
 
+    /// Adds values that were recorded after these.
+    pub fn append(&self, other: Values) {
+        let mut seen = self.seen.borrow_mut();
+        for (place, more) in other.seen.into_inner() {
+            seen.entry(place).or_default().append(more);
+        }
+    }
+
+    /// Returns the values of the places of one file.
+    #[must_use]
+    pub fn of_file(self, file: FileId) -> Values {
+        let mut seen = self.seen.into_inner();
+        seen.retain(|place, _| place.file == file);
+        Values { seen: seen.into() }
+    }
+
+    /// Returns all values by their places.
+    pub fn into_places(self) -> BTreeMap<Span, Seen> {
+        self.seen.into_inner()
+    }
+
     /// Records a value of a place.
     pub(super) fn note(&self, place: Span, value: &Value, storey: Option<u64>) {
         let mut seen = self.seen.borrow_mut();
         let seen = seen.entry(place).or_default();
+        seen.times += 1;
+        seen.held += usize::from(*value == Value::Truth(true));
         if !seen.values.contains(value) {
-            match seen.values.len() < KEPT {
-                true => seen.values.push(value.clone()),
-                false => seen.more = true,
-            }
+            seen.add(value.clone());
         }
-        if let Some(storey) = storey.filter(|s| !seen.storeys.contains(s))
-            && seen.storeys.len() < KEPT
-        {
-            seen.storeys.push(storey);
+        if let Some(storey) = storey {
+            seen.in_storey(storey);
         }
     }
 }

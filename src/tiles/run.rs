@@ -213,6 +213,7 @@ impl Maker<'_> {
                 found: std::mem::take(&mut input.chunk.found),
                 missing: std::mem::take(&mut input.chunk.missing),
                 included: std::mem::take(&mut input.chunk.included),
+                values: std::mem::take(&mut input.chunk.values),
             },
             record: None,
             found: Diagnostics::new(),

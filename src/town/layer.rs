@@ -1,5 +1,9 @@
 //! The layers of a town: features of its maps in the frame of the town, with the fields that rules ask for.
 
+mod kept;
+
+pub use kept::KeptMaps;
+
 use super::grid::{Bounds, bounds};
 use super::shape::{area, centroid, cleaned};
 use crate::ast::town::{FieldType, Known, Layer};
@@ -35,6 +39,13 @@ pub enum Shape {
     Lines(Vec<Vec<DVec2>>),
     /// A point.
     Point(DVec2),
+}
+
+impl Lot {
+    /// Returns its fields as the file has them, by column.
+    pub(super) fn fields(&self) -> &[(usize, map::Value)] {
+        &self.fields
+    }
 }
 
 impl Shape {
@@ -78,7 +89,7 @@ impl Shape {
 }
 
 /// A layer that has been read.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Lots {
     /// As written.
     pub layer: Layer,
@@ -95,6 +106,7 @@ pub struct Lots {
 }
 
 /// Features in the coordinates of their file.
+#[derive(Clone, Debug)]
 pub struct Raw {
     features: Vec<map::Feature>,
     crs: Crs,
@@ -176,13 +188,24 @@ impl Raw {
         self.is_guessed && points.any(|p| self.crs.refuses(p).is_some())
     }
 
-    /// Puts the features into the frame of the town.
+    /// Returns the number of features.
+    pub fn len(&self) -> usize {
+        self.features.len()
+    }
+
+    /// Returns true if there are none.
+    pub fn is_empty(&self) -> bool {
+        self.features.is_empty()
+    }
+
+    /// Puts the features of a layer as it is written now into the frame of the town.
     ///
     /// # Errors
     /// If the systems cannot be converted.
-    pub fn placed(self, frame: &TownFrame) -> Result<Lots, map::Mismatch> {
+    pub fn placed(self, frame: &TownFrame, written: &Layer) -> Result<Lots, map::Mismatch> {
         let transform = Transform::new(&self.crs, &frame.crs, Datums::Exact)?;
         let mut lots = self.lots;
+        lots.layer = written.clone();
         let key = lots
             .layer
             .key
@@ -259,7 +282,8 @@ fn shape(geometry: Geometry) -> Shape {
     }
 }
 
-fn as_text(value: &map::Value) -> Option<String> {
+/// Returns a value as rules and tables see it; `None` for none.
+pub(super) fn as_text(value: &map::Value) -> Option<String> {
     match value {
         map::Value::Null => None,
         map::Value::Bool(truth) => Some(if *truth { "yes" } else { "no" }.to_owned()),
@@ -314,6 +338,11 @@ impl Lots {
         }
     }
 
+    /// Returns the columns of the file by name.
+    pub(super) fn columns(&self) -> impl Iterator<Item = (&str, usize)> {
+        self.columns.iter().map(|(name, column)| (&**name, *column))
+    }
+
     /// Returns the names of all fields.
     pub fn names(&self) -> Vec<String> {
         let own = self.layer.fields.iter().map(|f| f.name.value.clone());
@@ -338,7 +367,8 @@ impl Lots {
     }
 }
 
-fn is_name(name: &str) -> bool {
+/// Returns true if expressions can name a field.
+pub(super) fn is_name(name: &str) -> bool {
     let first = name
         .chars()
         .next()

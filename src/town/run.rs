@@ -2,18 +2,19 @@
 //! feature depends on the town file, the feature and what stands round it; chunks only save time.
 
 use super::decision::{Outcome, Record};
-use super::layer::{self, Lots, TownFrame};
+use super::layer::{self, KeptMaps, Lots, Raw, TownFrame};
 use super::over;
 use super::plan::{LotId, Plan};
 use super::site::LotSite;
 use super::table::{NoTable, Rows};
-use crate::ast::town::{Made, Stood, Town};
+use crate::ast::town::{Layer, Made, Stood, Town};
 use crate::ast::{House, Item, Outline, Stand, Storey};
 use crate::diagnostic::messages::town as say;
 use crate::diagnostic::{Diagnostics, Origin};
 use crate::driver::{FeatureHouse, Options};
-use crate::map::{self, Crs, Datums, Mismatch, Projection, Transform};
+use crate::map::{self, Crs, Datums, Fault, Mismatch, Projection, Transform};
 use crate::parse;
+use crate::parse::Values;
 use crate::parse::fields::{FieldTest, NoTruth};
 use crate::parse::xml::{self, FeatureMade, FeatureOf, MissingFields, Trees};
 use crate::source::{Source, SourceCache, Span, Spanned, World};
@@ -37,6 +38,8 @@ pub struct TownInput<'a> {
     pub world: &'a dyn World,
     /// The options of the run.
     pub options: &'a Options,
+    /// Maps that were read before.
+    pub kept: Option<&'a KeptMaps>,
 }
 
 /// Reads the maps and tables of a town; `None` if its layers cannot be read.
@@ -50,7 +53,7 @@ pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<
                 continue;
             }
         };
-        match layer::read(input.world, &path, written) {
+        match read_map(input, &path, written) {
             Ok(layer) if layer.is_nowhere() => {
                 out.push(say::no_crs(written.src.span, &written.src.value))
             }
@@ -71,7 +74,8 @@ pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<
     let frame = frame(town, raw.first()?, out)?;
     let mut layers = vec![];
     for (raw, written) in raw.into_iter().zip(&town.layers) {
-        match raw.placed(&frame) {
+        let raw = Arc::try_unwrap(raw).unwrap_or_else(|kept| (*kept).clone());
+        match raw.placed(&frame, written) {
             Ok(mut lots) => {
                 keep(&mut lots, out);
                 lots.faults
@@ -85,6 +89,23 @@ pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<
         }
     }
     (layers.len() == town.layers.len()).then(|| Plan::new(town.clone(), frame, layers, tables))
+}
+
+/// Reads a map, unless it is kept.
+fn read_map(input: TownInput<'_>, path: &str, written: &Layer) -> Result<Arc<Raw>, Fault> {
+    let world = input.world;
+    let Some(kept) = input.kept else {
+        return layer::read(world, path, written).map(Arc::new);
+    };
+    let key = KeptMaps::key(path, written);
+    if let Some(raw) = kept.find(&key, world) {
+        return Ok(raw);
+    }
+    // Taken first, so that a map that changes meanwhile is read again.
+    let stamp = world.stamp(path);
+    let raw = Arc::new(layer::read(world, path, written)?);
+    kept.keep(key, stamp, &raw);
+    Ok(raw)
 }
 
 /// Returns the place of some bytes of an attribute; the whole of it where it is written with entities.
@@ -215,6 +236,8 @@ pub struct Chunk {
     pub missing: MissingFields,
     /// Types and files that were read.
     pub included: Vec<Source>,
+    /// The values of expressions, if the options ask for them.
+    pub values: Values,
 }
 
 /// The houses of a town, chunk by chunk.
@@ -276,13 +299,14 @@ fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
     for template in TYPES.iter().chain(EXAMPLES) {
         let _ = cache.add_own(&template.source_name(), template.text().as_bytes());
     }
+    let values = Values::default();
     let setting = parse::ReadContext {
         limits: *limits,
         parameters: &input.options.parameters,
         seed: input.options.expand.seed,
         world: input.world,
         cache: &cache,
-        values: None,
+        values: input.options.notes_values.then_some(&values),
         before: None,
     };
     let sites: Vec<LotSite<'_>> = lots.iter().map(|id| LotSite::new(plan, *id)).collect();
@@ -310,6 +334,7 @@ fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
         found,
         missing,
         included: cache.into_sources(),
+        values: values.of_file(input.source.id()),
     }
 }
 

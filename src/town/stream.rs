@@ -6,6 +6,7 @@ use super::run::{Chunk, TownHouses, TownInput};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::town as say;
 use crate::driver::FeatureHouse;
+use crate::parse::Values;
 use crate::parse::xml::MissingFields;
 use crate::source::Source;
 use rayon::prelude::*;
@@ -30,6 +31,8 @@ pub struct Ledger {
     unruled: BTreeMap<String, usize>,
     /// Types and files that were read.
     included: Vec<Source>,
+    /// The values of expressions in the town file, if the options ask for them.
+    pub values: Values,
 }
 
 /// The houses of a town.
@@ -90,6 +93,7 @@ impl Ledger {
         for (place, count) in chunk.missing {
             *self.missing.entry(place).or_default() += count;
         }
+        self.values.append(chunk.values);
         if self.included.is_empty() {
             self.included = chunk.included;
         }

@@ -99,6 +99,7 @@ fn planned(
         source,
         world: &world,
         options: &options,
+        kept: None,
     };
     match run::plan(input, &town, &mut out) {
         Some(plan) if !out.has_errors() => then(input, read, &plan, out),

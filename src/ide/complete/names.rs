@@ -1,19 +1,23 @@
 //! Names in expressions, and definitions.
 
-use super::place::Tag;
-use super::{Completion, CompletionKind, Request};
+use super::place::{self, Open, Tag};
+use super::{Completion, CompletionKind, Request, fields};
 use crate::diagnostic::Text;
 use crate::ide::names::{self, KnownName};
 use crate::ide::vocabulary;
 use crate::text;
 use std::ops::Range;
 
-/// Returns the completions in an expression that begins at `from`; `storey` = whether `k` is known.
-pub(super) fn in_braces(request: &Request<'_>, from: usize, storey: bool) -> Vec<Completion> {
+/// Returns the completions in an expression that begins at `from`, in an attribute of a tag or between tags.
+pub(super) fn in_braces(
+    request: &Request<'_>,
+    from: usize,
+    (open, tag): (&Open<'_>, Option<&Tag>),
+) -> Vec<Completion> {
     let before = &request.text[from..request.at];
     // Quotes contain a string, not names.
     if before.matches('\'').count() % 2 == 1 || before.matches('"').count() % 2 == 1 {
-        return vec![];
+        return fields::tables(request, before);
     }
     let start = before.rfind(|c: char| !(c.is_alphanumeric() || c == '_'));
     let start = from
@@ -25,7 +29,15 @@ pub(super) fn in_braces(request: &Request<'_>, from: usize, storey: bool) -> Vec
     if request.text[start..request.at].starts_with(|c: char| c.is_ascii_digit()) {
         return vec![];
     }
+    // A reference such as `&lt;` is no name.
+    if request.text[..start].ends_with('&') {
+        return vec![];
+    }
     let mut found = vec![];
+    if let Some(layer) = fields::layer(request, open, tag) {
+        found.extend(fields::names(layer, &range));
+    }
+    let storey = place::is_numbered(open);
     for (rank, known) in names::values(request.a, request.at).iter().enumerate() {
         let word = Completion::word(known.name(), CompletionKind::Name, about(known), &range);
         found.push(word.sorted(format!("1{rank:04}")));

@@ -2,7 +2,7 @@
 
 use super::place::{self, Open, Tag};
 use super::types::{self, TypeParameter};
-use super::{Completion, CompletionKind, Request, names, parts};
+use super::{Completion, CompletionKind, Request, fields, names, parts};
 use crate::catalog::body;
 use crate::diagnostic::Text;
 use crate::ide::names::KnownName;
@@ -25,7 +25,7 @@ pub(super) fn complete(
         return vec![];
     };
     if let Some(from) = place::braces(request.text, inner.start, request.at) {
-        return names::in_braces(request, from, place::is_numbered(open));
+        return names::in_braces(request, from, (open, Some(tag)));
     }
     let element = &request.text[tag.name.clone()];
     let attribute = &request.text[said.name.clone()];
@@ -34,7 +34,7 @@ pub(super) fn complete(
     } else {
         attribute
     };
-    let mut found = proposals(request, tag, element, attribute, &inner);
+    let mut found = proposals(request, (open, tag), element, attribute, &inner);
     if !said.quoted {
         for completion in &mut found {
             completion.insert = format!("\"{}\"", completion.insert);
@@ -45,17 +45,31 @@ pub(super) fn complete(
 
 fn proposals(
     request: &Request<'_>,
-    tag: &Tag,
+    (open, tag): (&Open<'_>, &Tag),
     element: &str,
     attribute: &str,
     inner: &Range<usize>,
 ) -> Vec<Completion> {
+    let layer = || fields::layer(request, open, Some(tag));
     let item = |divider: &[char]| item(request, inner, divider);
     match (element, attribute) {
         ("Part" | "Texture", "code") | ("PartDef", "base") => parts::in_value(request, inner),
         ("random" | "replace", "code" | "with") => parts::in_value(request, &item(&[','])),
         ("use", "name") => names::pieces(request, inner),
         ("Place", "type") => types(request, inner),
+        ("for", "each") => fields::layers(request, inner),
+        ("Place", "front") => {
+            let mut found = fields::layers(request, inner);
+            found.extend(listed(request, element, attribute, inner));
+            found
+        }
+        ("Field", "from") | ("Layer", "key") => {
+            layer().map_or(vec![], |layer| fields::in_file(layer, inner))
+        }
+        ("Layer", "where") => match layer() {
+            Some(layer) => fields::names(layer, &word_of(request, inner)),
+            None => vec![],
+        },
         ("include", "href") => files(request, inner, &["hsd"]),
         ("Texture", "src") | ("PartDef", "texture") => {
             files(request, inner, &["png", "jpg", "jpeg"])
@@ -152,6 +166,16 @@ fn listed(
         }
         _ => vec![],
     }
+}
+
+/// Returns the word of a test at an offset.
+fn word_of(request: &Request<'_>, inner: &Range<usize>) -> Range<usize> {
+    let ends = |c: char| !(c.is_alphanumeric() || c == '_');
+    let before = &request.text[inner.start..request.at];
+    let blank = before.char_indices().rev().find(|(_, c)| ends(*c));
+    let start = blank.map_or(inner.start, |(at, c)| inner.start + at + c.len_utf8());
+    let end = request.text[request.at..inner.end].find(ends);
+    start..end.map_or(inner.end, |i| request.at + i)
 }
 
 /// Returns the item of a list at an offset, without the blanks around it.

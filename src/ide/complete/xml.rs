@@ -89,7 +89,7 @@ fn content(request: &Request<'_>, open: &Open<'_>) -> Vec<Completion> {
             .rfind(['>', '\n'])
             .map_or(0, |i| i + 1);
         if let Some(from) = place::braces(request.text, from, request.at) {
-            return names::in_braces(request, from, place::is_numbered(open));
+            return names::in_braces(request, from, (open, None));
         }
         let cell = cells::under_way(
             request.text,

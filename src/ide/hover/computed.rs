@@ -1,11 +1,12 @@
 //! Expressions, names and definitions: their values in this run.
 
 use super::{Hover, Request, holds};
+use crate::ast::Value;
 use crate::diagnostic::Text;
 use crate::ide::complete::names::about;
 use crate::ide::complete::types;
 use crate::ide::names::{self, KnownName};
-use crate::ide::vocabulary;
+use crate::ide::vocabulary::{self, fields};
 use crate::parse::Seen;
 use crate::parse::syntax::Expression;
 use crate::text;
@@ -16,9 +17,7 @@ pub(super) fn expression(request: &Request<'_>, expression: &Expression) -> Opti
     let text = request.a.text();
     let seen = request
         .a
-        .checked
-        .values
-        .at(request.a.source.span(expression.range.clone()));
+        .seen(request.a.source.span(expression.range.clone()));
     let word = word_at(text, request.at);
     let name = text.get(word.clone()).unwrap_or_default();
     if name == "k" || expression.names.contains(&word) {
@@ -40,9 +39,13 @@ pub(super) fn expression(request: &Request<'_>, expression: &Expression) -> Opti
         let known = names::values(request.a, request.at)
             .into_iter()
             .find(|k| k.name() == name);
-        if let Some(known) = known {
-            return value(request, &word, &known);
-        }
+        // Fields hide names from outside their `for`.
+        let of_feature = || field(request, &word);
+        return match known {
+            Some(known) if is_in_rule(request, &known) => value(request, &word, &known),
+            Some(known) => of_feature().or_else(|| value(request, &word, &known)),
+            None => of_feature(),
+        };
     }
     if let Some(about) = vocabulary::meaning(
         vocabulary::FUNCTIONS,
@@ -53,10 +56,54 @@ pub(super) fn expression(request: &Request<'_>, expression: &Expression) -> Opti
     let seen = seen?;
     let range = &expression.range;
     let written = &text[range.start + 1..range.end.max(range.start + 2) - 1];
-    request.told(
-        range,
-        [format!("`{}` = {}", written.trim(), list(&seen)).into()],
-    )
+    let values = format!("`{}` = {}", written.trim(), list(&seen)).into();
+    request.told(range, [values, held(request, &seen)])
+}
+
+/// Returns true if a name is defined in the `for` that contains the place.
+fn is_in_rule(request: &Request<'_>, known: &KnownName<'_>) -> bool {
+    let outline = request.a.outline();
+    let is_rule = |e: &usize| names::word(&outline.elements[*e]) == "for";
+    let own = outline.element_at(request.at);
+    let rule = own.and_then(|own| outline.around(own).find(is_rule));
+    let is_here = known.source.id() == request.a.source.id();
+    let inside = |rule: usize| outline.elements[rule].range.contains(&known.place().start);
+    is_here && rule.is_some_and(inside)
+}
+
+/// Tells at how many features a test holds; nothing if the value belongs to no feature, or is no truth.
+fn held(request: &Request<'_>, seen: &Seen) -> Text {
+    let element = request.a.outline().element_at(request.at);
+    let layer = element.and_then(|e| fields::layer_of(request.a, e));
+    let is_test = seen.values.iter().all(|v| matches!(v, Value::Truth(_)));
+    let Some(layer) = layer.filter(|_| is_test && !seen.values.is_empty()) else {
+        return Text::default();
+    };
+    let (held, times, all, name) = (seen.held, seen.times, layer.features, &layer.name);
+    match times == all {
+        true => text!([held, all, name]
+            "takes {held} of the {all} features of `{name}`",
+            "`{name}` の {all} 件のうち {held} 件が当てはまる"
+        ),
+        false => text!([held, times, all, name]
+            "takes {held} of {times} features at which it is asked, of {all} of `{name}`",
+            "`{name}` の {all} 件のうち、問われた {times} 件の中で {held} 件が当てはまる"
+        ),
+    }
+}
+
+/// Describes a field or measure of the features that a place speaks of.
+pub(super) fn field(request: &Request<'_>, word: &Range<usize>) -> Option<Hover> {
+    let name = request.a.text().get(word.clone())?;
+    let element = request.a.outline().element_at(request.at)?;
+    let layer = fields::layer_of(request.a, element)?;
+    let about = match layer.field(name) {
+        Some(field) => fields::about(field, layer),
+        None => fields::measure(name)?.into(),
+    };
+    let layer = &layer.name;
+    let head = text!([name, layer] "**{name}** (`{layer}`)", "**{name}** (`{layer}`)");
+    request.told(word, [head, about])
 }
 
 /// Describes a name: its value, and its description.
@@ -67,7 +114,7 @@ pub(super) fn value(
 ) -> Option<Hover> {
     let place = known.source.span(known.place());
     let name = known.name();
-    let came = request.a.checked.values.at(place);
+    let came = request.a.seen(place);
     let came: Text = came.map_or("".into(), |seen| {
         format!("`{name}` = {}", list(&seen)).into()
     });

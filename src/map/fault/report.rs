@@ -12,7 +12,7 @@ use std::sync::Arc;
 type Known = (Discriminant<Kind>, usize);
 
 /// The faults of a map, counted by kind and field. Memory does not grow with their number.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Faults {
     /// The first fault of each kind and field, and their number, in the order of their first appearance.
     kinds: Vec<(Fault, usize)>,

@@ -145,13 +145,7 @@ fn inner(text: &str, attribute: &Attribute<'_>) -> Range<usize> {
 }
 
 fn expression(text: &Text<'_>, range: Range<usize>) -> Expression {
-    let place = text.range(range.clone());
-    // References stand for one character each: then offsets in the value differ from those in the file.
-    let inner = match place.len() == range.len() {
-        true => &text.as_str()[range.start + 1..range.end - 1],
-        false => "",
-    };
-    Expression::new(inner, place)
+    Expression::new(text.as_str(), range, |part| text.range(part))
 }
 
 /// Returns the name in the end tag of an element, if it has one.
