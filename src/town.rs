@@ -30,7 +30,7 @@ pub mod stream;
 pub mod street;
 pub mod table;
 
-pub use check::{FieldFacts, LayerFacts, TownFacts, check};
+pub use check::{FieldFacts, LayerFacts, TownFacts, adopt, check};
 pub use decision::TownReport;
 pub use layer::KeptMaps;
 pub use plan::Plan;

@@ -8,6 +8,7 @@
 //! |---|---|
 //! | `editor_host` | access to source files and the editor |
 //! | `workspace`, `snapshot` | the files that can be shown; the compiled state of each |
+//! | `town` | the tiles of towns, built behind the page |
 //! | `houses` | models house by house, so that a page loads only what has changed |
 //! | `watch` | notices saved files |
 //! | `routes`, `guard` | the API; access control |
@@ -28,6 +29,7 @@ mod routes;
 mod screenshots;
 mod snapshot;
 mod strokes;
+mod town;
 mod watch;
 mod workspace;
 
@@ -35,6 +37,7 @@ pub use editor_host::EditorHost;
 pub use notify_debouncer_full::notify::RecursiveMode;
 pub use page::{how_to_build, is_built};
 pub use screenshots::Screenshot;
+pub use town::map_folders;
 
 use crate::diagnostic::{Diagnostic, Language};
 use crate::source::{Source, reference};
@@ -118,12 +121,7 @@ impl Preview {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, options.port))?;
         listener.set_nonblocking(true)?;
         let address = listener.local_addr()?;
-        let workspace = Arc::new(Workspace::new(
-            root,
-            options.only,
-            options.language,
-            options.host,
-        ));
+        let workspace = Workspace::new(root, options.only, options.language, options.host);
         let watch = match &options.watched[..] {
             [] => None,
             folders => Some(watch::watch(&workspace, folders).map_err(io::Error::other)?),

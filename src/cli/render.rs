@@ -327,6 +327,7 @@ impl Render {
                 detail: self.detail_args.detail(),
                 editor: None,
                 writes: false,
+                scratch: Default::default(),
             }),
             port: 0,
             watched: vec![],

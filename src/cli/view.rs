@@ -12,6 +12,9 @@ pub(super) use file_host::FileHost;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+/// The root of a town in tiles.
+const TILESET: &str = "tileset.json";
+
 /// Preview houses in the browser, updated at every save.
 ///
 /// A local page shows the model, the plan and the diagnostics. For a folder, any source file or model in it can be
@@ -61,6 +64,7 @@ impl View {
             detail: self.detail_args.detail(),
             editor,
             writes: !self.read_only,
+            scratch: Default::default(),
         };
         let preview = start(&self.input, &self.read_args, host, self.port, language)?;
         let url = preview.url();
@@ -96,7 +100,9 @@ pub(super) fn start(
 ) -> Result<Preview, Failure> {
     let failed = |e: io::Error| Failure::at(input.display(), e);
     let real = input.canonicalize().map_err(failed)?;
-    let (root, only, mode) = if real.is_dir() {
+    let (root, only, mode) = if real.join(TILESET).is_file() {
+        (real, Some(TILESET.to_owned()), RecursiveMode::NonRecursive)
+    } else if real.is_dir() {
         (real, None, RecursiveMode::Recursive)
     } else {
         let folder = real.parent().unwrap_or(Path::new("/")).to_owned();
@@ -109,6 +115,7 @@ pub(super) fn start(
     let beside = read_args.folders(&inputs).into_iter();
     let beside = beside.chain(read_args.catalog_folders());
     let beside = beside.chain(inputs.iter().flat_map(|path| view::texture_folders(path)));
+    let beside = beside.chain(inputs.iter().flat_map(|path| view::map_folders(path)));
     for folder in beside.filter_map(|f| f.canonicalize().ok()) {
         let known = |(f, mode): &(PathBuf, RecursiveMode)| {
             *f == folder || *mode == RecursiveMode::Recursive && folder.starts_with(f)

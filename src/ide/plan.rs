@@ -243,6 +243,17 @@ pub struct Roof {
 }
 
 impl Plan {
+    /// Returns the plan of a model without a text.
+    pub fn none() -> Plan {
+        Plan {
+            reasons: BTreeMap::new(),
+            houses: vec![],
+            views: vec![],
+            places: vec![],
+            outlines: vec![],
+        }
+    }
+
     /// Returns the plan of a source file, with reasons in this language.
     pub fn of(a: &Analysis, language: Language) -> Plan {
         let sheet = Sheet::of(a);

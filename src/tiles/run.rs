@@ -10,7 +10,7 @@ use crate::ast::town::Tiles;
 use crate::backend::tileset;
 use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
-use crate::driver::TileDriver;
+use crate::driver::{Options, Read, TileDriver};
 use crate::map::on_globe;
 use crate::scene::Detail;
 use crate::source::Source;
@@ -42,6 +42,47 @@ pub struct TileJob<'a> {
     pub division: &'a Tiles,
     /// The number of threads.
     pub threads: usize,
+}
+
+/// What a town file says beside its layers and rules, as far as its tiles depend on it.
+pub struct TileParts<'a> {
+    parts: Vec<&'a Source>,
+    written: Vec<WrittenPart>,
+    year: Option<String>,
+}
+
+impl<'a> TileParts<'a> {
+    /// Collects it from what was read.
+    pub fn of(read: &'a Read, options: &'a Options) -> TileParts<'a> {
+        let own = read.documents.iter().flat_map(|d| &d.parts);
+        let mut parameters = read.documents.iter().flat_map(|d| &d.parameters);
+        let year = parameters.find(|p| p.name == "year");
+        TileParts {
+            parts: options.catalogs.iter().chain(&read.included).collect(),
+            written: own.cloned().collect(),
+            year: year.and_then(|p| Some(p.value.as_ref()?.to_string())),
+        }
+    }
+
+    /// Returns the job of making the tiles, by as many threads as there are.
+    pub fn job(
+        &'a self,
+        input: TownInput<'a>,
+        plan: &'a Plan,
+        catalog: &'a Catalog,
+        division: &'a Tiles,
+    ) -> TileJob<'a> {
+        TileJob {
+            input,
+            plan,
+            catalog,
+            parts: &self.parts,
+            written: &self.written,
+            year: self.year.as_deref(),
+            division,
+            threads: rayon::current_num_threads(),
+        }
+    }
 }
 
 /// A town in tiles.
@@ -129,6 +170,12 @@ impl TiledTown {
         let places: Vec<_> = self.tiles.iter().map(TileRecord::place).collect();
         let frame = &plan.frame;
         tileset::tileset(&places, on_globe(&frame.crs, frame.origin))
+    }
+
+    /// Returns the root of tiles that stand nowhere on the globe, for a viewer in the frame of the town.
+    pub fn local_tileset(&self) -> Vec<u8> {
+        let places: Vec<_> = self.tiles.iter().map(TileRecord::place).collect();
+        tileset::tileset(&places, None)
     }
 
     /// Returns the names of all files in the folders of tiles and textures.

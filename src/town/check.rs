@@ -115,7 +115,8 @@ fn facts(plan: Option<&Plan>, made: TownFacts) -> TownFacts {
 }
 
 /// Adds the files in which something was found to those that are known, and gives the places in them their numbers there.
-fn adopt(sources: Vec<Source>, own: FileId, known: &mut Vec<Source>, found: &mut Diagnostics) {
+/// `own` is the number of the town file.
+pub fn adopt(sources: Vec<Source>, own: FileId, known: &mut Vec<Source>, found: &mut Diagnostics) {
     found.renumber(&mut |file| {
         let Some(source) = sources.iter().find(|s| file != own && s.id() == file) else {
             return file;

@@ -3,7 +3,7 @@
 use crate::driver::Options;
 use crate::source::{Source, Span, World};
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The services that the preview needs from its host: files on disk and an editor command (`hsd view`), or the editor
 /// connected to the language server.
@@ -17,6 +17,14 @@ pub trait EditorHost: Send + Sync {
         path: &Path,
         work: &mut dyn FnMut(Source, &dyn World, &Options),
     ) -> io::Result<()>;
+
+    /// Returns a new folder for the tiles of a town, which is removed when the program ends.
+    ///
+    /// # Errors
+    /// If there is none.
+    fn scratch(&self) -> io::Result<PathBuf> {
+        Err(io::ErrorKind::Unsupported.into())
+    }
 
     /// Returns the contents of a file, as [`EditorHost::write`] takes them.
     ///

@@ -1,8 +1,11 @@
 //! The API of the page. Requests are handled on blocking threads.
 
+mod towns;
+
 use super::screenshots::{self, Screenshot};
 use super::snapshot::Snapshot;
-use super::workspace::{Document, FileEntry, TEXT, Update, Viewer, Workspace};
+use super::town::TownProgress;
+use super::workspace::{Document, FileEntry, TEXT, Update, Viewer, Workspace, lock};
 use super::{guard, model_file, page};
 use crate::catalog::PartDef;
 use crate::diagnostic::{Language, Text};
@@ -50,6 +53,9 @@ pub(super) fn routes(
         .route("/api/model/{revision}/house.glb", get(model))
         .route("/api/model/{revision}/{*name}", get(picture))
         .route("/api/houses", post(houses))
+        .route("/api/town/{id}/files/{*name}", get(towns::file))
+        .route("/api/town/{id}/feature", get(towns::feature))
+        .route("/api/town/{id}/skipped", get(towns::skipped))
         .route("/api/events", get(events))
         .route("/api/parts", get(parts))
         .route("/api/part", get(part))
@@ -281,11 +287,13 @@ async fn events(
             .snapshot(&document)
             .ok()
             .map(|snapshot| snapshot.revision);
-        Ok((document, viewer, updates, now))
+        let town = *lock(&document.town.progress);
+        Ok((document, viewer, updates, (now, town)))
     });
-    let (document, viewer, updates, now) = viewing.await?;
+    let (document, viewer, updates, (now, town)) = viewing.await?;
     let updates = BroadcastStream::new(updates);
-    let first = tokio_stream::iter(now.map(state_event));
+    let first = now.map(state_event).into_iter();
+    let first = tokio_stream::iter(first.chain(town.map(town_event)));
     let events = first
         .chain(update_events(document, viewer, updates))
         .map(Ok::<_, Infallible>);
@@ -310,6 +318,9 @@ fn update_events(
                 let data = serde_json::to_string(&place).unwrap_or_default();
                 (*file == *document.file).then(|| Event::default().event("cursor").data(data))
             }
+            Ok(Update::Town { file, progress }) => {
+                (*file == *document.file).then(|| town_event(progress))
+            }
             Ok(Update::Files) => Some(Event::default().event("files").data("{}")),
             // The page missed updates; only the newest matters.
             Err(BroadcastStreamRecvError::Lagged(_)) => document
@@ -317,6 +328,11 @@ fn update_events(
                 .map(|snapshot| state_event(snapshot.revision)),
         }
     })
+}
+
+fn town_event(progress: TownProgress) -> Event {
+    let data = serde_json::to_string(&progress).unwrap_or_default();
+    Event::default().event("town").data(data)
 }
 
 fn state_event(revision: u64) -> Event {

@@ -4,6 +4,7 @@ use super::editor_host::EditorHost;
 use super::fingerprint::fingerprint;
 use super::houses::Houses;
 use super::model_file::ModelFile;
+use super::town::{BuiltTown, ShownTown};
 use crate::catalog::Catalog;
 use crate::diagnostic::messages::limits::too_many_triangles;
 use crate::diagnostic::{Diagnostics, Language};
@@ -37,6 +38,8 @@ pub(super) struct Snapshot {
     pub(super) sources: Vec<Source>,
     /// The parts available to its houses.
     pub(super) catalog: Cow<'static, Catalog>,
+    /// True if it is a town, which is built in tiles.
+    pub(super) is_town: bool,
     /// True if an external texture is missing.
     pub(super) lacks: bool,
     /// The fingerprint of the content.
@@ -62,6 +65,7 @@ struct State<'a> {
     houses: Vec<(&'a str, &'a str)>,
     pictures: &'a BTreeMap<String, String>,
     plan: Plan,
+    town: Option<ShownTown>,
     times: Vec<(&'static str, f64)>,
 }
 
@@ -80,22 +84,31 @@ struct SourceState<'a> {
 }
 
 impl Snapshot {
-    /// Reads and compiles a source file; `file` is its path relative to `root`, as in the API.
+    /// Reads and compiles a source file; `file` is its path relative to `root`, as in the API. A town is shown as it was
+    /// built last, under the number `id`.
     ///
     /// # Errors
     /// If the file cannot be read.
     pub(super) fn of_text(
         host: &dyn EditorHost,
         (root, file): (&Path, &str),
-        language: Language,
-        revision: u64,
+        (language, revision): (Language, u64),
+        (id, built_town): (u64, Option<Arc<BuiltTown>>),
     ) -> io::Result<Snapshot> {
         let path = root.join(file);
         let mut compiled = None;
         host.read(&path, &mut |source, world, options| {
             compiled = Some(built(source, world, options));
         })?;
-        let (read, (houses, pictures), times) = compiled.ok_or(io::ErrorKind::NotFound)?;
+        let (mut read, (houses, pictures), times) = compiled.ok_or(io::ErrorKind::NotFound)?;
+        let town = read.checked.is_town.then(|| match &built_town {
+            Some(built) => built.shown.clone(),
+            None => ShownTown::none(id),
+        });
+        let found = built_town.and_then(|built| built.found(&read.source));
+        if let Some((included, found)) = found.filter(|_| town.is_some()) {
+            read.add_town(Arc::default(), included, found);
+        }
         let keys = keys(&pictures);
         let sources: Vec<Source> = read.sources().cloned().collect();
         let report = Report::new(&sources, &read.diagnostics).in_language(language);
@@ -104,6 +117,7 @@ impl Snapshot {
             houses.known().for_each(|house| house.hash(p));
             houses.places().hash(p);
             keys.hash(p);
+            town.hash(p);
             diagnostics.get().hash(p);
             sources.iter().for_each(|s| s.text().hash(p));
         });
@@ -115,6 +129,7 @@ impl Snapshot {
             houses: houses.known().collect(),
             pictures: &keys,
             plan: Plan::of(&read, language),
+            town: town.clone(),
             times: times.iter().map(|(step, t)| (*step, millis(*t))).collect(),
         };
         Ok(Snapshot {
@@ -124,8 +139,44 @@ impl Snapshot {
             pictures: pictures.into(),
             sources,
             catalog: read.checked.catalog,
+            is_town: town.is_some(),
             lacks: false,
             fingerprint: same,
+        })
+    }
+
+    /// Shows a town in tiles that exists already.
+    ///
+    /// # Errors
+    /// If its state cannot be written.
+    pub(super) fn of_tiles(
+        file: &str,
+        built: &BuiltTown,
+        revision: u64,
+    ) -> io::Result<Snapshot> {
+        let (pictures, none) = (BTreeMap::new(), RawValue::from_string("[]".to_owned())?);
+        let state = State {
+            revision,
+            file,
+            sources: vec![],
+            diagnostics: &none,
+            houses: vec![],
+            pictures: &pictures,
+            plan: Plan::none(),
+            town: Some(built.shown.clone()),
+            times: vec![],
+        };
+        let changed = built.changed();
+        Ok(Snapshot {
+            revision,
+            state: serde_json::to_vec(&state)?,
+            model: Content::File(vec![]),
+            pictures: Arc::default(),
+            sources: vec![],
+            catalog: Cow::Borrowed(parse::builtin()),
+            is_town: false, // Nothing is to be built.
+            lacks: false,
+            fingerprint: fingerprint(|p| (&built.shown, changed).hash(p)),
         })
     }
 
@@ -150,13 +201,8 @@ impl Snapshot {
             diagnostics: &diagnostics,
             houses: vec![],
             pictures: &keys,
-            plan: Plan {
-                reasons: BTreeMap::new(),
-                houses: vec![],
-                views: vec![],
-                places: vec![],
-                outlines: vec![],
-            },
+            plan: Plan::none(),
+            town: None,
             times: vec![],
         };
         Ok(Snapshot {
@@ -171,6 +217,7 @@ impl Snapshot {
             pictures: model.pictures.into(),
             sources: vec![],
             catalog: Cow::Borrowed(parse::builtin()),
+            is_town: false,
             lacks: !model.diagnostics.is_empty(),
         })
     }

@@ -17,6 +17,12 @@ const QUIET: Duration = Duration::from_millis(if cfg!(target_os = "linux") { 250
 /// The maximum time that consecutive changes are gathered.
 const PATIENCE: Duration = Duration::from_millis(if cfg!(target_os = "linux") { 500 } else { 60 });
 
+/// The extensions of maps, of the tables of towns and of the roots of tiles.
+const MAPS: &[&str] = &[
+    "csv", "geojson", "geojsonl", "json", "shp", "dbf", "prj", "cpg", "gpkg", "fgb", "parquet",
+    "osm", "pbf", "gml", "gz",
+];
+
 /// The watched folders; watching ends on drop.
 pub(super) struct Watch {
     _watcher: RecommendedWatcher,
@@ -117,5 +123,6 @@ fn is_read(path: &Path) -> bool {
     };
     let ending = ending.to_str();
     let read = ["hsd", "xml", "png", "jpg", "jpeg", "ktx2", "glb"];
-    ending.is_some_and(|e| read.iter().any(|r| e.eq_ignore_ascii_case(r)))
+    let mut all = read.iter().chain(MAPS);
+    ending.is_some_and(|e| all.any(|r| e.eq_ignore_ascii_case(r)))
 }

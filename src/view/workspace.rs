@@ -5,6 +5,7 @@ use super::editor_host::EditorHost;
 use super::history::History;
 use super::model_file;
 use super::snapshot::{Snapshot, slashed};
+use super::town::{BuiltTown, TILESET, TownEars, TownProgress, TownSlot};
 use crate::diagnostic::Language;
 use crate::source::{FileId, Span};
 use serde::Serialize;
@@ -14,8 +15,12 @@ use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Component, Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
+use std::thread;
 use tokio::sync::broadcast;
+
+/// The stack of a thread that builds a town, as much as that of the main thread.
+const STACK: usize = 8 << 20;
 
 /// Limits of the file list: number of files and depth of folders.
 const LISTED: usize = 2000;
@@ -24,6 +29,7 @@ const DEPTH: usize = 6;
 /// File kinds, as in the API.
 pub(super) const TEXT: &str = "text";
 pub(super) const MODEL: &str = "model";
+const TILES: &str = "tiles";
 
 /// Notifications to pages.
 #[derive(Clone, Debug)]
@@ -34,6 +40,11 @@ pub(super) enum Update {
     Cursor {
         file: Arc<str>,
         place: Option<Cursor>,
+    },
+    /// The build of a town goes on.
+    Town {
+        file: Arc<str>,
+        progress: TownProgress,
     },
     /// The list of files has changed.
     Files,
@@ -67,6 +78,8 @@ pub(super) struct Workspace {
     documents: Mutex<BTreeMap<String, Arc<Document>>>,
     updates: broadcast::Sender<Update>,
     revision: AtomicU64,
+    /// Itself, for threads that build towns.
+    me: Weak<Workspace>,
 }
 
 /// External textures of a model, by their names in it.
@@ -86,6 +99,12 @@ pub(super) struct Document {
     viewers: AtomicUsize,
     /// Strokes that can be undone and redone.
     pub(super) history: Mutex<History>,
+    /// Its number among the documents.
+    pub(super) id: u64,
+    /// What is built of it, if it is a town.
+    pub(super) town: TownSlot,
+    /// True if inputs have changed since the last build of the town was started.
+    town_stale: AtomicBool,
 }
 
 impl Document {
@@ -116,8 +135,9 @@ impl Workspace {
         only: Option<String>,
         language: Language,
         host: Box<dyn EditorHost>,
-    ) -> Workspace {
-        Workspace {
+    ) -> Arc<Workspace> {
+        Arc::new_cyclic(|me| Workspace {
+            me: me.clone(),
             root,
             only,
             language,
@@ -125,7 +145,7 @@ impl Workspace {
             documents: Mutex::default(),
             updates: broadcast::channel(64).0,
             revision: AtomicU64::new(1),
-        }
+        })
     }
 
     /// Returns the files that can be shown.
@@ -189,6 +209,9 @@ impl Workspace {
             building: Mutex::default(),
             viewers: AtomicUsize::new(0),
             history: Mutex::default(),
+            id: self.revision.fetch_add(1, Ordering::Relaxed),
+            town: TownSlot::default(),
+            town_stale: AtomicBool::new(false),
         });
         let mut documents = lock(&self.documents);
         Ok(documents.entry(file.to_owned()).or_insert(document).clone())
@@ -222,10 +245,15 @@ impl Workspace {
             return Ok(snapshot);
         }
         let _alone = lock(&document.building);
-        match fresh() {
-            Some(snapshot) => Ok(snapshot),
-            None => self.renew(document).map(|(snapshot, _)| snapshot),
-        }
+        let snapshot = match fresh() {
+            Some(snapshot) => snapshot,
+            None => {
+                document.town_stale.store(true, Ordering::Release);
+                self.renew(document)?.0
+            }
+        };
+        self.start_town(document);
+        Ok(snapshot)
     }
 
     /// Recompiles a document; returns whether the result differs. If not, the revision stays. The caller holds the
@@ -234,7 +262,7 @@ impl Workspace {
         // Changes from here on may not be in the result.
         document.stale.store(false, Ordering::Release);
         let new = self
-            .build(&document.file)
+            .build(document)
             .inspect_err(|_| document.stale.store(true, Ordering::Release))?;
         let mut snapshot = lock(&document.snapshot);
         if let Some(old) = snapshot.as_ref().filter(|old| old.same(&new)) {
@@ -304,18 +332,79 @@ impl Workspace {
     }
 
     /// Compiles a file. A panic becomes an error.
-    fn build(&self, file: &str) -> io::Result<Snapshot> {
-        let built = catch_unwind(AssertUnwindSafe(|| self.compile_file(file)));
+    fn build(&self, document: &Document) -> io::Result<Snapshot> {
+        let built = catch_unwind(AssertUnwindSafe(|| self.compile(document)));
         built.unwrap_or_else(|_| Err(io::Error::other("internal error")))
     }
 
-    fn compile_file(&self, file: &str) -> io::Result<Snapshot> {
-        self.path(file)?;
+    fn compile(&self, document: &Document) -> io::Result<Snapshot> {
+        let file = &*document.file;
+        let path = self.path(file)?;
         let revision = self.revision.fetch_add(1, Ordering::Relaxed);
         let place = (&*self.root, file);
         match self.kind(file) {
             Some(MODEL) => Snapshot::of_model(place, self.language, revision),
-            _ => Snapshot::of_text(&*self.host, place, self.language, revision),
+            Some(TILES) => {
+                let folder = path.parent().unwrap_or(&self.root);
+                let built = Arc::new(BuiltTown::of_folder(document.id, folder));
+                *lock(&document.town.built) = Some(built.clone());
+                Snapshot::of_tiles(file, &built, revision)
+            }
+            _ => {
+                let town = (document.id, lock(&document.town.built).clone());
+                Snapshot::of_text(&*self.host, place, (self.language, revision), town)
+            }
+        }
+    }
+
+    /// Returns what is built under a number.
+    pub(super) fn town(&self, id: u64) -> Option<Arc<BuiltTown>> {
+        let documents = lock(&self.documents);
+        let mut own = documents.values().filter(|d| d.id == id);
+        let built = lock(&own.next()?.town.built).clone();
+        built
+    }
+
+    /// Builds the town of a document behind the page, if a page shows it and its inputs have changed.
+    fn start_town(&self, document: &Document) {
+        let is_town = document.last().is_some_and(|snapshot| snapshot.is_town);
+        let is_seen = document.viewers.load(Ordering::Acquire) > 0;
+        if !is_town || !is_seen || !document.town_stale.swap(false, Ordering::AcqRel) {
+            return;
+        }
+        let file = document.file.to_string();
+        let (me, stops) = (self.me.clone(), document.town.restart());
+        // A thread that cannot be had is a town that is not built; the next save tries again.
+        let _ = thread::Builder::new()
+            .name("hsd town".to_owned())
+            .stack_size(STACK)
+            .spawn(move || {
+                let Some(workspace) = me.upgrade() else {
+                    return;
+                };
+                if let Ok(document) = workspace.document(&file) {
+                    workspace.build_town(&document, &stops);
+                }
+            });
+    }
+
+    fn build_town(&self, document: &Document, stops: &AtomicBool) {
+        let ears = Ears(self, document);
+        let Ok(path) = self.path(&document.file) else {
+            return;
+        };
+        let scratch = || self.host.scratch();
+        let mut made = Ok(());
+        let read = self.host.read(&path, &mut |source, world, options| {
+            let town = (document.id, stops);
+            made = document
+                .town
+                .build(town, (source, world, options), &scratch, &ears);
+        });
+        let failed = read.and(made).is_err();
+        if failed && !stops.load(Ordering::Relaxed) {
+            *lock(&document.town.progress) = None;
+            ears.progress(TownProgress::FAILED);
         }
     }
 
@@ -333,16 +422,25 @@ impl Workspace {
         let documents: Vec<Arc<Document>> = lock(&self.documents).values().cloned().collect();
         for document in documents {
             document.stale.store(true, Ordering::Release);
+            document.town_stale.store(true, Ordering::Release);
             if document.viewers.load(Ordering::Acquire) == 0 {
                 continue;
             }
-            let _alone = lock(&document.building);
             // Errors are ignored: editors briefly remove files while saving.
-            if let Ok((snapshot, true)) = self.renew(&document) {
-                let (file, revision) = (document.file.clone(), snapshot.revision);
-                self.send(Update::State { file, revision });
-            }
+            let _ = self.renew_and_tell(&document);
+            self.start_town(&document);
         }
+    }
+
+    /// Recompiles a document and tells the pages that show it, if it differs.
+    fn renew_and_tell(&self, document: &Document) -> io::Result<()> {
+        let _alone = lock(&document.building);
+        let (snapshot, is_new) = self.renew(document)?;
+        if is_new {
+            let (file, revision) = (document.file.clone(), snapshot.revision);
+            self.send(Update::State { file, revision });
+        }
+        Ok(())
     }
 
     /// Sends an update to all pages.
@@ -351,8 +449,26 @@ impl Workspace {
     }
 }
 
-/// Returns the kind of a file by its extension.
+/// What the build of a town tells goes to the pages that show it.
+struct Ears<'w>(&'w Workspace, &'w Document);
+
+impl TownEars for Ears<'_> {
+    fn progress(&self, progress: TownProgress) {
+        let file = self.1.file.clone();
+        self.0.send(Update::Town { file, progress });
+    }
+
+    fn built(&self) {
+        // The text may have gone meanwhile.
+        let _ = self.0.renew_and_tell(self.1);
+    }
+}
+
+/// Returns the kind of a file by its name.
 fn kind_of(file: &str) -> Option<&'static str> {
+    if file == TILESET || file.ends_with("/tileset.json") {
+        return Some(TILES);
+    }
     let ending = Path::new(file).extension()?.to_str()?.to_ascii_lowercase();
     match &*ending {
         "hsd" | "xml" => Some(TEXT),
@@ -368,6 +484,11 @@ fn walk(root: &Path, folder: &Path, depth: usize, list: &mut Vec<FileEntry>) {
         .filter_map(|e| Some((e.path(), e.file_type().ok()?)))
         .collect();
     paths.sort_by(|(a, _), (b, _)| a.cmp(b));
+    // The models beside the root of tiles are its own.
+    let is_tiles = |(path, _): &(PathBuf, fs::FileType)| path.ends_with(TILESET);
+    if paths.iter().any(is_tiles) {
+        paths.retain(is_tiles);
+    }
     for (path, kind) in &paths {
         if kind.is_file() && list.len() < LISTED {
             let below = path.strip_prefix(root).ok();

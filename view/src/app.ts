@@ -16,13 +16,15 @@ import type { ByteRange, Cursor, Diagnostic, NamedView, ServerInfo, State } from
 import { fetchPalette, fetchServerInfo, fetchState, listen, openInEditor, sourceOf } from './server/api.ts';
 import { Viewport } from './scene/viewport.ts';
 import { EYE_HEIGHT, frameBox, type View } from './scene/views.ts';
+import { Town } from './town/town.ts';
 import { translations, strings } from './ui/strings.ts';
 
 /**
  * `files`: the file list changed. `state`: a file was compiled. `model`: the model was replaced. `select`, `cursor`: the
  * highlighted parts changed. `shown`: visibility changed. `visited`: the camera went to a named view, or left it.
+ * `town`: the town, its selected feature or the progress of its build changed.
  */
-export type AppEvent = 'files' | 'state' | 'model' | 'select' | 'cursor' | 'shown' | 'visited' | 'connection' | 'reload';
+export type AppEvent = 'files' | 'state' | 'model' | 'select' | 'cursor' | 'shown' | 'visited' | 'connection' | 'reload' | 'town';
 
 /** A byte range in a source file. */
 export interface SourceLocation {
@@ -64,6 +66,7 @@ export class App {
   readonly mirrors: Mirrors;
   readonly selected: Highlight;
   readonly pointed: Highlight;
+  readonly town: Town;
   /** Announces a text in the live region. */
   announce: (text: string) => void = () => {};
   /** Sets the sun to a date and hour; null for the usual afternoon. */
@@ -84,6 +87,7 @@ export class App {
     this.mirrors = createMirrors(this.viewport);
     this.pointed = new Highlight(this.viewport, 'cursor', 0x2f6f9f);
     this.selected = new Highlight(this.viewport, 'selection', 0xc8431f);
+    this.town = new Town(this);
     this.viewport.controls.addEventListener('change', () => { if (!this.movingToView) { this.#framed = null; this.#visits(null); } });
     // A preset view still shows all of it when the panel opens or the window turns.
     this.viewport.onResized.push(() => { if (this.#framed) this.look(this.#framed.view, this.#framed.part); });
@@ -111,6 +115,7 @@ export class App {
     this.state = this.model = this.#framed = null;
     this.hidden.clear();
     this.viewport.show(buildModel(new THREE.Group())); // The previous file's model must not stay under the new file's name.
+    this.town.apply(file, null);
     this.measure.clear();
     this.select(null);
     this.#setCursor(null);
@@ -123,6 +128,7 @@ export class App {
         if (this.state) void this.reload(revision); // The first load is already under way.
       },
       cursor: cursor => this.#setCursor(cursor),
+      town: progress => this.town.hear(progress),
       files: () => void this.#refreshFiles(),
       lost: () => this.#connection(true),
       found: () => { if (this.lost) { this.#connection(false); void this.reload(); void this.#refreshFiles(); } },
@@ -143,13 +149,14 @@ export class App {
       const early = revision === undefined ? null : this.loader.fetch(file, revision, before);
       early?.catch(() => {});
       const now = await fetchState(file);
-      const answer = await (early && now.revision === revision ? early : this.loader.fetch(file, now.revision, before));
+      // A town is no model: its tiles are streamed.
+      const answer = now.town ? null : await (early && now.revision === revision ? early : this.loader.fetch(file, now.revision, before));
       const fetched = performance.now() - begun;
       if (request !== this.#request || file !== this.file) return;
       let model: Model | null = null;
       try {
         model = answer && await this.loader.load(answer, file, now);
-        if (!model && request === this.#request && file === this.file) return await this.reload(); // A newer revision exists.
+        if (!model && !now.town && request === this.#request && file === this.file) return await this.reload(); // A newer revision exists.
       } catch (error) {
         if (!(error instanceof InvalidModelError)) throw error;
         now.diagnostics.push(invalidModel(file, error));
@@ -177,6 +184,7 @@ export class App {
       this.viewport.show(model);
       if (first) this.#lookFirst();
     }
+    this.town.apply(this.file, now.town);
     this.viewport.frame(!first);
     this.viewport.settle();
     times.painted = performance.now() - begun;
@@ -192,7 +200,8 @@ export class App {
       if (first) setTimeout(() => { this.viewport.frame(); this.viewport.settle(); }, 100); // Measures how long a full frame takes on this machine.
       const count = (severity: string) => now.diagnostics.filter(d => d.severity === severity).length;
       const messages = now.diagnostics.length ? ` ${strings.messages(count('error'), count('warning'))}` : '';
-      this.announce((keep ? strings.kept : this.model?.chunks.length ? strings.reloaded(now.revision) : strings.noModel) + messages);
+      const there = this.model?.chunks.length || now.town;
+      this.announce((keep ? strings.kept : there ? strings.reloaded(now.revision) : strings.noModel) + messages);
     });
   }
 
@@ -236,6 +245,23 @@ export class App {
     if (!offsets) return null;
     const line = offsets.line(offsets.unit(span[0]));
     return { line: line + 1, text: offsets.text.slice(offsets.lines[line], offsets.lines[line + 1] ?? undefined).trimEnd() };
+  }
+
+  /** A line of the open file, from 1; null if there is none. */
+  lineLocation(line: number): SourceLocation | null {
+    const offsets = this.offsets.get(0), start = offsets?.lines[line - 1];
+    if (!offsets || start === undefined) return null;
+    const text = offsets.text.slice(start, offsets.lines[line] ?? undefined), blanks = text.length - text.trimStart().length;
+    return { id: 0, span: [offsets.byte(start + blanks), offsets.byte(start + text.trimEnd().length)] };
+  }
+
+  /** The `for` with a number, from 1, in the open file. */
+  ruleLocation(rule: number): SourceLocation | null {
+    const offsets = this.offsets.get(0);
+    // Comments keep their length, so that places stay.
+    const plain = offsets?.text.replace(/<!--.*?-->/gs, comment => ' '.repeat(comment.length)) ?? '';
+    const found = [...plain.matchAll(/<for\b[^>]*>/g)][rule - 1];
+    return found ? { id: 0, span: [offsets!.byte(found.index), offsets!.byte(found.index + found[0].length)] } : null;
   }
 
   locationOf(part: number): SourceLocation | null {
@@ -289,7 +315,7 @@ export class App {
   azimuth(): number { return this.state?.plan.houses[0]?.azimuth ?? 180; }
 
   look(view: View, part: number | null = null) {
-    const box = part === null ? this.model?.box : this.model?.parts[part]?.box;
+    const box = this.town.firstBox() ?? (part === null ? this.model?.box : this.model?.parts[part]?.box);
     if (!box || box.isEmpty()) return;
     this.#visits(null);
     this.movingToView = true;
@@ -332,10 +358,11 @@ export class App {
     this.turntable.set(false);
     this.section.set({ on: false, axis: 'z', at: 0.5, flip: false });
     this.select(null);
+    this.town.clearSelection();
     this.emit('shown');
     this.resetting = false;
     this.viewport.refresh();
-    this.#lookFirst();
+    if (this.town.state) this.look('above'); else this.#lookFirst();
   }
 
   /** The view that the file opens with: along a street of facing houses, else the first that the file names, else the front. */

@@ -11,6 +11,8 @@ import { fileList } from './panel/files.ts';
 import { reflectionPanel } from './panel/reflections.ts';
 import { namedViewList } from './panel/named-views.ts';
 import { measuringPanel } from './panel/measuring.ts';
+import { featureCard } from './panel/feature-card.ts';
+import { townPanel, townProgress } from './panel/town.ts';
 import { diagnosticList } from './panel/diagnostics.ts';
 import { layerPanel } from './panel/layers.ts';
 import { sunPanel } from './panel/sun.ts';
@@ -44,7 +46,7 @@ export function page(): Page {
   main.prepend(text.element);
   main.append(plan.element);
   const panel = h('aside', { class: 'panel', 'aria-label': strings.panel },
-    partCard(app), fileList(app), namedViewList(app), diagnosticList(app), layerPanel(app), partTree(app), sectionPanel(app), sunPanel(app), measuringPanel(app), reflectionPanel(app), statisticsPanel(app));
+    townProgress(app), featureCard(app), partCard(app), townPanel(app), fileList(app), namedViewList(app), diagnosticList(app), layerPanel(app), partTree(app), sectionPanel(app), sunPanel(app), measuringPanel(app), reflectionPanel(app), statisticsPanel(app));
   const narrow = matchMedia('(max-width: 720px)').matches;
   panel.hidden = narrow;
   const panes = [

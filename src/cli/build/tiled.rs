@@ -11,7 +11,7 @@ use crate::source::Source;
 use crate::text;
 use crate::tiles::TileStore;
 use crate::tiles::record::{LevelRecord, TileRecord};
-use crate::tiles::run::{self, TileJob, TiledTown};
+use crate::tiles::run::{self, TileParts, TiledTown};
 use crate::town::stream::Ledger;
 use crate::town::{Plan, TownInput};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -126,25 +126,8 @@ pub(super) fn build(
             .unwrap_or(plan.town.tiles.detail.clone()),
         ..plan.town.tiles.clone()
     };
-    let parts: Vec<&Source> = input
-        .options
-        .catalogs
-        .iter()
-        .chain(&read.included)
-        .collect();
-    let own = read.documents.iter().flat_map(|d| &d.parts);
-    let written: Vec<ast::WrittenPart> = own.cloned().collect();
-    let year = year(&read);
-    let job = TileJob {
-        input,
-        plan,
-        catalog: &read.catalog,
-        parts: &parts,
-        written: &written,
-        year: year.as_deref(),
-        division: &division,
-        threads: rayon::current_num_threads(),
-    };
+    let parts = TileParts::of(&read, input.options);
+    let job = parts.job(input, plan, &read.catalog, &division);
     let bar = bar(plan.lots().len(), wish.quiet, language);
     let made = run::run(job, &folder, &|features| bar.inc(features as u64), &mut out);
     bar.finish_and_clear();
@@ -162,13 +145,6 @@ pub(super) fn build(
         writeln!(io::stderr(), "{}", statistics(&made).in_language(language))?;
     }
     Ok((made.ledger.incomplete, made.included, out))
-}
-
-/// Returns the value of the parameter `year` in this run, if the town has one.
-pub(super) fn year(read: &driver::Read) -> Option<String> {
-    let mut all = read.documents.iter().flat_map(|d| &d.parameters);
-    let found = all.find(|p| p.name == "year")?;
-    found.value.as_ref().map(ToString::to_string)
 }
 
 /// Returns a bar with rate and time left, hidden where nobody looks.

@@ -3,7 +3,7 @@
 use crate::cli::Failure;
 use crate::cli::files::input::Inputs;
 use crate::cli::files::output::folder_of;
-use crate::cli::files::temporary::Temporary;
+use crate::cli::files::temporary::{Guarded, Temporary};
 use crate::cli::options::ReadArgs;
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver::Options;
@@ -13,8 +13,10 @@ use crate::text;
 use crate::view::EditorHost;
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::{Mutex, PoisonError};
+use tempfile::TempDir;
 
 /// Files on disk, read with the options of the command line.
 pub(in crate::cli) struct FileHost {
@@ -25,6 +27,8 @@ pub(in crate::cli) struct FileHost {
     pub(in crate::cli) editor: Option<Vec<String>>,
     /// True if source files may be changed.
     pub(in crate::cli) writes: bool,
+    /// The folders of towns.
+    pub(in crate::cli) scratch: Mutex<Vec<(TempDir, Guarded)>>,
 }
 
 impl EditorHost for FileHost {
@@ -57,6 +61,15 @@ impl EditorHost for FileHost {
             work(source, &world, &options);
         }
         Ok(())
+    }
+
+    fn scratch(&self) -> io::Result<PathBuf> {
+        let mut builder = tempfile::Builder::new();
+        let made = Guarded::new(|| builder.prefix("hsd-view-").tempdir(), TempDir::path)?;
+        let path = made.0.path().to_owned();
+        let mut all = self.scratch.lock().unwrap_or_else(PoisonError::into_inner);
+        all.push(made);
+        Ok(path)
     }
 
     fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {

@@ -14,20 +14,25 @@ export function createCanvas(): HTMLCanvasElement {
   return h('canvas', { class: 'viewport', tabindex: 0, role: 'application', 'aria-label': strings.canvas });
 }
 
-/** The surface drawn at a position of the canvas, CSS pixels. */
-export function hitAt({ viewport, section }: App, x: number, y: number): Hit | null {
-  const { canvas, camera, model } = viewport;
-  if (!model) return null;
+/** The ray through a position of the canvas, CSS pixels. */
+export function rayAt({ viewport: { canvas, camera } }: App, x: number, y: number): THREE.Raycaster {
   const ray = new THREE.Raycaster();
   camera.updateMatrixWorld();
   ray.setFromCamera(new THREE.Vector2(x / canvas.clientWidth * 2 - 1, 1 - y / canvas.clientHeight * 2), camera);
-  return hit(model, ray, section.keeps);
+  return ray;
+}
+
+/** The surface drawn at a position of the canvas, CSS pixels. */
+export function hitAt(app: App, x: number, y: number): Hit | null {
+  const { model } = app.viewport;
+  return model && hit(model, rayAt(app, x, y), app.section.keeps);
 }
 
 export function attachInput(app: App, cross: HTMLElement) {
   const { viewport, measure } = app, { canvas } = viewport;
   let down: { x: number; y: number } | null = null;
   const choose = (x: number, y: number) => {
+    if (app.town.state) return app.town.pick(rayAt(app, x, y));
     const found = hitAt(app, x, y);
     if (measure.on) {
       if (found) measure.add(found);
@@ -49,7 +54,7 @@ export function attachInput(app: App, cross: HTMLElement) {
   canvas.addEventListener('keydown', event => {
     cross.hidden = false;
     if (event.key === 'Enter') choose(canvas.clientWidth / 2, canvas.clientHeight / 2);
-    else if (event.key === 'Escape') app.select(null);
+    else if (event.key === 'Escape') { app.select(null); app.town.clearSelection(); }
     else if (event.key === 'Backspace' && measure.on) measure.undo();
     else if (event.key === 'Home') app.look('front');
     else if (!handleKey(viewport, event)) return;

@@ -56,15 +56,20 @@ export class Environment {
   fit(box: THREE.Box3) {
     const ball = box.getBoundingSphere(new THREE.Sphere());
     const reach = Math.max(1, ball.radius * 1.15);
+    this.shade(ball.center, reach);
+    const level = Math.min(0, box.min.y) - 0.003;
+    this.#ground.position.set(ball.center.x, level, ball.center.z);
+    this.#ground.scale.setScalar(Math.max(60, reach * 14));
+  }
+
+  /** Adjusts the shadows to what lies within a reach of a place, metres. */
+  shade(middle: THREE.Vector3, reach: number) {
     const { sun } = this, { camera } = sun.shadow;
-    this.#middle.copy(ball.center);
+    this.#middle.copy(middle);
     this.#reach = reach;
     Object.assign(camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0, far: reach * 4 });
     camera.updateProjectionMatrix();
     sun.shadow.normalBias = reach / 2048 * 2.5;
-    const level = Math.min(0, box.min.y) - 0.003;
-    this.#ground.position.set(ball.center.x, level, ball.center.z);
-    this.#ground.scale.setScalar(Math.max(60, reach * 14));
     this.#place();
   }
 

@@ -27,14 +27,23 @@ export class Highlight {
   /** Highlights exactly these parts. */
   set(model: Model | null, parts: number[]) {
     if (!parts.length && !this.parts.length) return;
+    this.parts = parts;
+    this.#replace((model ? parts.slice(0, 400) : []).flatMap(part => shapeOf(model!, part) ?? []));
+  }
+
+  /** Highlights shapes that are no parts of a model. */
+  show(shapes: THREE.BufferGeometry[]) {
+    if (!shapes.length && !this.drawn) return;
+    this.parts = [];
+    this.#replace(shapes);
+  }
+
+  #replace(shapes: THREE.BufferGeometry[]) {
     for (const child of [...this.#group.children] as (THREE.Mesh | THREE.LineSegments)[]) {
       child.geometry.dispose();
       child.removeFromParent();
     }
-    this.parts = parts;
-    for (const part of model ? parts.slice(0, 400) : []) {
-      const shape = shapeOf(model!, part);
-      if (!shape) continue;
+    for (const shape of shapes) {
       this.#group.add(new THREE.Mesh(shape, this.#tint), new THREE.LineSegments(edgesOf(shape), this.#through));
     }
     this.#viewport.draw();

@@ -41,6 +41,8 @@ export class Viewport {
   /** Overlays on the model, never picked. */
   readonly marks = new THREE.Group();
   model: Model | null = null;
+  /** The bounds of a town, which is no model. */
+  extent: THREE.Box3 | null = null;
   readonly stats: FrameStats = { calls: 0, triangles: 0, ms: 0, frames: 0 };
   /** True if a chunk is visible. */
   isVisible: (chunk: Chunk) => boolean = () => true;
@@ -50,6 +52,8 @@ export class Viewport {
   readonly onRestored: (() => void)[] = [];
   /** Called when the canvas has another size, before it is drawn. */
   readonly onResized: (() => void)[] = [];
+  /** Called before each frame. */
+  readonly beforeFrame: (() => void)[] = [];
   /** Called after each frame. */
   readonly onFrame: (() => void)[] = [];
   /** Draws the scene; replaced by extensions such as reflections. */
@@ -103,24 +107,31 @@ export class Viewport {
       mesh.geometry.dispose();
       if (!used.has(mesh.material)) disposable.add(mesh.material);
     }
-    for (const material of used) {
-      if (this.#dimmed.has(material) || !('metalness' in material)) continue; // Kept from the previous model, or not a PBR material.
-      this.#dimmed.add(material);
-      material.metalness *= METALNESS_SCALE;
-    }
+    for (const material of used) this.dim(material);
     this.#disposable.push(...disposable); // Disposed after the next frame, so that its shader programs are reused.
     this.model = model;
     for (const mesh of now) if (!before.has(mesh)) this.scene.add(mesh);
-    this.environment.fit(model.box);
+    if (!this.extent) this.environment.fit(model.box);
     this.camera.far = Math.max(400, this.size() * 40);
     for (const then of this.onModel) then(model);
     this.refresh();
   }
 
+  /** Takes most of the metalness of a material, once. */
+  dim(material: THREE.Material) {
+    if (this.#dimmed.has(material) || !('metalness' in material)) return; // Kept from the previous model, or not a PBR material.
+    this.#dimmed.add(material);
+    (material as THREE.MeshStandardMaterial).metalness *= METALNESS_SCALE;
+  }
+
+  /** The bounds of what is shown. */
+  get bounds(): THREE.Box3 | null { return this.extent ?? this.model?.box ?? null; }
+
   /** Moves the near plane as far out as the nearest surface allows: the depth of distant surfaces is the finer for it. */
   #fitNear() {
-    const { camera, model } = this, ground = Math.min(0, model?.box.min.y ?? 0);
+    const { camera, model, extent } = this, ground = Math.min(0, this.bounds?.min.y ?? 0);
     let least = Math.max(0, camera.position.y - ground);
+    if (extent) least = Math.max(MIN_NEAR * 4, extent.distanceToPoint(camera.position));
     for (const { box, mesh } of model?.chunks ?? []) if (mesh.visible) least = Math.min(least, box.distanceToPoint(camera.position));
     const near = Math.max(MIN_NEAR, least / 2);
     if (near === camera.near) return;
@@ -130,8 +141,8 @@ export class Viewport {
 
   /** Keeps the camera above the ground and limits its downward angle. */
   #keepAboveGround() {
-    const { controls, camera: { position }, model } = this, { target } = controls;
-    const low = Math.min(0, model?.box.min.y ?? 0) + MIN_EYE_HEIGHT, rise = Math.max(0, low - position.y);
+    const { controls, camera: { position } } = this, { target } = controls;
+    const low = Math.min(0, this.bounds?.min.y ?? 0) + MIN_EYE_HEIGHT, rise = Math.max(0, low - position.y);
     position.y += rise;
     target.y += rise;
     controls.maxPolarAngle = Math.acos(THREE.MathUtils.clamp((low - target.y) / position.distanceTo(target), -1, 1));
@@ -159,7 +170,7 @@ export class Viewport {
 
   /** Diagonal of the model, metres. */
   size(): number {
-    return this.model?.box.getSize(new THREE.Vector3()).length() || 10;
+    return this.bounds?.getSize(new THREE.Vector3()).length() || 10;
   }
 
   /** Requests a frame; `after` is called when it has been drawn. */
@@ -186,6 +197,7 @@ export class Viewport {
     const begun = performance.now(), { info } = this.renderer, { stats } = this;
     this.#waited = false;
     info.reset();
+    for (const first of this.beforeFrame) first();
     this.#fitNear();
     if (coarse) this.#lowResolution.begin(SLOW_FRAME_MS / this.frameTime);
     try {

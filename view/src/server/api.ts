@@ -7,7 +7,7 @@ export type ByteRange = [start: number, end: number];
 /** A file of the workspace. */
 export interface File {
   path: string;
-  kind: 'text' | 'model';
+  kind: 'text' | 'model' | 'tiles';
 }
 
 export interface ServerInfo {
@@ -177,7 +177,58 @@ export interface State {
   pictures: Record<string, string>;
   /** `reasons`: texts for the keys in `fixed`. */
   plan: { reasons: Record<string, string>; houses: House[]; views: NamedView[]; places: PlanPlace[]; outlines: PlanOutline[] };
+  /** Null if the file is no town. */
+  town: TownState | null;
   times: [step: string, ms: number][];
+}
+
+/** A town in tiles. */
+export interface TownState {
+  /** The number under which its files are served. */
+  id: number;
+  /** The name of the root of its tiles; null before there are any. */
+  tileset: string | null;
+  features: number;
+  built: number;
+  skipped: number;
+  /** True if all levels of detail that the preview makes are there. */
+  whole: boolean;
+}
+
+/** How far the build of a town is, in features. */
+export interface TownProgress {
+  phase: 'maps' | 'far' | 'near' | 'done' | 'failed';
+  done: number;
+  of: number;
+}
+
+/** What a tile says of a feature. */
+export interface TownFeature {
+  key: string;
+  layer: string;
+  type: string;
+  year: string;
+  evidence: string;
+  parameters: string;
+  /** The number of its `for`, from 1; 0 if unknown. */
+  rule: number;
+  /** The line of the town file; 0 if unknown. */
+  line: number;
+}
+
+/** The line of a feature in the table of decisions, by the names of its columns. */
+export type Decision = Record<string, string>;
+
+/** A feature on which nothing stands. */
+export interface Skipped {
+  layer: string;
+  key: string;
+  /** The code of a diagnostic, or a word. */
+  code: string;
+  reason: string;
+  rule: number;
+  /** Metres east and north of the town's origin; null if unknown. */
+  at: [east: number, north: number] | null;
 }
 
 /** A view that the author has named; places are metres east, north and up, `fov` the vertical angle in degrees. */
@@ -209,6 +260,16 @@ const fileQuery = (file: string) => `file=${encodeURIComponent(file)}`;
 export const fetchServerInfo = async () => answer<ServerInfo>(await fetch('/api/hello'));
 export const fetchState = async (file: string) => answer<State>(await fetch(`/api/state?${fileQuery(file)}`));
 export const modelUrl = (file: string, revision: number) => `/api/model/${revision}/house.glb?${fileQuery(file)}`;
+
+/** The address of the files of a town. */
+export const townFiles = (id: number) => `/api/town/${id}/files/`;
+
+/** Fetches the decision about a feature, of any layer if none is named; null if there is no such feature. */
+export const fetchFeature = async (id: number, layer: string, key: string) =>
+  answer<Decision | null>(await fetch(`/api/town/${id}/feature?layer=${encodeURIComponent(layer)}&key=${encodeURIComponent(key)}`));
+
+/** Fetches the first of the features on which nothing stands. */
+export const fetchSkipped = async (id: number) => answer<{ total: number; list: Skipped[] }>(await fetch(`/api/town/${id}/skipped`));
 
 /** Content type of a complete model. */
 export const GLB_TYPE = 'model/gltf-binary';
@@ -252,6 +313,7 @@ export const redo = (file: string) => post<EditResult>('/api/redo', { file });
 export function listen(file: string, handlers: {
   state: (revision: number) => void;
   cursor: (cursor: Cursor | null) => void;
+  town: (progress: TownProgress) => void;
   files: () => void;
   lost: () => void;
   found: () => void;
@@ -263,6 +325,7 @@ export function listen(file: string, handlers: {
       events.addEventListener(name, event => then(JSON.parse((event as MessageEvent<string>).data) as never));
     on('state', ({ revision }: { revision: number }) => handlers.state(revision));
     on('cursor', handlers.cursor);
+    on('town', handlers.town);
     on('files', handlers.files);
     events.addEventListener('open', handlers.found);
     events.addEventListener('error', () => {

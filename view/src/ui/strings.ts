@@ -75,6 +75,17 @@ const en = {
   changedMeanwhile: 'the source has changed in the meantime; check it and draw again',
   refused: 'Not applied: ', drawn: 'Applied.', undone: 'Undone.', redone: 'Redone.',
   rectangle: (a: number, b: number) => `${a} × ${b} units`,
+  town: 'Town', feature: 'Feature', townBuild: 'Building the town',
+  townPhase: {
+    maps: 'Reading the maps…', far: 'Building walls and roofs…', near: 'Building the details…', done: 'The town is built.',
+    failed: 'The tiles cannot be written: is there room for temporary files? Save the file to try again.',
+  },
+  townCounts: (features: number, built: number, skipped: number) => `${features} features: ${built} built, ${skipped} skipped.`,
+  townNotWhole: 'Nearer levels of detail follow.',
+  townFind: 'Find by key', townGo: 'Go', townNotFound: (key: string) => `No feature has the key ${key}.`,
+  townSkipped: 'Skipped', townMore: (n: number) => `and ${n} more: see report.json of hsd town`,
+  layer: 'Layer', type: 'Type', year: 'Year', evidence: 'Evidence', rule: 'Rule', parameters: 'Parameters', lineNumber: (n: number) => `line ${n}`,
+  what: 'Decision', facing: 'Front faces', plot: 'Plot', access: 'Access', measures: 'Measures', frameHouse: 'Zoom to house', fromStreet: 'From the street',
   rendering: 'Rendering screenshots…', noWebgl: 'This browser does not support WebGL 2.',
 };
 
@@ -153,6 +164,17 @@ const ja: Strings = {
   changedMeanwhile: 'その間にテキストが変わりました。確かめて、もう一度描いてください',
   refused: '変更できません: ', drawn: '変更しました。', undone: '元に戻しました。', redone: 'やり直しました。',
   rectangle: (a, b) => `${a} × ${b} U`,
+  town: '町', feature: '地物', townBuild: '町の作成',
+  townPhase: {
+    maps: '地図を読んでいます…', far: '壁と屋根を作っています…', near: '細部を作っています…', done: '町ができました。',
+    failed: 'タイルを書けません。一時ファイルを置く空きを確かめ、ファイルを保存し直してください。',
+  },
+  townCounts: (features, built, skipped) => `地物 ${features} 件のうち、建てたもの ${built} 件、省いたもの ${skipped} 件。`,
+  townNotWhole: '細かい段階はあとから出ます。',
+  townFind: 'キーで探す', townGo: '移動', townNotFound: key => `キーが ${key} の地物はありません。`,
+  townSkipped: '省いたもの', townMore: n => `ほかに ${n} 件(hsd town の report.json にあります)`,
+  layer: 'レイヤー', type: '型', year: '年', evidence: '出典', rule: '規則', parameters: '変数', lineNumber: n => `${n} 行`,
+  what: '判断', facing: '正面の方位', plot: '敷地', access: '接道', measures: '測った値', frameHouse: '家に寄る', fromStreet: '道から見る',
   rendering: '画像を描画しています…', noWebgl: 'このブラウザーは WebGL 2 に対応していません。',
 };
 

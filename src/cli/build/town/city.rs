@@ -2,7 +2,7 @@
 
 use crate::backend::cityjson::CityHouse;
 use crate::cli::Failure;
-use crate::cli::build::tiled::{FEATURE, tables, year};
+use crate::cli::build::tiled::{FEATURE, tables};
 use crate::cli::files::output::{folder_of, temporary_in};
 use crate::cli::files::terminal::{HOUSE, bytes, counted};
 use crate::diagnostic::{Diagnostics, Language, Text};
@@ -10,7 +10,7 @@ use crate::driver;
 use crate::source::Source;
 use crate::text;
 use crate::tiles::city;
-use crate::tiles::run::TileJob;
+use crate::tiles::run::TileParts;
 use crate::town::stream::Ledger;
 use crate::town::{Plan, TownInput};
 use std::io::{self, BufWriter, Write};
@@ -48,17 +48,8 @@ pub(super) fn build(
     language: Language,
 ) -> Result<(bool, Vec<Source>, Diagnostics), Failure> {
     let failed = |error| Failure::at(path.display(), error);
-    let year = year(&read);
-    let job = TileJob {
-        input,
-        plan,
-        catalog: &read.catalog,
-        parts: &[],
-        written: &[],
-        year: year.as_deref(),
-        division: &plan.town.tiles,
-        threads: rayon::current_num_threads(),
-    };
+    let parts = TileParts::of(&read, input.options);
+    let job = parts.job(input, plan, &read.catalog, &plan.town.tiles);
     let mut file = temporary_in(folder_of(path)).map_err(failed)?;
     let head = city::city(plan);
     let mut written = BufWriter::new(file.as_file_mut());

@@ -1,0 +1,91 @@
+//! The files of towns in tiles, and what their tables tell.
+
+use super::{ApiError, ApiResult, Shared, work};
+use crate::view::model_file;
+use crate::view::town::SkippedList;
+use axum::extract::{Path, Query, State};
+use axum::http::{StatusCode, header};
+use axum::response::{IntoResponse, Json, Response};
+use serde::Deserialize;
+use serde_json::Value;
+use std::fs;
+use std::path::{Component, Path as FilePath};
+
+/// The extensions of the files of tiles.
+const SERVED: [&str; 8] = ["json", "glb", "gltf", "bin", "png", "jpg", "jpeg", "ktx2"];
+
+fn missing() -> ApiError {
+    ApiError(StatusCode::NOT_FOUND, "no such file".to_owned())
+}
+
+/// Returns a file of a town in tiles.
+pub(super) async fn file(
+    State(workspace): Shared,
+    Path((id, name)): Path<(u64, String)>,
+) -> ApiResult<Response> {
+    let read = work(&workspace, move |workspace| {
+        let town = workspace.town(id).ok_or_else(missing)?;
+        let folder = &town.tables.folder;
+        let bytes = served(folder, &name).ok_or_else(missing)?;
+        let is_json = FilePath::new(&name).extension().is_some_and(|e| e == "json");
+        // Names of tiles that were built here are hashes of what is in them.
+        let lasts = town.is_ours() && name.contains('/');
+        Ok((bytes, is_json, lasts))
+    });
+    let (bytes, is_json, lasts) = read.await?;
+    let kind = match is_json {
+        true => "application/json",
+        false => model_file::kind(&bytes).unwrap_or("application/octet-stream"),
+    };
+    let cache = match lasts {
+        true => "private, max-age=86400, immutable",
+        false => "no-store",
+    };
+    let headers = [(header::CONTENT_TYPE, kind), (header::CACHE_CONTROL, cache)];
+    Ok((headers, bytes).into_response())
+}
+
+/// Reads a file below a folder; `None` if it is not there, lies elsewhere, or is of another kind.
+fn served(folder: &FilePath, name: &str) -> Option<Vec<u8>> {
+    let path = FilePath::new(name);
+    let plain = path.components().all(|c| matches!(c, Component::Normal(_)));
+    let ending = path.extension()?.to_str()?.to_ascii_lowercase();
+    if !plain || name.contains('\\') || !SERVED.contains(&&*ending) {
+        return None;
+    }
+    let (root, real) = (folder.canonicalize().ok()?, folder.join(path).canonicalize().ok()?);
+    real.starts_with(root).then(|| fs::read(real).ok())?
+}
+
+/// A feature of a town.
+#[derive(Deserialize)]
+pub(super) struct FeatureQuery {
+    #[serde(default)]
+    layer: String,
+    key: String,
+}
+
+/// Returns the line of a feature in the table of decisions; `null` if there is none.
+pub(super) async fn feature(
+    State(workspace): Shared,
+    Path(id): Path<u64>,
+    Query(of): Query<FeatureQuery>,
+) -> ApiResult<Json<Option<Value>>> {
+    let found = work(&workspace, move |workspace| {
+        let town = workspace.town(id).ok_or_else(missing)?;
+        Ok(town.tables.feature(&of.layer, &of.key)?)
+    });
+    found.await.map(Json)
+}
+
+/// Returns the skipped features of a town.
+pub(super) async fn skipped(
+    State(workspace): Shared,
+    Path(id): Path<u64>,
+) -> ApiResult<Json<SkippedList>> {
+    let found = work(&workspace, move |workspace| {
+        let town = workspace.town(id).ok_or_else(missing)?;
+        Ok(town.tables.skipped()?)
+    });
+    found.await.map(Json)
+}

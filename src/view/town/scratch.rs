@@ -1,0 +1,129 @@
+//! The temporary folder in which the tiles of a town are built. Nothing in it is worth keeping, so nothing is synced; a file
+//! has its name only when it is complete.
+
+use crate::tiles::TileStore;
+use crate::tiles::run::TiledTown;
+use std::collections::BTreeSet;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+
+/// The folders of tiles.
+const FOLDERS: [&str; 2] = ["tiles", "textures"];
+
+/// The folder of a town.
+pub(super) struct Scratch {
+    folder: PathBuf,
+    /// Numbers unfinished files.
+    next: AtomicU64,
+    /// The number of the town that was published last.
+    edition: u64,
+    /// The files of that town, and of the one before, which a page may still be loading.
+    own: [BTreeSet<String>; 2],
+    /// The name and the bytes of the root of that town.
+    root: (String, Vec<u8>),
+}
+
+impl Scratch {
+    /// Takes a folder for the tiles of a town.
+    pub(super) fn new(folder: PathBuf) -> io::Result<Scratch> {
+        for name in FOLDERS {
+            fs::create_dir_all(folder.join(name))?;
+        }
+        Ok(Scratch {
+            folder,
+            next: AtomicU64::new(0),
+            edition: 0,
+            own: Default::default(),
+            root: Default::default(),
+        })
+    }
+
+    pub(super) fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Returns the store of a build; it takes nothing more once the build is stopped.
+    pub(super) fn store<'s>(&'s self, stops: &'s AtomicBool) -> ScratchStore<'s> {
+        ScratchStore {
+            scratch: self,
+            stops,
+        }
+    }
+
+    /// Writes the root, the table of decisions and the report of a town, and removes what neither it nor the one before has.
+    /// Returns their names.
+    pub(super) fn publish(&mut self, made: &TiledTown) -> io::Result<[String; 3]> {
+        self.edition += 1;
+        let edition = self.edition;
+        let mut names = [
+            format!("tileset-{edition}.json"),
+            format!("decisions-{edition}.csv"),
+            format!("report-{edition}.json"),
+        ];
+        let root = made.local_tileset();
+        // A page that shows the same tiles need not load them again.
+        if root == self.root.1 {
+            names[0].clone_from(&self.root.0);
+        } else {
+            self.write(&names[0], &root)?;
+            self.root = (names[0].clone(), root);
+        }
+        self.write(&names[1], made.ledger.decisions.as_bytes())?;
+        self.write(&names[2], &serde_json::to_vec(&made.ledger.report)?)?;
+        let mut own = made.files();
+        own.extend(names.clone());
+        self.own.swap(0, 1);
+        self.own[1] = own;
+        self.sweep()?;
+        Ok(names)
+    }
+
+    fn sweep(&self) -> io::Result<()> {
+        for below in ["", FOLDERS[0], FOLDERS[1]] {
+            for entry in fs::read_dir(self.folder.join(below))?.flatten() {
+                let file = entry.file_name().to_string_lossy().into_owned();
+                let name = match below {
+                    "" => file,
+                    below => format!("{below}/{file}"),
+                };
+                let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+                if is_file && !self.own.iter().any(|own| own.contains(&name)) {
+                    fs::remove_file(entry.path())?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn write(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
+        let number = self.next.fetch_add(1, Ordering::Relaxed);
+        let unfinished = self.folder.join(format!("unfinished-{number}"));
+        fs::write(&unfinished, bytes)?;
+        fs::rename(&unfinished, self.folder.join(name))
+    }
+}
+
+/// The store of one build.
+pub(super) struct ScratchStore<'s> {
+    scratch: &'s Scratch,
+    stops: &'s AtomicBool,
+}
+
+impl TileStore for ScratchStore<'_> {
+    fn read(&self, name: &str) -> Option<Vec<u8>> {
+        fs::read(self.scratch.folder.join(name)).ok()
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.scratch.folder.join(name).is_file()
+    }
+
+    fn commit(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
+        if self.stops.load(Ordering::Relaxed) {
+            return Err(io::ErrorKind::Interrupted.into());
+        }
+        self.scratch.write(name, bytes)
+    }
+}

@@ -1,0 +1,204 @@
+// Streams the tiles of a town: a script of its own, which is loaded with the first town.
+//
+// Frame: metres, x east, y up, -z north of the town's origin. A root that places the town on the globe is taken back.
+
+import * as THREE from 'three';
+import { TilesRenderer } from '3d-tiles-renderer/three';
+import { GLTFExtensionsPlugin } from '3d-tiles-renderer/three/plugins';
+import type { Tile } from '3d-tiles-renderer/core';
+import type { TownFeature } from '../server/api.ts';
+import { sharedTextures } from './textures.ts';
+
+/** The attribute that names the feature of a vertex. */
+const FEATURE = '_feature_id_0';
+
+/** Error on the screen up to which a level of detail will do, pixels. */
+const ERROR_TARGET = 12;
+
+/** What the library reads from `EXT_structural_metadata`, as far as it is used here. */
+interface Metadata {
+  getPropertyTableInfo(): { name: string }[] | null;
+  getPropertyTableData(table: number, id: number): Record<string, unknown>;
+}
+
+/** What a tile has. */
+interface Loaded {
+  scene: THREE.Object3D;
+  metadata: Metadata | null;
+  /** Rows of the table by layer and key, filled when first asked. */
+  rows: Map<string, number> | null;
+}
+
+/** A surface of a feature that was hit. */
+export interface TileHit {
+  feature: TownFeature;
+  point: THREE.Vector3;
+}
+
+const nameOf = (layer: string, key: string) => `${layer}\n${key}`;
+
+export class TownTiles {
+  readonly group = new THREE.Group();
+  /** The town's bounds; empty until its root is loaded. */
+  readonly box = new THREE.Box3();
+  /** Called when its root is loaded. */
+  onRoot: () => void = () => {};
+  /** Called when something else is to be drawn. */
+  onChange: () => void = () => {};
+  /** Called when other tiles are shown. */
+  onTiles: () => void = () => {};
+  /** Called with what cannot be loaded. */
+  onError: (message: string) => void = () => {};
+  #tiles: TilesRenderer;
+  #loaded = new Map<Tile, Loaded>();
+  #camera: THREE.PerspectiveCamera;
+  #renderer: THREE.WebGLRenderer;
+
+  constructor(url: string, camera: THREE.PerspectiveCamera, renderer: THREE.WebGLRenderer, dim: (material: THREE.Material) => void) {
+    this.#camera = camera;
+    this.#renderer = renderer;
+    const tiles = this.#tiles = new TilesRenderer(url);
+    tiles.registerPlugin(new GLTFExtensionsPlugin({ plugins: [sharedTextures], autoDispose: false }));
+    tiles.errorTarget = ERROR_TARGET;
+    tiles.setCamera(camera);
+    this.group.name = 'town';
+    this.group.add(tiles.group);
+    tiles.addEventListener('load-root-tileset', () => this.#rooted());
+    tiles.addEventListener('load-error', ({ error }) => this.onError(error.message));
+    tiles.addEventListener('needs-update', () => this.onChange());
+    tiles.addEventListener('tiles-load-end', () => this.onChange());
+    tiles.addEventListener('load-model', ({ scene, tile }) => this.#enter(scene as THREE.Object3D, tile, dim));
+    tiles.addEventListener('dispose-model', ({ tile }) => { this.#loaded.delete(tile); });
+    tiles.addEventListener('tile-visibility-change', () => { this.onTiles(); this.onChange(); });
+  }
+
+  /** True while something is being loaded. */
+  get busy(): boolean { return this.#tiles.loadProgress < 1 || !this.#tiles.root; }
+
+  /** Number of tiles that are shown. */
+  get shown(): number { return this.#tiles.visibleTiles.size; }
+
+  /** Chooses the tiles for the camera; to be called before each frame. */
+  update() {
+    this.#camera.updateMatrixWorld();
+    this.#tiles.setResolutionFromRenderer(this.#camera, this.#renderer);
+    this.#tiles.update();
+  }
+
+  /** Puts the town into the page's frame. */
+  #rooted() {
+    const root = this.#tiles.rootTileset?.root as unknown as { transform?: number[]; boundingVolume: { box?: number[] } } | undefined;
+    const own = new THREE.Matrix4(), up = new THREE.Matrix4().makeRotationX(-Math.PI / 2);
+    if (root?.transform) own.fromArray(root.transform);
+    const { group } = this.#tiles;
+    group.matrix.copy(up).multiply(own.clone().invert());
+    group.matrix.decompose(group.position, group.quaternion, group.scale);
+    group.updateMatrixWorld(true);
+    const box = root?.boundingVolume.box;
+    if (box) {
+      const reach = (axis: number) => Math.abs(box[3 + axis]!) + Math.abs(box[6 + axis]!) + Math.abs(box[9 + axis]!);
+      const middle = new THREE.Vector3(box[0], box[1], box[2]), half = new THREE.Vector3(reach(0), reach(1), reach(2));
+      this.box.set(middle.clone().sub(half), middle.add(half)).applyMatrix4(up);
+    } else {
+      const ball = new THREE.Sphere();
+      if (this.#tiles.getBoundingSphere(ball)) this.box.setFromCenterAndSize(ball.center.applyMatrix4(group.matrixWorld), new THREE.Vector3().setScalar(ball.radius * 2));
+    }
+    this.onRoot();
+    this.onChange();
+  }
+
+  #enter(scene: THREE.Object3D, tile: Tile, dim: (material: THREE.Material) => void) {
+    let metadata: Metadata | null = null;
+    scene.traverse(node => {
+      metadata ??= (node.userData['structuralMetadata'] as Metadata | undefined) ?? null;
+      if (!(node instanceof THREE.Mesh)) return;
+      node.castShadow = node.receiveShadow = true;
+      for (const material of [node.material].flat() as THREE.Material[]) dim(material);
+    });
+    this.#loaded.set(tile, { scene, metadata, rows: null });
+    this.onChange();
+  }
+
+  /** The feature that a ray meets first. */
+  hit(ray: THREE.Raycaster): TileHit | null {
+    const found = ray.intersectObject(this.#tiles.group, true).find(({ object }) => object instanceof THREE.Mesh);
+    if (!found?.face) return null;
+    const mesh = found.object as THREE.Mesh, id = mesh.geometry.getAttribute(FEATURE)?.getX(found.face.a);
+    for (const { scene, metadata } of this.#loaded.values()) {
+      let holds = false;
+      scene.traverse(node => { holds ||= node === mesh; });
+      if (holds && metadata && id !== undefined) return { feature: featureOf(metadata, id), point: found.point };
+    }
+    return null;
+  }
+
+  /** The height of the surface above or below a place, if something is loaded there. */
+  heightAt(east: number, north: number): number | null {
+    const ray = new THREE.Raycaster(new THREE.Vector3(east, 1e4, -north), new THREE.Vector3(0, -1, 0));
+    return ray.intersectObject(this.#tiles.group, true)[0]?.point.y ?? null;
+  }
+
+  /** The triangles of a feature in the tiles that are shown; null if it is in none of them. */
+  shapeOf(layer: string, key: string): { shape: THREE.BufferGeometry; feature: TownFeature } | null {
+    for (const tile of this.#tiles.visibleTiles) {
+      const loaded = this.#loaded.get(tile), id = loaded && rowsOf(loaded).get(nameOf(layer, key));
+      if (!loaded?.metadata || id === undefined) continue;
+      const shape = trianglesOf(loaded.scene, id);
+      if (shape) return { shape, feature: featureOf(loaded.metadata, id) };
+    }
+    return null;
+  }
+
+  dispose() {
+    this.onRoot = this.onChange = this.onTiles = this.onError = () => {};
+    this.group.removeFromParent();
+    this.#tiles.dispose();
+    this.#loaded.clear();
+  }
+}
+
+/** The row of a table as the page names it. */
+function featureOf(metadata: Metadata, id: number): TownFeature {
+  const row = metadata.getPropertyTableData(0, id);
+  const text = (name: string) => `${row[name] ?? ''}`, number = (name: string) => Number(row[name] ?? 0);
+  return {
+    key: text('key'), layer: text('layer'), type: text('type'), year: text('year'), evidence: text('evidence'),
+    parameters: text('parameters'), rule: number('rule'), line: number('line'),
+  };
+}
+
+/** The rows of a tile by layer and key. */
+function rowsOf(loaded: Loaded): Map<string, number> {
+  if (loaded.rows) return loaded.rows;
+  const rows = loaded.rows = new Map<string, number>();
+  let last = -1;
+  loaded.scene.traverse(node => {
+    const ids = node instanceof THREE.Mesh ? node.geometry.getAttribute(FEATURE) as THREE.BufferAttribute | undefined : undefined;
+    for (let i = 0; i < (ids?.count ?? 0); i++) last = Math.max(last, ids!.getX(i));
+  });
+  for (let id = 0; loaded.metadata && id <= last; id++) {
+    const { layer, key } = featureOf(loaded.metadata, id);
+    rows.set(nameOf(layer, key), id);
+  }
+  return rows;
+}
+
+/** The triangles of a feature in a tile, in the page's frame. */
+function trianglesOf(scene: THREE.Object3D, id: number): THREE.BufferGeometry | null {
+  const points: number[] = [], point = new THREE.Vector3();
+  scene.updateMatrixWorld();
+  scene.traverse(node => {
+    if (!(node instanceof THREE.Mesh)) return;
+    const { index } = node.geometry, position = node.geometry.getAttribute('position'), ids = node.geometry.getAttribute(FEATURE);
+    for (let i = 0; ids && i < (index?.count ?? position.count); i += 3) {
+      const corner = (k: number) => index ? index.getX(i + k) : i + k;
+      if (ids.getX(corner(0)) !== id) continue;
+      for (let k = 0; k < 3; k++) points.push(...point.fromBufferAttribute(position, corner(k)).applyMatrix4(node.matrixWorld).toArray());
+    }
+  });
+  if (!points.length) return null;
+  const shape = new THREE.BufferGeometry();
+  shape.setAttribute('position', new THREE.Float32BufferAttribute(points, 3));
+  shape.computeBoundingBox();
+  return shape;
+}

@@ -1,0 +1,239 @@
+// The town that is shown, if the file is one: its tiles, the feature that is selected, how far its build is. The tiles
+// themselves are streamed by `tiles.ts`, which is loaded with the first town.
+
+import * as THREE from 'three';
+import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
+import type { App } from '../app.ts';
+import { fetchFeature, fetchSkipped, townFiles, type Decision, type Skipped, type TownFeature, type TownProgress, type TownState } from '../server/api.ts';
+import { EYE_HEIGHT } from '../scene/views.ts';
+import { strings } from '../ui/strings.ts';
+import type { TownTiles } from './tiles.ts';
+
+/** Longest side of the first view, metres: houses of a larger town would be specks. */
+const FIRST_VIEW = 700;
+
+/** Distance from which a feature is looked at, metres. */
+const NEAR = 28;
+
+/** Height of the mark of a feature on which nothing stands, metres. */
+const PIN = 6;
+
+/** A selected feature: what its tile says, and its line in the table of decisions. */
+export interface SelectedFeature {
+  /** Null where nothing stands on it. */
+  house: TownFeature | null;
+  layer: string;
+  key: string;
+  decision: Decision | null;
+}
+
+export class Town {
+  /** Null if the file is no town. */
+  state: TownState | null = null;
+  progress: TownProgress | null = null;
+  selected: SelectedFeature | null = null;
+  skipped: { total: number; list: Skipped[] } = { total: 0, list: [] };
+  tiles: TownTiles | null = null;
+  #app: App;
+  /** The tiles that are about to take the place of the shown ones. */
+  #next: TownTiles | null = null;
+  #root = '';
+  #file: string | null = null;
+  #box: THREE.Box3 | null = null;
+  #timer = 0;
+
+  constructor(app: App) {
+    this.#app = app;
+    const { viewport } = app;
+    viewport.beforeFrame.push(() => { this.tiles?.update(); this.#next?.update(); });
+    viewport.controls.addEventListener('change', () => this.#later());
+  }
+
+  /** The bounds of what is looked at: the selected feature, or the town. */
+  get box(): THREE.Box3 | null { return this.tiles && !this.tiles.box.isEmpty() ? this.tiles.box : null; }
+
+  /** Takes over a state of the open file. */
+  apply(file: string | null, state: TownState | null) {
+    if (file !== this.#file) this.#clear();
+    this.#file = file;
+    this.state = state;
+    if (!state) this.#clear();
+    const root = state?.tileset ? townFiles(state.id) + state.tileset : '';
+    if (root && root !== this.#root) void this.#load(root);
+    this.#root = root;
+    if (state) void this.#loadSkipped(state);
+    const { selected } = this;
+    if (state && selected) void this.choose(selected.layer, selected.key);
+    document.body.classList.toggle('town', state !== null);
+    this.#app.emit('town');
+  }
+
+  /** Hears how far the build is. */
+  hear(progress: TownProgress) {
+    const before = this.progress?.phase;
+    this.progress = progress.phase === 'done' ? null : progress;
+    if (progress.phase !== before) this.#app.announce(strings.townPhase[progress.phase]);
+    this.#app.emit('town');
+  }
+
+  #clear() {
+    this.tiles?.dispose();
+    this.#next?.dispose();
+    this.tiles = this.#next = this.#box = null;
+    this.#root = '';
+    this.progress = this.selected = null;
+    this.skipped = { total: 0, list: [] };
+    this.#app.viewport.extent = null;
+    this.#mark();
+  }
+
+  async #load(root: string) {
+    const { viewport } = this.#app, { TownTiles } = await import('./tiles.ts');
+    if (root !== this.#root) return;
+    this.#next?.dispose();
+    const tiles = this.#next = new TownTiles(root, viewport.camera, viewport.renderer, material => viewport.dim(material));
+    tiles.onChange = () => { this.#change(); viewport.draw(); };
+    tiles.onTiles = () => this.#later();
+    tiles.onError = message => this.#app.announce(strings.failed + message);
+    tiles.onRoot = () => { if (!this.tiles) this.#change(true); };
+    viewport.draw();
+  }
+
+  /** Shows the next tiles once they are all there, so that the ones before do not vanish first. */
+  #change(now = false) {
+    const { viewport } = this.#app, next = this.#next;
+    if (!next || next.box.isEmpty() || !now && next.busy) return;
+    const first = !this.tiles;
+    this.tiles?.dispose();
+    this.tiles = next;
+    this.#next = null;
+    viewport.scene.add(next.group);
+    viewport.extent = next.box;
+    viewport.environment.fit(next.box);
+    if (first) this.#app.look('above');
+    this.#app.emit('town');
+    this.#later();
+  }
+
+  /** What the first view shows: the town, or the middle of a large one. */
+  firstBox(): THREE.Box3 | null {
+    const box = this.box;
+    if (!box) return null;
+    const size = box.getSize(new THREE.Vector3()), middle = box.getCenter(new THREE.Vector3());
+    const short = (side: number) => Math.min(side, FIRST_VIEW);
+    return new THREE.Box3().setFromCenterAndSize(middle, new THREE.Vector3(short(size.x), size.y, short(size.z)));
+  }
+
+  /** When the picture has come to rest: shadows and the mark of the selected feature follow it. */
+  #later() {
+    if (!this.tiles) return;
+    clearTimeout(this.#timer);
+    this.#timer = window.setTimeout(() => {
+      const { viewport } = this.#app;
+      if (!this.tiles) return;
+      const far = viewport.camera.position.distanceTo(viewport.controls.target);
+      viewport.environment.shade(viewport.controls.target, THREE.MathUtils.clamp(far * 1.3, 40, 500));
+      this.#mark();
+      viewport.updateShadows();
+    }, 250);
+  }
+
+  /** Marks the selected feature in the tiles that are shown. */
+  #mark() {
+    const { selected, tiles } = this;
+    const found = selected && tiles ? tiles.shapeOf(selected.layer, selected.key) : null;
+    const place = selected && !found ? placeOf(selected.decision, 'x', 'y') : null;
+    this.#app.selected.show(found ? [found.shape] : place ? [pin(place)] : []);
+    this.#box = found?.shape.boundingBox ?? this.#box;
+    if (found && selected && !selected.house) {
+      selected.house = found.feature;
+      this.#app.emit('town');
+    }
+  }
+
+  /** Selects what is drawn at a ray. */
+  pick(ray: THREE.Raycaster) {
+    const found = this.tiles?.hit(ray);
+    if (!found) return this.clearSelection();
+    void this.choose(found.feature.layer, found.feature.key, found.feature);
+  }
+
+  clearSelection() {
+    this.selected = this.#box = null;
+    this.#mark();
+    this.#app.emit('town');
+  }
+
+  /** Selects a feature; returns false if there is none. */
+  async choose(layer: string, key: string, house: TownFeature | null = null): Promise<boolean> {
+    const { state } = this;
+    if (!state) return false;
+    const decision = await fetchFeature(state.id, layer, key).catch(() => null);
+    if (this.state?.id !== state.id || !decision && !house) return false;
+    const own = decision?.['layer'] ?? layer;
+    this.#box = null;
+    this.selected = { house, layer: own, key, decision };
+    this.#mark();
+    this.#app.emit('town');
+    this.#app.announce(strings.selected + this.title());
+    return true;
+  }
+
+  /** What the selected feature is called. */
+  title(): string {
+    const { selected } = this;
+    if (!selected) return '';
+    const type = selected.house?.type || selected.decision?.['type'];
+    return [`${selected.layer} ${selected.key}`, type].filter(Boolean).join(strings.comma);
+  }
+
+  /** Selects a feature and looks at it; returns false if there is none. */
+  async goTo(layer: string, key: string): Promise<boolean> {
+    const found = await this.choose(layer, key);
+    if (found) this.lookAtSelected();
+    return found;
+  }
+
+  /** Looks at the selected feature from above. */
+  lookAtSelected() {
+    const decision = this.selected?.decision, { viewport } = this.#app;
+    const target = this.#box?.getCenter(new THREE.Vector3()) ?? placeOf(decision, 'x', 'y');
+    if (!target) return;
+    const far = Math.max(NEAR, (this.#box?.getSize(new THREE.Vector3()).length() ?? 0) * 1.6);
+    viewport.camera.position.copy(target).add(new THREE.Vector3(0.5, 0.6, 0.8).normalize().multiplyScalar(far));
+    viewport.lookAt(target);
+  }
+
+  /** Stands on the street before the front of the selected feature; false if it has none. */
+  standBefore(): boolean {
+    const decision = this.selected?.decision, { viewport } = this.#app;
+    const one = placeOf(decision, 'front_x1', 'front_y1'), two = placeOf(decision, 'front_x2', 'front_y2');
+    if (!one || !two || !decision?.['facing']) return false;
+    const azimuth = Number(decision['facing']) * Math.PI / 180, ground = this.#box?.min.y ?? 0;
+    const target = one.add(two).multiplyScalar(0.5), away = Math.max(7, one.distanceTo(two) * 1.2);
+    target.y = ground + EYE_HEIGHT + 0.9;
+    viewport.camera.position.set(target.x + Math.sin(azimuth) * away, ground + EYE_HEIGHT, target.z - Math.cos(azimuth) * away);
+    viewport.lookAt(target);
+    return true;
+  }
+
+  async #loadSkipped(state: TownState) {
+    const skipped = state.skipped > 0 ? await fetchSkipped(state.id).catch(() => null) : { total: 0, list: [] };
+    if (!skipped || this.state !== state) return;
+    this.skipped = skipped;
+    this.#app.emit('town');
+  }
+}
+
+/** A mark where nothing stands: a post in a ring. */
+function pin(place: THREE.Vector3): THREE.BufferGeometry {
+  const post = new THREE.CylinderGeometry(0.2, 0.2, PIN, 8).translate(place.x, PIN / 2, place.z);
+  const ring = new THREE.TorusGeometry(1.6, 0.12, 6, 24).rotateX(Math.PI / 2).translate(place.x, 0.15, place.z);
+  return mergeGeometries([post, ring]);
+}
+
+/** A place of the table of decisions in the page's frame. */
+function placeOf(decision: Decision | null | undefined, x: string, y: string): THREE.Vector3 | null {
+  if (!decision?.[x] || !decision[y]) return null;
+  return new THREE.Vector3(Number(decision[x]), 0, -Number(decision[y]));
+}
