@@ -7,7 +7,6 @@ mod files;
 mod build;
 mod check;
 mod completions;
-mod draw;
 mod dump;
 mod explain;
 mod fmt;
@@ -135,7 +134,7 @@ enum Command {
     Build(build::Build),
     Town(build::init::TownCommand),
     Check(check::Check),
-    Draw(draw::Draw),
+    Draw(build::draw::Draw),
     Dump(dump::Dump),
     New(new::New),
     Params(params::Params),

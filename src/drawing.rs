@@ -5,7 +5,7 @@
 //! |---|---|---|
 //! | what is drawn | [`subject`] | bodies of the houses in the frame of the first one, each with a role |
 //! | how it is looked at | `look` | a parallel projection, and the plane that cuts |
-//! | what is cut | [`cut`] | exact areas |
+//! | what is cut | `cut` | exact areas |
 //! | what is seen | `edges`, `seen`, `merge` | edges without their hidden parts, each once |
 //! | views | `views`, `roofs`, `dimension` | marks in millimetres on paper |
 //! | paper | [`sheet`], [`paper`] | views on a sheet |
@@ -13,7 +13,7 @@
 //!
 //! Plans are level sections: what a plan shows of a door or a lattice is the cut of its model, not a symbol.
 
-pub mod cut;
+mod cut;
 mod dimension;
 pub mod dxf;
 mod edges;

@@ -1,5 +1,6 @@
 //! The program as its users run it.
 
+mod draw;
 mod fmt;
 mod folders;
 mod languages;

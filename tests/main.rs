@@ -22,6 +22,7 @@ mod data;
 mod detail;
 mod determinism;
 mod diagnostics;
+mod drawings;
 mod draws;
 mod examples;
 mod expand;

@@ -1,6 +1,7 @@
 //! `hsd build`: builds 3D models from house files.
 
 mod bake;
+pub(in crate::cli) mod draw;
 mod job;
 mod statistics;
 pub(in crate::cli) mod streamed;

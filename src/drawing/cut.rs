@@ -13,7 +13,7 @@ const STRAIGHT: f64 = 1e-6;
 type Crossing = (u32, u32);
 
 /// Returns the areas and lines in which a look cuts bodies, those of one role together.
-pub fn cut(subject: &Subject<'_>, look: &Look) -> Vec<Mark> {
+pub(super) fn cut(subject: &Subject<'_>, look: &Look) -> Vec<Mark> {
     let mut marks: Vec<Mark> = vec![];
     for body in &subject.bodies {
         let (rings, open) = rings(body, look);
@@ -115,7 +115,7 @@ fn simplify(ring: &mut Vec<DVec2>) {
 }
 
 /// Returns the area that rings enclose, signed: positive if it lies to their left.
-pub fn area(rings: &[Vec<DVec2>]) -> f64 {
+pub(super) fn area(rings: &[Vec<DVec2>]) -> f64 {
     let one = |ring: &Vec<DVec2>| -> f64 {
         let next = ring.iter().cycle().skip(1);
         ring.iter().zip(next).map(|(p, q)| p.perp_dot(*q)).sum()

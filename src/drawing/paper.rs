@@ -301,6 +301,8 @@ pub struct View {
     pub name: String,
     /// Its title, in the reader's language.
     pub title: String,
+    /// The size of what it shows of the subject, without dimensions and title, millimetres.
+    pub drawn: DVec2,
     /// What is drawn, from below to above.
     pub marks: Vec<Mark>,
 }
@@ -313,11 +315,17 @@ impl View {
         bounds
     }
 
+    /// Returns the size that it would have if what it shows were so many times as large.
+    pub fn size_at(&self, times: f64) -> DVec2 {
+        self.bounds().size() + self.drawn * (times - 1.0)
+    }
+
     /// Returns it moved.
     pub fn moved(&self, by: DVec2) -> View {
         View {
             name: self.name.clone(),
             title: self.title.clone(),
+            drawn: self.drawn,
             marks: self.marks.iter().map(|m| m.moved(by)).collect(),
         }
     }

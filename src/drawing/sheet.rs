@@ -67,59 +67,91 @@ pub fn single(view: &View, scale: u32) -> Sheet {
     }
 }
 
-/// Returns rows of views on a sheet; none if they do not fit. A row too long for the sheet goes on below.
-pub fn arranged(rows: &[Vec<View>], paper: Paper, settings: &Settings) -> Option<Sheet> {
-    let size = paper.size();
-    let inner = size - 2.0 * (MARGIN + SPACE / 2.0);
-    let mut lines: Vec<(Vec<&View>, DVec2)> = vec![];
+/// Views side by side, by their numbers in all rows, and their common size.
+struct Line {
+    views: Vec<usize>,
+    size: DVec2,
+}
+
+/// Returns the space for views on a sheet.
+fn inner(paper: Paper) -> DVec2 {
+    paper.size() - 2.0 * (MARGIN + SPACE / 2.0)
+}
+
+/// Divides rows of views of these sizes into lines. None if they do not fit on a sheet. A row too long for the sheet goes
+/// on below.
+fn lines(rows: &[Vec<DVec2>], paper: Paper) -> Option<Vec<Line>> {
+    let inner = inner(paper);
+    let mut lines: Vec<Line> = vec![];
+    let mut number = 0;
     for row in rows {
-        let mut line: (Vec<&View>, DVec2) = (vec![], DVec2::ZERO);
-        for view in row {
-            let own = view.bounds().size();
-            if own.x > inner.x {
-                return None;
+        let mut begun = false;
+        for own in row {
+            let last = lines.last_mut();
+            let last = last.filter(|l| begun && l.size.x + SPACE + own.x <= inner.x);
+            match last {
+                Some(line) => {
+                    line.size = dvec2(line.size.x + SPACE + own.x, line.size.y.max(own.y));
+                    line.views.push(number);
+                }
+                None => lines.push(Line {
+                    views: vec![number],
+                    size: *own,
+                }),
             }
-            if !line.0.is_empty() && line.1.x + SPACE + own.x > inner.x {
-                lines.push(std::mem::take(&mut line));
-            }
-            let space = if line.0.is_empty() { 0.0 } else { SPACE };
-            line.1 = dvec2(line.1.x + space + own.x, line.1.y.max(own.y));
-            line.0.push(view);
-        }
-        if !line.0.is_empty() {
-            lines.push(line);
+            begun = true;
+            number += 1;
         }
     }
-    let high: f64 = lines.iter().map(|l| l.1.y + SPACE).sum::<f64>() - SPACE;
-    // The title block stands beside the last line if there is room.
-    let beside = lines
-        .last()
-        .is_none_or(|l| l.1.x + SPACE + BLOCK.x <= inner.x);
-    let free = inner.y - high - if beside { 0.0 } else { BLOCK.y + SPACE };
-    if free < 0.0 {
-        return None;
-    }
-    let gap = SPACE + free / (lines.len() + 1) as f64;
+    let fits = lines.iter().all(|l| l.size.x <= inner.x) && free(&lines, paper) >= 0.0;
+    fits.then_some(lines)
+}
+
+/// The height that lines of views and the title block leave free; it stands beside the last line if there is room.
+fn free(lines: &[Line], paper: Paper) -> f64 {
+    let high: f64 = lines.iter().map(|l| l.size.y + SPACE).sum();
+    let below = if has_block(lines, paper) {
+        0.0
+    } else {
+        BLOCK.y + SPACE
+    };
+    inner(paper).y - (high - SPACE) - below
+}
+
+/// Returns true if the title block stands beside the last line.
+fn has_block(lines: &[Line], paper: Paper) -> bool {
+    let last = lines.last();
+    last.is_none_or(|l| l.size.x + SPACE + BLOCK.x <= inner(paper).x)
+}
+
+/// Returns whether views drawn at one scale fit on a sheet if what they show is so many times as large.
+pub fn fits(rows: &[Vec<View>], paper: Paper, times: f64) -> bool {
+    let sizes = |row: &Vec<View>| row.iter().map(|v| v.size_at(times)).collect();
+    lines(&rows.iter().map(sizes).collect::<Vec<_>>(), paper).is_some()
+}
+
+/// Returns rows of views on a sheet; none if they do not fit.
+pub fn arranged(rows: &[Vec<View>], paper: Paper, settings: &Settings) -> Option<Sheet> {
+    let sizes = |row: &Vec<View>| row.iter().map(|v| v.bounds().size()).collect();
+    let lines = lines(&rows.iter().map(sizes).collect::<Vec<_>>(), paper)?;
+    let (size, inner) = (paper.size(), inner(paper));
+    let all: Vec<&View> = rows.iter().flatten().collect();
+    let gap = SPACE + free(&lines, paper) / (lines.len() + 1) as f64;
     let mut top = size.y - MARGIN - SPACE / 2.0 - (gap - SPACE);
     let mut views = vec![];
-    for (line, own) in &lines {
+    for (number, line) in lines.iter().enumerate() {
+        let beside = number + 1 == lines.len() && has_block(&lines, paper);
+        let room = inner.x - if beside { BLOCK.x + SPACE } else { 0.0 };
+        let spare = (room - line.size.x).max(0.0) / (line.views.len() + 1) as f64;
         let mut x = MARGIN + SPACE / 2.0;
-        let spare = (inner.x - own.x).max(0.0) / (line.len() + 1) as f64;
-        let last = std::ptr::eq(line, &lines[lines.len() - 1].0);
-        // Beside the title block views stay on the left.
-        let spare = if last && beside {
-            spare.min((inner.x - own.x - BLOCK.x - SPACE).max(0.0) / (line.len() + 1) as f64)
-        } else {
-            spare
-        };
-        for view in line {
+        for view in line.views.iter().map(|n| all[*n]) {
             let bounds = view.bounds();
             x += spare;
-            let at = dvec2(x - bounds.low.x, top - own.y - bounds.low.y);
-            views.push(view.moved(at));
+            let at = dvec2(x, top - line.size.y);
+            views.push(view.moved(at - bounds.low));
             x += bounds.size().x + SPACE;
         }
-        top -= own.y + gap;
+        top -= line.size.y + gap;
     }
     views.push(frame(size, paper, settings));
     Some(Sheet {
@@ -171,6 +203,7 @@ fn frame(size: DVec2, paper: Paper, settings: &Settings) -> View {
     View {
         name: "sheet".to_owned(),
         title: settings.title.clone(),
+        drawn: DVec2::ZERO,
         marks,
     }
 }

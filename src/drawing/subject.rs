@@ -74,7 +74,7 @@ fn place_of(house: &House) -> Place {
     let [east, north, up] = house.origin;
     Place {
         turn: Heading::new(180.0 - house.azimuth).vector(),
-        at: DVec3::new(east, north, up),
+        at: DVec3::new(east, north, up - house.raised),
     }
 }
 
@@ -99,7 +99,9 @@ impl<'b> Subject<'b> {
             };
         };
         let world = place_of(&first.house).inverse();
-        let spans: Vec<_> = houses.iter().map(|b| b.house.span).collect();
+        // Roots are those of the houses in their order, without houses of too many triangles.
+        let whole = building.houses.iter().map(|b| &b.house);
+        let mut roots = whole.filter(|h| !scene.oversized.contains(&h.span));
         let mut welded: HashMap<u32, Body> = HashMap::new();
         let mut places: Vec<Option<Place>> = Vec::with_capacity(scene.nodes.len());
         let mut bodies = vec![];
@@ -110,10 +112,7 @@ impl<'b> Subject<'b> {
             };
             let place = match node.parent {
                 Some(above) => places[above.0 as usize].map(|p| p.within(own)),
-                None => node
-                    .span
-                    .is_none_or(|s| spans.contains(&s))
-                    .then(|| world.within(own)),
+                None => roots.next().is_some_and(&chosen).then(|| world.within(own)),
             };
             places.push(place);
             let (Some(place), Some(mesh)) = (place, node.mesh) else {

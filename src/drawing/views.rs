@@ -27,9 +27,9 @@ pub(super) fn plan(subject: &Subject<'_>, number: u32, settings: &Settings) -> V
     let look = Look::down(scale).cut_at(DVec3::Z * height);
     let mut marks = drawn(subject, look);
     marks.extend(bays(subject, number, scale));
-    let bounds = bounds_of(&marks);
+    let drawn = bounds_of(&marks);
     if number == 1 {
-        marks.extend(section_marks(subject, bounds, settings));
+        marks.extend(section_marks(subject, drawn, settings));
     }
     plan_dimensions(subject, number, settings, &mut marks);
     if number == 1 {
@@ -39,7 +39,7 @@ pub(super) fn plan(subject: &Subject<'_>, number: u32, settings: &Settings) -> V
         Language::English => format!("Plan of storey {number}"),
         Language::Japanese => format!("{number}階平面図"),
     };
-    titled(format!("plan-{number}"), title, settings.scale, marks)
+    titled(format!("plan-{number}"), title, (settings, drawn), marks)
 }
 
 /// The storeys of a number, with their floors above the ground of the subject.
@@ -168,7 +168,9 @@ fn upright(
     title: String,
     settings: &Settings,
 ) -> View {
-    let bounds = bounds_of(&marks);
+    above_ground(&mut marks);
+    let drawn = bounds_of(&marks);
+    let bounds = drawn;
     let ground = [bounds.low.x - 6.0, bounds.high.x + 6.0].map(|x| dvec2(x, 0.0));
     marks.push(Mark::new(Role::Ground, Shape::Lines(vec![ground])));
     let scale = settings.millimetres();
@@ -190,7 +192,24 @@ fn upright(
         let whole = [all[0], all[all.len() - 1]];
         dimension::chain(&whole, right(2.0), Measure::Shaku, paper, &mut marks);
     }
-    titled(name, title, settings.scale, marks)
+    titled(name, title, (settings, drawn), marks)
+}
+
+/// Leaves out what is seen below the ground; what is cut there stays.
+fn above_ground(marks: &mut [Mark]) {
+    for mark in marks.iter_mut().filter(|m| m.role == Role::Seen) {
+        let Shape::Lines(lines) = &mut mark.shape else {
+            continue;
+        };
+        lines.retain_mut(|line| {
+            line.sort_by(|p, q| q.y.total_cmp(&p.y));
+            let [high, low] = *line;
+            if low.y < 0.0 && high.y > 0.0 {
+                line[1] = high.lerp(low, high.y / (high.y - low.y));
+            }
+            high.y > 0.0
+        });
+    }
 }
 
 /// Returns the plan of all roofs from above.
@@ -199,10 +218,11 @@ pub(super) fn roof_plan(subject: &Subject<'_>, settings: &Settings) -> View {
     let depths = Depths::new(subject, look);
     let mut marks = vec![Mark::new(Role::Seen, Shape::Lines(depths.lines()))];
     marks.extend(roofs::lines(subject, &depths, settings));
+    let drawn = bounds_of(&marks);
     let title = text!("Roof plan", "屋根伏図")
         .in_language(settings.language)
         .into_owned();
-    titled("roof".to_owned(), title, settings.scale, marks)
+    titled("roof".to_owned(), title, (settings, drawn), marks)
 }
 
 /// Returns the plan of the plot: the ground storeys of all houses under the lines of their roofs.
@@ -236,29 +256,32 @@ pub(super) fn site_plan(subject: &Subject<'_>, settings: &Settings) -> View {
         }
     }
     marks.extend(roofs::outlines(subject, &depths));
-    marks.extend(north(subject, bounds_of(&marks)));
+    let drawn = bounds_of(&marks);
+    marks.extend(north(subject, drawn));
     let title = text!("Site plan", "配置図")
         .in_language(settings.language)
         .into_owned();
-    titled("site".to_owned(), title, settings.scale, marks)
+    titled("site".to_owned(), title, (settings, drawn), marks)
 }
 
 /// Returns a view with its title below it.
-fn titled(name: String, title: String, scale: u32, mut marks: Vec<Mark>) -> View {
+fn titled(
+    name: String,
+    title: String,
+    (settings, drawn): (&Settings, Bounds),
+    mut marks: Vec<Mark>,
+) -> View {
     let bounds = bounds_of(&marks);
-    let title_text = format!("{title}  1:{scale}");
-    let at = dvec2(
-        (bounds.low.x + bounds.high.x) / 2.0,
-        bounds.low.y - 4.0 - TITLE,
-    );
-    marks.push(Mark::label(
-        Role::Text,
-        at,
-        TITLE,
-        Anchor::Middle,
-        title_text,
-    ));
-    View { name, title, marks }
+    let words = format!("{title}  1:{}", settings.scale);
+    let middle = (drawn.low.x + drawn.high.x) / 2.0;
+    let at = dvec2(middle, bounds.low.y - 4.0 - TITLE);
+    marks.push(Mark::label(Role::Text, at, TITLE, Anchor::Middle, words));
+    View {
+        name,
+        title,
+        drawn: drawn.size(),
+        marks,
+    }
 }
 
 fn bounds_of(marks: &[Mark]) -> Bounds {

@@ -149,11 +149,7 @@ impl Snapshot {
     ///
     /// # Errors
     /// If its state cannot be written.
-    pub(super) fn of_tiles(
-        file: &str,
-        built: &BuiltTown,
-        revision: u64,
-    ) -> io::Result<Snapshot> {
+    pub(super) fn of_tiles(file: &str, built: &BuiltTown, revision: u64) -> io::Result<Snapshot> {
         let (pictures, none) = (BTreeMap::new(), RawValue::from_string("[]".to_owned())?);
         let state = State {
             revision,

@@ -346,7 +346,9 @@ pub fn map_folders(path: &Path) -> BTreeSet<PathBuf> {
     let outline = outline::of(&source, &limits);
     let named = outline.elements.iter().filter_map(|element| {
         let kind = element.schema?.name;
-        element.value("src").filter(|_| kind == "Layer" || kind == "Table")
+        element
+            .value("src")
+            .filter(|_| kind == "Layer" || kind == "Table")
     });
     let folder = path.parent().unwrap_or(Path::new(""));
     let folders = named.filter_map(|src| Some(folder.join(src).parent()?.to_owned()));

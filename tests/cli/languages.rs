@@ -72,6 +72,7 @@ fn help_has_no_english_line() {
         "",
         "build",
         "check",
+        "draw",
         "dump",
         "parts",
         "explain",

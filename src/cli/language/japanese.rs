@@ -11,6 +11,7 @@ pub(in crate::cli) use errors::error_message;
 use crate::cli::files::terminal;
 use clap::builder::PossibleValue;
 use clap::{Arg, Command};
+use help::draw::DRAW;
 use help::town::TOWN;
 use help::{COMMANDS, COMMON, CommandHelp};
 
@@ -33,7 +34,11 @@ fn translated(mut command: Command, path: &str) -> Command {
         .zip(["[オプション]", "[コマンド]", "<コマンド>"])
         .fold(usage.to_owned(), |text, (en, ja)| text.replace(en, ja));
     // The subcommands of `hsd help` have the entries of the commands they describe.
-    let entry = COMMANDS.iter().chain(TOWN).find(|w| w.path == path);
+    let entry = COMMANDS
+        .iter()
+        .chain(TOWN)
+        .chain(DRAW)
+        .find(|w| w.path == path);
     let below = |name: &str| match path {
         "" | "help" => name.to_owned(),
         _ => format!("{path} {name}"),

@@ -27,7 +27,9 @@ pub(super) async fn file(
         let town = workspace.town(id).ok_or_else(missing)?;
         let folder = &town.tables.folder;
         let bytes = served(folder, &name).ok_or_else(missing)?;
-        let is_json = FilePath::new(&name).extension().is_some_and(|e| e == "json");
+        let is_json = FilePath::new(&name)
+            .extension()
+            .is_some_and(|e| e == "json");
         // Names of tiles that were built here are hashes of what is in them.
         let lasts = town.is_ours() && name.contains('/');
         Ok((bytes, is_json, lasts))
@@ -53,7 +55,10 @@ fn served(folder: &FilePath, name: &str) -> Option<Vec<u8>> {
     if !plain || name.contains('\\') || !SERVED.contains(&&*ending) {
         return None;
     }
-    let (root, real) = (folder.canonicalize().ok()?, folder.join(path).canonicalize().ok()?);
+    let (root, real) = (
+        folder.canonicalize().ok()?,
+        folder.join(path).canonicalize().ok()?,
+    );
     real.starts_with(root).then(|| fs::read(real).ok())?
 }
 

@@ -204,9 +204,18 @@ mod tests {
         );
         let tables = TownTables::of(folder.path().to_owned(), "decisions.csv", "report.json");
         assert_eq!(tables.counts(), (3, 1, 2));
-        let row = tables.feature("houses", "2").expect("can be read").expect("is there");
+        let row = tables
+            .feature("houses", "2")
+            .expect("can be read")
+            .expect("is there");
         assert_eq!(row["why"], "a \"shed\",\nby the road");
-        assert_eq!(tables.feature("", "1").expect("can be read").expect("is there")["type"], "hiraya");
+        assert_eq!(
+            tables
+                .feature("", "1")
+                .expect("can be read")
+                .expect("is there")["type"],
+            "hiraya"
+        );
         assert_eq!(tables.feature("roads", "1").expect("can be read"), None);
         let skipped = tables.skipped().expect("can be read");
         assert_eq!((skipped.total, skipped.list.len()), (2, 2));

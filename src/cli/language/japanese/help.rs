@@ -1,6 +1,7 @@
 //! The Japanese help texts. The English ones are doc comments of the options; tests check that both have the same
 //! entries.
 
+pub(super) mod draw;
 pub(super) mod town;
 
 /// The help of a command.

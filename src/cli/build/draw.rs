@@ -1,10 +1,10 @@
 //! `hsd draw`: drawings to scale.
 
-use super::options::{DetailArgs, InputArgs, exit, report};
-use super::{Exit, Failure, Outcome};
 use crate::building::Building;
 use crate::cli::files::input::Inputs;
 use crate::cli::files::output::{self, Files};
+use crate::cli::options::{DetailArgs, InputArgs, exit, report};
+use crate::cli::{Exit, Failure, Outcome};
 use crate::diagnostic::{Diagnostics, Language, visible};
 use crate::drawing::letters::Font;
 use crate::drawing::paper::{Sheet, View};
@@ -31,7 +31,7 @@ Examples:
   hsd draw shop.hsd -o shop.pdf --scale 1:50                  draw them at 1:50 on the smallest sheet that holds them
   hsd draw shop.hsd -o plan.dxf --view plan-1                 draw the plan of the first storey for a CAD program
   hsd draw shop.hsd -o cut.svg --section a=3.5 --view section draw the house cut across, 3.5 units from its right end")]
-pub(super) struct Draw {
+pub(in crate::cli) struct Draw {
     #[command(flatten)]
     input_args: InputArgs,
 
@@ -56,8 +56,14 @@ pub(super) struct Draw {
     #[arg(long, value_name = "1:N", value_parser = scale)]
     scale: Option<u32>,
 
-    /// Set the sheet [default: A3, or with --scale the smallest that holds all views].
-    #[arg(long, value_enum, value_name = "SIZE", ignore_case = true)]
+    /// Set the sheet: A4, A3, A2, A1 or A0 [default: A3, or with --scale the smallest that holds all views].
+    #[arg(
+        long,
+        value_enum,
+        value_name = "SIZE",
+        ignore_case = true,
+        hide_possible_values = true
+    )]
     sheet: Option<SheetSize>,
 
     /// Draw only this house of the file: its name.
@@ -78,6 +84,9 @@ pub(super) struct Draw {
     #[arg(short, long)]
     quiet: bool,
 }
+
+/// The smallest scale at which joinery is still to be seen.
+const LEGIBLE: u32 = 200;
 
 /// The sizes of paper.
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -135,7 +144,7 @@ impl Kind {
 }
 
 impl Draw {
-    pub(super) fn run(&self, language: Language) -> Outcome {
+    pub(in crate::cli) fn run(&self, language: Language) -> Outcome {
         let kind = Kind::of(&self.output)?;
         self.input_args.check_folders()?;
         let mut out = Diagnostics::new();
@@ -216,20 +225,24 @@ impl Draw {
             let sheet = drawing::on_paper(&rows, None, &settings);
             return sheet.ok_or_else(|| too_large(&rows, None, 100));
         }
-        let paper = paper.unwrap_or(Paper::A3);
         let [low, high] = subject.bounds();
         let most = (high - low).max_element() * 1000.0;
-        let room = paper.size().x;
-        // Drawing at a scale takes long, so those at which one view is too wide are not tried.
-        let fitting = SCALES.into_iter().filter(|s| most / f64::from(*s) < room);
-        for scale in fitting {
-            let (rows, settings) = at(scale);
-            if let Some(sheet) = drawing::on_paper(&rows, Some(paper), &settings) {
-                return Ok(sheet);
-            }
-        }
-        let (rows, _) = at(SCALES[SCALES.len() - 1]);
-        Err(too_large(&rows, Some(paper), SCALES[SCALES.len() - 1]))
+        // Drawing takes longer than measuring what is drawn, so one scale tells which others fit.
+        let about = |s: &u32| most / f64::from(*s) < 80.0;
+        let first = SCALES
+            .into_iter()
+            .find(about)
+            .unwrap_or(SCALES[SCALES.len() - 1]);
+        let (rows, settings) = at(first);
+        let Some((paper, scale)) = suited(paper, &rows, first) else {
+            return Err(too_large(&rows, paper, first));
+        };
+        let (rows, settings) = match scale == first {
+            true => (rows, settings),
+            false => at(scale),
+        };
+        let sheet = drawing::on_paper(&rows, Some(paper), &settings);
+        sheet.ok_or_else(|| too_large(&rows, Some(paper), scale))
     }
 
     fn settings(&self, subject: &Subject<'_>, language: Language) -> Settings {
@@ -353,6 +366,23 @@ impl Draw {
     fn note(&self, said: &str) -> Result<(), Failure> {
         Ok(writeln!(io::stderr(), "{said}")?)
     }
+}
+
+/// Returns the sheet and the largest usual scale at which views drawn at a scale fit on it. If no sheet is named, it is A3 or
+/// the smallest larger one on which details are still to be seen.
+fn suited(paper: Option<Paper>, rows: &[Vec<View>], drawn: u32) -> Option<(Paper, u32)> {
+    let papers: &[Paper] = match &paper {
+        Some(paper) => std::slice::from_ref(paper),
+        None => &Paper::ALL[1..],
+    };
+    let largest = |paper: Paper, smallest: u32| {
+        let usual = SCALES.into_iter().take_while(move |s| *s <= smallest);
+        let times = |s: u32| f64::from(drawn) / f64::from(s);
+        let mut fitting = usual.filter(|s| drawing::sheet::fits(rows, paper, times(*s)));
+        fitting.next().map(|scale| (paper, scale))
+    };
+    let on_any = |smallest: u32| papers.iter().find_map(|p| largest(*p, smallest));
+    on_any(LEGIBLE).or_else(|| on_any(u32::MAX))
 }
 
 /// Fails if the plan of a storey is wanted that the houses do not have.
