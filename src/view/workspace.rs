@@ -242,6 +242,8 @@ impl Workspace {
             last.filter(|_| !document.stale.load(Ordering::Acquire))
         };
         if let Some(snapshot) = fresh() {
+            // A page may have come since.
+            self.start_town(document);
             return Ok(snapshot);
         }
         let _alone = lock(&document.building);

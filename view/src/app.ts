@@ -283,8 +283,9 @@ export class App {
     }
   }
 
-  /** Shows the location of a diagnostic in the source pane, and in the editor where there is one. */
+  /** Shows the location of a diagnostic in the source pane, and in the editor where there is one; a feature in the model. */
   showDiagnostic(message: Diagnostic) {
+    if (message.feature) return void this.town.goTo(message.feature.layer, message.feature.key);
     const location = locationOfDiagnostic(message, this.state!);
     if (!location) return;
     this.showSource(location);
@@ -315,7 +316,7 @@ export class App {
   azimuth(): number { return this.state?.plan.houses[0]?.azimuth ?? 180; }
 
   look(view: View, part: number | null = null) {
-    const box = this.town.firstBox() ?? (part === null ? this.model?.box : this.model?.parts[part]?.box);
+    const box = this.town.viewBox() ?? (part === null ? this.model?.box : this.model?.parts[part]?.box);
     if (!box || box.isEmpty()) return;
     this.#visits(null);
     this.movingToView = true;

@@ -21,10 +21,10 @@ export function diagnosticList(app: App): HTMLElement {
 }
 
 function row(app: App, message: Diagnostic): HTMLElement {
-  const { severity, code, line, column, help } = message, source = sourceOf(message, app.state!.sources);
+  const { severity, code, line, column, help, feature } = message, source = sourceOf(message, app.state!.sources);
   const elsewhere = source && source.id !== 0 ? `${displayName(source)}: ` : '';
   return h('button', { type: 'button', class: `row message ${severity}`, onclick: () => app.showDiagnostic(message) },
     h('span', { class: 'severity' }, `${strings[severity]} `), h('span', { class: 'code' }, `${code} `),
-    h('span', { class: 'place' }, source && elsewhere + strings.atLine(line, column)),
+    h('span', { class: 'place' }, feature ? `${feature.layer} ${feature.key}` : source && elsewhere + strings.atLine(line, column)),
     h('span', { class: 'text' }, message.message), help && h('span', { class: 'help' }, `${strings.help}: ${help}`));
 }

@@ -19,7 +19,7 @@ export function featureCard(app: App): HTMLElement {
       [strings.layer, selected.layer], [strings.type, house?.type || of('type')], [strings.year, house?.year],
       [strings.evidence, house?.evidence],
       [strings.rule, rule > 0 && `${rule}${house?.line ? strings.comma + strings.lineNumber(house.line) : ''}`],
-      [strings.parameters, house?.parameters || of('parameters')],
+      [strings.parameters, of('parameters') || house?.parameters],
       [strings.what, [of('what'), of('why')].filter(Boolean).join(': ')],
       [strings.facing, of('facing') && `${Math.round(Number(of('facing')))}°`], [strings.plot, size], [strings.access, of('access')],
       [strings.measures, of('measures')],

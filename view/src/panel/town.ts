@@ -39,7 +39,7 @@ export function townPanel(app: App): HTMLElement {
     const { state, skipped } = app.town;
     element.hidden = !state;
     if (!state) return;
-    counts.textContent = strings.townCounts(state.features, state.built, state.skipped) + (state.whole ? '' : ` ${strings.townNotWhole}`);
+    counts.textContent = state.features === 0 ? '' : strings.townCounts(state.features, state.built, state.skipped) + (state.whole ? '' : ` ${strings.townNotWhole}`);
     heading.hidden = skipped.total === 0;
     more.textContent = skipped.total > skipped.list.length ? strings.townMore(skipped.total - skipped.list.length) : '';
     if (shown === skipped) return;

@@ -28,17 +28,17 @@ export class Highlight {
   set(model: Model | null, parts: number[]) {
     if (!parts.length && !this.parts.length) return;
     this.parts = parts;
-    this.#replace((model ? parts.slice(0, 400) : []).flatMap(part => shapeOf(model!, part) ?? []));
+    this.#replace((model ? parts.slice(0, 400) : []).flatMap(part => shapeOf(model!, part) ?? []), edgesOf);
   }
 
-  /** Highlights shapes that are no parts of a model. */
+  /** Highlights whole houses, which have too many edges, or other shapes that are no parts of a model. */
   show(shapes: THREE.BufferGeometry[]) {
     if (!shapes.length && !this.drawn) return;
     this.parts = [];
-    this.#replace(shapes);
+    this.#replace(shapes, boxOf);
   }
 
-  #replace(shapes: THREE.BufferGeometry[]) {
+  #replace(shapes: THREE.BufferGeometry[], edgesOf: (shape: THREE.BufferGeometry) => THREE.BufferGeometry) {
     for (const child of [...this.#group.children] as (THREE.Mesh | THREE.LineSegments)[]) {
       child.geometry.dispose();
       child.removeFromParent();
@@ -58,7 +58,11 @@ export class Highlight {
 
 /** The edges of a shape; those of its bounding box where there are too many. */
 function edgesOf(shape: THREE.BufferGeometry): THREE.BufferGeometry {
-  if (shape.getAttribute('position').count < 6000) return new THREE.EdgesGeometry(shape, 40);
+  return shape.getAttribute('position').count < 6000 ? new THREE.EdgesGeometry(shape, 40) : boxOf(shape);
+}
+
+/** The edges of the bounding box of a shape. */
+function boxOf(shape: THREE.BufferGeometry): THREE.BufferGeometry {
   shape.computeBoundingBox();
   const box = shape.boundingBox!, size = box.getSize(new THREE.Vector3()), middle = box.getCenter(new THREE.Vector3());
   const cuboid = new THREE.BoxGeometry(size.x, size.y, size.z).translate(middle.x, middle.y, middle.z);

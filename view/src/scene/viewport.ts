@@ -117,6 +117,14 @@ export class Viewport {
     this.refresh();
   }
 
+  /** Adjusts ground, light and the reach of the camera to the bounds of a town. */
+  showExtent(box: THREE.Box3) {
+    this.extent = box;
+    this.environment.fit(box);
+    this.camera.far = Math.max(400, this.size() * 6);
+    this.camera.updateProjectionMatrix();
+  }
+
   /** Takes most of the metalness of a material, once. */
   dim(material: THREE.Material) {
     if (this.#dimmed.has(material) || !('metalness' in material)) return; // Kept from the previous model, or not a PBR material.

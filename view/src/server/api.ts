@@ -51,12 +51,15 @@ export interface Diagnostic {
   severity: 'error' | 'warning' | 'note';
   message: string;
   help: string | null;
-  file: string;
+  /** Null for diagnostics about a feature of a map, as are line, column and span. */
+  file: string | null;
   /** Counted from 1; meaningless for diagnostics of a model file. */
   line: number;
   column: number;
   span: { start: number; end: number };
   labels: { message: string; file: string; span: { start: number; end: number } }[];
+  /** What it is about instead of a place in a file. */
+  feature?: { layer: string; key: string };
 }
 
 export type Point = [a: number, b: number];

@@ -7,13 +7,16 @@ import { TilesRenderer } from '3d-tiles-renderer/three';
 import { GLTFExtensionsPlugin } from '3d-tiles-renderer/three/plugins';
 import type { Tile } from '3d-tiles-renderer/core';
 import type { TownFeature } from '../server/api.ts';
-import { sharedTextures } from './textures.ts';
+import { holdTextures, releaseTextures, sharedTextures, sweepTextures } from './textures.ts';
 
 /** The attribute that names the feature of a vertex. */
 const FEATURE = '_feature_id_0';
 
 /** Error on the screen up to which a level of detail will do, pixels. */
 const ERROR_TARGET = 12;
+
+/** How far tiles may be from the first one in the middle of a town, metres. */
+const PART = 330;
 
 /** What the library reads from `EXT_structural_metadata`, as far as it is used here. */
 interface Metadata {
@@ -25,8 +28,29 @@ interface Metadata {
 interface Loaded {
   scene: THREE.Object3D;
   metadata: Metadata | null;
+  /** The shared textures that it shows. */
+  textures: Set<string>;
   /** Rows of the table by layer and key, filled when first asked. */
   rows: Map<string, number> | null;
+}
+
+/** A tile as its root describes it, as far as it is used here. */
+interface TileJson {
+  transform?: number[];
+  boundingVolume: { box?: number[] };
+  content?: object;
+  children?: TileJson[];
+}
+
+/** The tiles with content that hang below no other such tile. */
+const contentsOf = (tile: TileJson): TileJson[] => tile.content ? [tile] : (tile.children ?? []).flatMap(contentsOf);
+
+/** The bounds of a tile in the frame of its root; null if they are no box. */
+function boxOf({ boundingVolume: { box } }: TileJson): THREE.Box3 | null {
+  if (!box) return null;
+  const reach = (axis: number) => Math.abs(box[3 + axis]!) + Math.abs(box[6 + axis]!) + Math.abs(box[9 + axis]!);
+  const middle = new THREE.Vector3(box[0], box[1], box[2]), half = new THREE.Vector3(reach(0), reach(1), reach(2));
+  return new THREE.Box3(middle.clone().sub(half), middle.add(half));
 }
 
 /** A surface of a feature that was hit. */
@@ -41,6 +65,8 @@ export class TownTiles {
   readonly group = new THREE.Group();
   /** The town's bounds; empty until its root is loaded. */
   readonly box = new THREE.Box3();
+  /** The bounds of the tiles near the middle of the town, where there are any. */
+  readonly middle = new THREE.Box3();
   /** Called when its root is loaded. */
   onRoot: () => void = () => {};
   /** Called when something else is to be drawn. */
@@ -68,7 +94,7 @@ export class TownTiles {
     tiles.addEventListener('needs-update', () => this.onChange());
     tiles.addEventListener('tiles-load-end', () => this.onChange());
     tiles.addEventListener('load-model', ({ scene, tile }) => this.#enter(scene as THREE.Object3D, tile, dim));
-    tiles.addEventListener('dispose-model', ({ tile }) => { this.#loaded.delete(tile); });
+    tiles.addEventListener('dispose-model', ({ tile }) => this.#leave(tile));
     tiles.addEventListener('tile-visibility-change', () => { this.onTiles(); this.onChange(); });
   }
 
@@ -87,22 +113,23 @@ export class TownTiles {
 
   /** Puts the town into the page's frame. */
   #rooted() {
-    const root = this.#tiles.rootTileset?.root as unknown as { transform?: number[]; boundingVolume: { box?: number[] } } | undefined;
+    const root = this.#tiles.rootTileset?.root as unknown as TileJson | undefined;
     const own = new THREE.Matrix4(), up = new THREE.Matrix4().makeRotationX(-Math.PI / 2);
     if (root?.transform) own.fromArray(root.transform);
     const { group } = this.#tiles;
     group.matrix.copy(up).multiply(own.clone().invert());
     group.matrix.decompose(group.position, group.quaternion, group.scale);
     group.updateMatrixWorld(true);
-    const box = root?.boundingVolume.box;
-    if (box) {
-      const reach = (axis: number) => Math.abs(box[3 + axis]!) + Math.abs(box[6 + axis]!) + Math.abs(box[9 + axis]!);
-      const middle = new THREE.Vector3(box[0], box[1], box[2]), half = new THREE.Vector3(reach(0), reach(1), reach(2));
-      this.box.set(middle.clone().sub(half), middle.add(half)).applyMatrix4(up);
-    } else {
+    const box = root && boxOf(root);
+    if (box) this.box.copy(box.applyMatrix4(up));
+    else {
       const ball = new THREE.Sphere();
       if (this.#tiles.getBoundingSphere(ball)) this.box.setFromCenterAndSize(ball.center.applyMatrix4(group.matrixWorld), new THREE.Vector3().setScalar(ball.radius * 2));
     }
+    const tiles = (root ? contentsOf(root) : []).flatMap(tile => boxOf(tile)?.applyMatrix4(up) ?? []);
+    const to = (point: THREE.Vector3) => (a: THREE.Box3, b: THREE.Box3) => a.distanceToPoint(point) - b.distanceToPoint(point);
+    const first = tiles.sort(to(this.box.getCenter(new THREE.Vector3())))[0]?.getCenter(new THREE.Vector3());
+    for (const tile of tiles) if (first && tile.getCenter(new THREE.Vector3()).distanceTo(first) < PART) this.middle.union(tile);
     this.onRoot();
     this.onChange();
   }
@@ -115,8 +142,14 @@ export class TownTiles {
       node.castShadow = node.receiveShadow = true;
       for (const material of [node.material].flat() as THREE.Material[]) dim(material);
     });
-    this.#loaded.set(tile, { scene, metadata, rows: null });
+    this.#loaded.set(tile, { scene, metadata, textures: holdTextures(scene), rows: null });
     this.onChange();
+  }
+
+  #leave(tile: Tile) {
+    const loaded = this.#loaded.get(tile);
+    if (loaded) releaseTextures(loaded.textures);
+    this.#loaded.delete(tile);
   }
 
   /** The feature that a ray meets first. */
@@ -153,7 +186,8 @@ export class TownTiles {
     this.onRoot = this.onChange = this.onTiles = this.onError = () => {};
     this.group.removeFromParent();
     this.#tiles.dispose();
-    this.#loaded.clear();
+    for (const tile of [...this.#loaded.keys()]) this.#leave(tile);
+    sweepTextures();
   }
 }
 

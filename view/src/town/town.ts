@@ -9,7 +9,7 @@ import { EYE_HEIGHT } from '../scene/views.ts';
 import { strings } from '../ui/strings.ts';
 import type { TownTiles } from './tiles.ts';
 
-/** Longest side of the first view, metres: houses of a larger town would be specks. */
+/** Longest side of a town that preset views show as a whole, metres: houses of a larger one would be specks. */
 const FIRST_VIEW = 700;
 
 /** Distance from which a feature is looked at, metres. */
@@ -108,20 +108,18 @@ export class Town {
     this.tiles = next;
     this.#next = null;
     viewport.scene.add(next.group);
-    viewport.extent = next.box;
-    viewport.environment.fit(next.box);
+    viewport.showExtent(next.box);
     if (first) this.#app.look('above');
     this.#app.emit('town');
     this.#later();
   }
 
-  /** What the first view shows: the town, or the middle of a large one. */
-  firstBox(): THREE.Box3 | null {
-    const box = this.box;
-    if (!box) return null;
-    const size = box.getSize(new THREE.Vector3()), middle = box.getCenter(new THREE.Vector3());
-    const short = (side: number) => Math.min(side, FIRST_VIEW);
-    return new THREE.Box3().setFromCenterAndSize(middle, new THREE.Vector3(short(size.x), size.y, short(size.z)));
+  /** What preset views show: the town, or the part in the middle of a large one. */
+  viewBox(): THREE.Box3 | null {
+    const { box } = this, part = this.tiles?.middle;
+    if (!box || !part || part.isEmpty()) return box;
+    const size = box.getSize(new THREE.Vector3());
+    return Math.max(size.x, size.z) > FIRST_VIEW ? part : box;
   }
 
   /** When the picture has come to rest: shadows and the mark of the selected feature follow it. */
