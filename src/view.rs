@@ -17,12 +17,14 @@
 //! | `model_file` | existing models and their external textures |
 //! | `page` | the embedded files of the page |
 //! | `fingerprint` | content hashes |
+//! | `locked` | locks that outlive a panic |
 
 mod editor_host;
 mod fingerprint;
 mod guard;
 mod history;
 mod houses;
+mod locked;
 mod model_file;
 mod page;
 mod routes;

@@ -4,6 +4,7 @@ mod guard;
 mod houses;
 mod models;
 mod screenshots;
+mod towns;
 mod web;
 
 use hsd::diagnostic::Language;
@@ -13,7 +14,7 @@ use hsd::view::{EditorHost, Preview, PreviewOptions, RecursiveMode};
 use serde_json::{Value, json};
 use std::fs;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use tempfile::TempDir;
 use web::Web;
@@ -25,6 +26,7 @@ const HOUSE: &str = "0 0 180\n9.5\n\nKKS  TKD 2MRE\nKSK  MRE  KSK\nKKS  TIT 2KKS
 struct Files {
     sent: Arc<Mutex<Vec<String>>>,
     read_only: bool,
+    scratch: Arc<Mutex<Vec<TempDir>>>,
 }
 
 impl EditorHost for Files {
@@ -38,6 +40,13 @@ impl EditorHost for Files {
         let source = Source::new(FileId(0), path.to_string_lossy(), &fs::read(path)?);
         work(source, &world, &hsd::Options::default());
         Ok(())
+    }
+
+    fn scratch(&self) -> io::Result<PathBuf> {
+        let made = tempfile::tempdir()?;
+        let path = made.path().to_owned();
+        self.scratch.lock().expect("no thread failed").push(made);
+        Ok(path)
     }
 
     fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {

@@ -12,6 +12,7 @@ const made = await build({
   minify: true,
   format: 'esm',
   target: 'es2022',
+  external: ['@mapbox/vector-tile', 'pbf', 'pmtiles'], // the library of tiles asks for them where a town has vector tiles: none has
   legalComments: 'eof', // licences of the bundled packages
   write: false,
   outdir: 'dist',

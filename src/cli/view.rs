@@ -18,16 +18,17 @@ const TILESET: &str = "tileset.json";
 /// Preview houses in the browser, updated at every save.
 ///
 /// A local page shows the model, the plan and the diagnostics. For a folder, any source file or model in it can be
-/// opened there. No data leaves this machine. The command runs until interrupted.
+/// opened there. A town is built in tiles, which the page streams. No data leaves this machine. The command runs until interrupted.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   hsd view house.hsd                                   preview a house beside your editor
   hsd view street/                                     preview the source files of a folder
   hsd view town.hsd --detail 1                         preview hundreds of houses with textures for parts
+  hsd view kyoto/                                      look at a town in tiles that `hsd town` has written
   hsd view house.hsd --editor 'code -g {file}:{line}'  go to the line of a part when it is clicked")]
 pub(super) struct View {
-    /// A source file, a folder of source files, or a model (.glb).
+    /// A source file, a town, a folder of source files or of tiles, or a model (.glb).
     #[arg(value_name = "FILE")]
     input: PathBuf,
 

@@ -46,7 +46,7 @@ use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The plan of a source file.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Default, Serialize)]
 pub struct Plan {
     /// The texts of the reasons in it, by key.
     pub reasons: BTreeMap<&'static str, String>,
@@ -243,17 +243,6 @@ pub struct Roof {
 }
 
 impl Plan {
-    /// Returns the plan of a model without a text.
-    pub fn none() -> Plan {
-        Plan {
-            reasons: BTreeMap::new(),
-            houses: vec![],
-            views: vec![],
-            places: vec![],
-            outlines: vec![],
-        }
-    }
-
     /// Returns the plan of a source file, with reasons in this language.
     pub fn of(a: &Analysis, language: Language) -> Plan {
         let sheet = Sheet::of(a);

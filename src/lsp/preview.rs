@@ -23,6 +23,7 @@ use std::sync::mpsc::{self, Sender};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
+use tempfile::TempDir;
 
 /// The maximum time for a client to apply an edit.
 const PATIENCE: Duration = Duration::from_secs(3);
@@ -57,6 +58,17 @@ struct Shared {
     sender: RequestSender,
     /// The number of requests sent.
     asked: AtomicU32,
+    /// The folders in which towns are built.
+    scratch: Mutex<Vec<TempDir>>,
+}
+
+impl Drop for Previews {
+    /// Removes the folders of towns: the threads of previews run until the program ends, and would keep them.
+    fn drop(&mut self) {
+        if let Some(running) = &self.running {
+            lock(&running.shared.scratch).clear();
+        }
+    }
 }
 
 /// The texts in the editor.
@@ -105,6 +117,7 @@ impl Previews {
                 client: client.clone(),
                 sender: sender.clone(),
                 asked: AtomicU32::new(0),
+                scratch: Mutex::default(),
             });
             Running::new(shared, documents.edition)
         });
@@ -213,6 +226,13 @@ impl EditorHost for LspHost {
         let source = Source::new(FileId(0), path.to_string_lossy(), &bytes);
         work(source, &world, &world.options(&settings));
         Ok(())
+    }
+
+    fn scratch(&self) -> io::Result<PathBuf> {
+        let made = tempfile::Builder::new().prefix("hsd-view-").tempdir()?;
+        let path = made.path().to_owned();
+        lock(&self.0.scratch).push(made);
+        Ok(path)
     }
 
     fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {

@@ -22,9 +22,7 @@ pub trait EditorHost: Send + Sync {
     ///
     /// # Errors
     /// If there is none.
-    fn scratch(&self) -> io::Result<PathBuf> {
-        Err(io::ErrorKind::Unsupported.into())
-    }
+    fn scratch(&self) -> io::Result<PathBuf>;
 
     /// Returns the contents of a file, as [`EditorHost::write`] takes them.
     ///

@@ -2,10 +2,11 @@
 
 mod towns;
 
+use super::locked::lock;
 use super::screenshots::{self, Screenshot};
 use super::snapshot::Snapshot;
 use super::town::TownProgress;
-use super::workspace::{Document, FileEntry, TEXT, Update, Viewer, Workspace, lock};
+use super::workspace::{Document, FileEntry, TEXT, Update, Viewer, Workspace};
 use super::{guard, model_file, page};
 use crate::catalog::PartDef;
 use crate::diagnostic::{Language, Text};

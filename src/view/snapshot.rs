@@ -158,7 +158,7 @@ impl Snapshot {
             diagnostics: &none,
             houses: vec![],
             pictures: &pictures,
-            plan: Plan::none(),
+            plan: Plan::default(),
             town: Some(built.shown.clone()),
             times: vec![],
         };
@@ -197,7 +197,7 @@ impl Snapshot {
             diagnostics: &diagnostics,
             houses: vec![],
             pictures: &keys,
-            plan: Plan::none(),
+            plan: Plan::default(),
             town: None,
             times: vec![],
         };

@@ -1,7 +1,8 @@
 //! Edits drawn in the page.
 
 use super::history::Step;
-use super::workspace::{Document, Workspace, lock};
+use super::locked::lock;
+use super::workspace::{Document, Workspace};
 use crate::diagnostic::Text;
 use crate::ide::Analysis;
 use crate::ide::stroke::{self, Stroke, apply};

@@ -13,7 +13,7 @@ mod tables;
 pub(super) use tables::{SkippedList, TownTables};
 
 use super::fingerprint::fingerprint;
-use super::workspace::lock;
+use super::locked::lock;
 use crate::ast::town::Tiles;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::driver::{self, Options};

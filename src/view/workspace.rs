@@ -1,11 +1,14 @@
 //! The files below a folder. Each is compiled when first requested, and recompiled when its inputs change while a page
 //! shows it.
 
+mod towns;
+
 use super::editor_host::EditorHost;
 use super::history::History;
+use super::locked::lock;
 use super::model_file;
 use super::snapshot::{Snapshot, slashed};
-use super::town::{BuiltTown, TILESET, TownEars, TownProgress, TownSlot};
+use super::town::{BuiltTown, TILESET, TownProgress, TownSlot};
 use crate::diagnostic::Language;
 use crate::source::{FileId, Span};
 use serde::Serialize;
@@ -15,12 +18,8 @@ use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Component, Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
-use std::thread;
+use std::sync::{Arc, Mutex, Weak};
 use tokio::sync::broadcast;
-
-/// The stack of a thread that builds a town, as much as that of the main thread.
-const STACK: usize = 8 << 20;
 
 /// Limits of the file list: number of files and depth of folders.
 const LISTED: usize = 2000;
@@ -121,11 +120,6 @@ impl Drop for Viewer {
     fn drop(&mut self) {
         self.0.viewers.fetch_sub(1, Ordering::AcqRel);
     }
-}
-
-/// Locks a mutex. Poisoning is ignored, because all updates replace whole values.
-pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Workspace {
@@ -359,57 +353,6 @@ impl Workspace {
         }
     }
 
-    /// Returns what is built under a number.
-    pub(super) fn town(&self, id: u64) -> Option<Arc<BuiltTown>> {
-        let documents = lock(&self.documents);
-        let mut own = documents.values().filter(|d| d.id == id);
-        let built = lock(&own.next()?.town.built).clone();
-        built
-    }
-
-    /// Builds the town of a document behind the page, if a page shows it and its inputs have changed.
-    fn start_town(&self, document: &Document) {
-        let is_town = document.last().is_some_and(|snapshot| snapshot.is_town);
-        let is_seen = document.viewers.load(Ordering::Acquire) > 0;
-        if !is_town || !is_seen || !document.town_stale.swap(false, Ordering::AcqRel) {
-            return;
-        }
-        let file = document.file.to_string();
-        let (me, stops) = (self.me.clone(), document.town.restart());
-        // A thread that cannot be had is a town that is not built; the next save tries again.
-        let _ = thread::Builder::new()
-            .name("hsd town".to_owned())
-            .stack_size(STACK)
-            .spawn(move || {
-                let Some(workspace) = me.upgrade() else {
-                    return;
-                };
-                if let Ok(document) = workspace.document(&file) {
-                    workspace.build_town(&document, &stops);
-                }
-            });
-    }
-
-    fn build_town(&self, document: &Document, stops: &AtomicBool) {
-        let ears = Ears(self, document);
-        let Ok(path) = self.path(&document.file) else {
-            return;
-        };
-        let scratch = || self.host.scratch();
-        let mut made = Ok(());
-        let read = self.host.read(&path, &mut |source, world, options| {
-            let town = (document.id, stops);
-            made = document
-                .town
-                .build(town, (source, world, options), &scratch, &ears);
-        });
-        let failed = read.and(made).is_err();
-        if failed && !stops.load(Ordering::Relaxed) {
-            *lock(&document.town.progress) = None;
-            ears.progress(TownProgress::FAILED);
-        }
-    }
-
     /// Registers a viewer, which keeps the document up to date.
     pub(super) fn add_viewer(
         &self,
@@ -448,21 +391,6 @@ impl Workspace {
     /// Sends an update to all pages.
     pub(super) fn send(&self, updates: Update) {
         let _ = self.updates.send(updates);
-    }
-}
-
-/// What the build of a town tells goes to the pages that show it.
-struct Ears<'w>(&'w Workspace, &'w Document);
-
-impl TownEars for Ears<'_> {
-    fn progress(&self, progress: TownProgress) {
-        let file = self.1.file.clone();
-        self.0.send(Update::Town { file, progress });
-    }
-
-    fn built(&self) {
-        // The text may have gone meanwhile.
-        let _ = self.0.renew_and_tell(self.1);
     }
 }
 
