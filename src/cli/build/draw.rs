@@ -382,7 +382,8 @@ fn suited(paper: Option<Paper>, rows: &[Vec<View>], drawn: u32) -> Option<(Paper
         fitting.next().map(|scale| (paper, scale))
     };
     let on_any = |smallest: u32| papers.iter().find_map(|p| largest(*p, smallest));
-    on_any(LEGIBLE).or_else(|| on_any(u32::MAX))
+    let mut limits = SCALES.into_iter().filter(|s| *s >= LEGIBLE);
+    limits.find_map(on_any)
 }
 
 /// Fails if the plan of a storey is wanted that the houses do not have.
