@@ -5,7 +5,7 @@
 import * as THREE from 'three';
 import { TilesRenderer } from '3d-tiles-renderer/three';
 import { GLTFExtensionsPlugin } from '3d-tiles-renderer/three/plugins';
-import type { Tile } from '3d-tiles-renderer/core';
+import { DEFAULT_LRU_CACHE, LRUCache, type Tile } from '3d-tiles-renderer/core';
 import type { TownFeature } from '../server/api.ts';
 import { holdTextures, releaseTextures, sharedTextures, sweepTextures } from './textures.ts';
 
@@ -14,6 +14,9 @@ const FEATURE = '_feature_id_0';
 
 /** Error on the screen up to which a level of detail will do, pixels. */
 const ERROR_TARGET = 12;
+
+/** How often tiles that are being loaded are asked for, milliseconds. */
+const PAUSE = 80;
 
 /** How far tiles may be from the first one in the middle of a town, metres. */
 const PART = 330;
@@ -86,30 +89,38 @@ export class TownTiles {
     const tiles = this.#tiles = new TilesRenderer(url);
     tiles.registerPlugin(new GLTFExtensionsPlugin({ plugins: [sharedTextures], autoDispose: false }));
     tiles.errorTarget = ERROR_TARGET;
+    // The next tiles are loaded while the ones before are still shown: a cache for both would have no room for them.
+    tiles.lruCache = new LRUCache();
+    tiles.lruCache.unloadPriorityCallback = DEFAULT_LRU_CACHE.unloadPriorityCallback;
+    Object.assign(tiles, { calculateBytesUsed: (_tile: Tile, scene: THREE.Object3D | undefined) => bytesOf(scene) });
     tiles.setCamera(camera);
     this.group.name = 'town';
     this.group.add(tiles.group);
     tiles.addEventListener('load-root-tileset', () => this.#rooted());
     tiles.addEventListener('load-error', ({ error }) => this.onError(error.message));
     tiles.addEventListener('needs-update', () => this.onChange());
-    tiles.addEventListener('tiles-load-end', () => this.onChange());
+    tiles.addEventListener('tiles-load-end', () => { this.#ended ||= this.#loaded.size > 0; this.onChange(); });
     tiles.addEventListener('load-model', ({ scene, tile }) => this.#enter(scene as THREE.Object3D, tile, dim));
     tiles.addEventListener('dispose-model', ({ tile }) => this.#leave(tile));
     tiles.addEventListener('tile-visibility-change', () => { this.onTiles(); this.onChange(); });
   }
 
-  /** True while something is being loaded. */
-  get busy(): boolean { return this.#tiles.loadProgress < 1 || !this.#tiles.root; }
+  /** True while something is being loaded, also before anything was asked for. */
+  get busy(): boolean { return !this.#ended || this.#tiles.loadProgress < 1; }
+  #ended = false;
 
   /** Number of tiles that are shown. */
-  get shown(): number { return this.#tiles.visibleTiles.size; }
+  get shown(): number { return [...this.#tiles.visibleTiles].filter(tile => this.#loaded.has(tile)).length; }
 
   /** Chooses the tiles for the camera; to be called before each frame. */
   update() {
     this.#camera.updateMatrixWorld();
     this.#tiles.setResolutionFromRenderer(this.#camera, this.#renderer);
     this.#tiles.update();
+    // The library says when something has come, but not always when it was the last.
+    if (this.busy) this.#timer ||= window.setTimeout(() => { this.#timer = 0; this.update(); }, PAUSE);
   }
+  #timer = 0;
 
   /** Puts the town into the page's frame. */
   #rooted() {
@@ -126,6 +137,7 @@ export class TownTiles {
       const ball = new THREE.Sphere();
       if (this.#tiles.getBoundingSphere(ball)) this.box.setFromCenterAndSize(ball.center.applyMatrix4(group.matrixWorld), new THREE.Vector3().setScalar(ball.radius * 2));
     }
+    this.#ended = !root || contentsOf(root).length === 0; // A town without houses has nothing to load.
     const tiles = (root ? contentsOf(root) : []).flatMap(tile => boxOf(tile)?.applyMatrix4(up) ?? []);
     const to = (point: THREE.Vector3) => (a: THREE.Box3, b: THREE.Box3) => a.distanceToPoint(point) - b.distanceToPoint(point);
     const first = tiles.sort(to(this.box.getCenter(new THREE.Vector3())))[0]?.getCenter(new THREE.Vector3());
@@ -183,12 +195,24 @@ export class TownTiles {
   }
 
   dispose() {
+    clearTimeout(this.#timer);
     this.onRoot = this.onChange = this.onTiles = this.onError = () => {};
     this.group.removeFromParent();
     this.#tiles.dispose();
     for (const tile of [...this.#loaded.keys()]) this.#leave(tile);
     sweepTextures();
   }
+}
+
+/** The bytes of the geometry of a tile: its textures are shared with others, and would be counted with each. */
+function bytesOf(scene: THREE.Object3D | undefined): number {
+  let bytes = 0;
+  scene?.traverse(node => {
+    if (!(node instanceof THREE.Mesh)) return;
+    const { attributes, index } = node.geometry;
+    for (const { array } of [...Object.values(attributes), ...index ? [index] : []] as THREE.BufferAttribute[]) bytes += array?.byteLength ?? 0;
+  });
+  return bytes;
 }
 
 /** The row of a table as the page names it. */

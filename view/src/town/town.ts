@@ -49,7 +49,10 @@ export class Town {
     viewport.controls.addEventListener('change', () => this.#later());
   }
 
-  /** The bounds of what is looked at: the selected feature, or the town. */
+  /** True while it is being built or loaded. */
+  get busy(): boolean { return this.progress !== null || this.#next !== null || !this.tiles || this.tiles.busy; }
+
+  /** The bounds of the town. */
   get box(): THREE.Box3 | null { return this.tiles && !this.tiles.box.isEmpty() ? this.tiles.box : null; }
 
   /** Takes over a state of the open file. */

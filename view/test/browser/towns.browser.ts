@@ -19,8 +19,8 @@ let preview: Preview, page: Page;
 /** Waits until a town is shown with all its levels. */
 async function shown(page: Page) {
   const ready = () => page.evaluate(() => {
-    const { state, tiles, progress } = hsd.app.town;
-    return state?.whole === true && progress === null && tiles !== null && tiles.shown > 0 && !tiles.busy;
+    const { state, tiles, busy } = hsd.app.town;
+    return state?.whole === true && !busy && tiles!.shown > 0;
   });
   await until(ready, 'the town is shown', 60_000);
   await page.evaluate(() => hsd.settled());
@@ -67,7 +67,7 @@ test('a click on a house tells its feature, type, parameters and evidence, and l
   assert.equal(text.split('\n')[0], key);
   const line = preview.read(TOWN).split('\n')[house!.line - 1]!;
   assert.match(line, /<Place/);
-  await does(page, 'text').click();
+  await card(page).locator('[data-do=text]').click();
   await until(async () => (await page.locator('.source-line .spot').first().innerText()).includes('<Place'), 'its line is marked');
   await card(page).locator('[data-do=open]').click();
   assert.deepEqual((await preview.sent()).slice(0, 2), ['block.hsd', house!.line]);
