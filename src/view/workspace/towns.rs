@@ -14,9 +14,9 @@ impl Workspace {
     /// Returns what is built under a number.
     pub(in crate::view) fn town(&self, id: u64) -> Option<Arc<BuiltTown>> {
         let documents = lock(&self.documents);
-        let mut own = documents.values().filter(|d| d.id == id);
-        let built = lock(&own.next()?.town.built).clone();
-        built
+        let own = documents.values().find(|d| d.id == id)?.clone();
+        drop(documents);
+        lock(&own.town.built).clone()
     }
 
     /// Builds the town of a document behind the page, if a page shows it and its inputs have changed.
