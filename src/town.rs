@@ -7,6 +7,7 @@
 //! | a feature knows its fields, measures and neighbours | `site`, `neighbour` |
 //! | its front is found, by the rule of the contract or the published one | `frontage`, `published` |
 //! | a house is put on it: a rectangle, or its walls | `plot`, `over` |
+//! | houses are put behind it | `rear` |
 //! | the rules of the town file make the houses | `run` |
 //! | every decision is recorded | `decision`, `stream` |
 //! | or nothing is made, and what an editor asks for is kept | `check`, `layer/kept` |
@@ -23,6 +24,7 @@ pub mod over;
 pub mod plan;
 pub mod plot;
 pub mod published;
+pub mod rear;
 pub mod run;
 pub mod shape;
 pub mod site;

@@ -55,6 +55,7 @@ mod real_outlines;
 mod real_roofs;
 mod real_tags;
 mod real_towns;
+mod rears;
 mod report;
 mod robust;
 mod roof_gallery;

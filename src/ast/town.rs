@@ -2,6 +2,7 @@
 //! in a `for` is evaluated for each feature, at its [`Site`].
 
 use super::{House, Value};
+use crate::rng::Place;
 use crate::source::{Span, Spanned};
 use glam::DVec2;
 use serde::Serialize;
@@ -165,6 +166,27 @@ impl PlaceOn {
     }
 }
 
+/// The side of a house on which its gap lies, as seen from the street.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub enum GapAt {
+    /// Half of it on either side.
+    #[default]
+    Both,
+    /// All of it on the left.
+    Left,
+    /// All of it on the right.
+    Right,
+}
+
+impl GapAt {
+    /// The words for it.
+    pub const WORDS: [(&'static str, GapAt); 3] = [
+        ("both", GapAt::Both),
+        ("left", GapAt::Left),
+        ("right", GapAt::Right),
+    ];
+}
+
 /// A name of a feature: a field or a measure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Known {
@@ -191,6 +213,8 @@ pub struct Wish<'w> {
     pub cap: Option<f64>,
     /// How much narrower than its front it is, metres.
     pub gap: f64,
+    /// The side on which that is.
+    pub gap_at: GapAt,
     /// The greatest width that the type allows, metres, once that is known to be too small.
     pub widest: Option<f64>,
 }
@@ -229,6 +253,28 @@ pub struct SiteWalls {
     pub neighbour: Vec<u32>,
 }
 
+/// A house behind the house of a lot.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RearHouse {
+    /// What it is: with the key of the feature, its own key.
+    pub unit: String,
+    /// Its type in the library.
+    pub kind: &'static str,
+    /// The parameters of the type that its place decides.
+    pub parameters: Vec<(&'static str, Value)>,
+    /// Where it stands.
+    pub stood: Stood,
+}
+
+/// The answer of a site that is asked for the houses behind its house.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Rear {
+    /// The houses; none where the lot has no room, which the site records.
+    Houses(Vec<RearHouse>),
+    /// The feature is no area.
+    NoArea,
+}
+
 /// A feature of a map and its surroundings.
 pub trait Site {
     /// Returns the value of a field or measure.
@@ -246,6 +292,9 @@ pub trait Site {
     fn key(&self) -> (i64, i64);
     /// Finds the place of a house; `None` if there is none, which the site records.
     fn stand(&self, wish: &Wish<'_>) -> Option<Stood>;
+    /// Finds the places of houses behind the house that stands on the feature already. `density` is the share of the dwellings
+    /// along an alley that are built, 0 to 1; `draws` keys what is drawn.
+    fn rear(&self, density: f64, draws: Place) -> Rear;
 }
 
 /// The argument of `look` that is wrong, and what there is.
@@ -273,6 +322,8 @@ pub enum Made {
         span: Span,
         /// The type, or nothing for a house written in place.
         kind: String,
+        /// What it is, for a house behind that of its lot.
+        unit: Option<String>,
         /// Where it comes from.
         evidence: String,
         /// The houses, in the frame of the town.

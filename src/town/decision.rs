@@ -2,9 +2,12 @@
 
 use super::layer::Lot;
 use super::plan::LotId;
+use super::plot::Rectangle;
+use super::rear::{RearDecision, RearPlace};
 use super::shape::{Segment, azimuth};
 use super::site::{Decision, LotSite};
 use crate::ast::Value;
+use crate::ast::town::PlaceOn;
 use crate::diagnostic::{Code, Diagnostics, Language, Origin, Severity, Text};
 use crate::map::{self, Fault};
 use crate::source::Span;
@@ -25,6 +28,10 @@ pub enum Outcome {
     NoRule,
     /// Its rules make nothing.
     Nothing,
+    /// A house behind a house has no room.
+    NoRoom(Text),
+    /// A house behind a house would stand behind none.
+    NoHouse,
 }
 
 /// What was decided about a feature.
@@ -54,6 +61,8 @@ pub struct Record {
     pub problem: Option<(Severity, Code)>,
     /// The number of parts of its geometry that are left out.
     pub parts_left: usize,
+    /// True for a house behind the house of a feature, which is no feature of its own.
+    pub is_part: bool,
     place: [f64; 2],
     access: &'static str,
     corner: bool,
@@ -104,6 +113,7 @@ impl Record {
             parameters: vec![],
             problem: None,
             parts_left: lot.parts_left,
+            is_part: false,
             place: [at.x, at.y],
             access: frontage.map_or("", |f| f.access.word()),
             corner: frontage.is_some_and(|f| f.corner),
@@ -112,14 +122,60 @@ impl Record {
         }
     }
 
+    /// Begins the record of a house behind the house of this feature.
+    pub fn part(&self, key: &str, decision: &RearDecision) -> Record {
+        let stands = match &decision.place {
+            RearPlace::Stands(rectangle) => Some(*rectangle),
+            RearPlace::NoRoom(_) | RearPlace::NoHouse => None,
+        };
+        let centre = stands.map(|r| r.corners().iter().sum::<glam::DVec2>() / 4.0);
+        Record {
+            key: key.into(),
+            is_part: true,
+            outcome: match &decision.place {
+                RearPlace::Stands(_) => Outcome::Nothing,
+                RearPlace::NoRoom(why) => Outcome::NoRoom(why.clone()),
+                RearPlace::NoHouse => Outcome::NoHouse,
+            },
+            place: centre.map_or(self.place, |c| c.to_array()),
+            parts_left: 0,
+            access: "",
+            corner: false,
+            measures: String::new(),
+            decision: stands.map(|r| Decision {
+                on: PlaceOn::Plot,
+                front: r.front,
+                depth: r.depth,
+                iou: None,
+                iou_full: None,
+                refused: None,
+            }),
+            ..self.clone()
+        }
+    }
+
+    /// Returns the corners of the rectangle that was decided.
+    pub fn corners(&self) -> Option<[glam::DVec2; 4]> {
+        let decision = self.decision.as_ref()?;
+        let (front, depth) = (decision.front, decision.depth);
+        Some(Rectangle { front, depth }.corners())
+    }
+
     /// Records where its house stands.
     pub fn decide(&mut self, decisions: &[Decision]) {
         self.decision = decisions.last().cloned();
     }
 
+    /// Returns true unless it is of a house behind a house that has no room.
+    pub fn is_shown(&self) -> bool {
+        self.houses > 0 || !self.is_part
+    }
+
     /// Returns true if nothing is missing that the author wanted.
     pub fn is_wanted(&self) -> bool {
-        matches!(self.outcome, Outcome::Built | Outcome::Skipped(_))
+        let wanted = |outcome: &Outcome| matches!(outcome, Outcome::Built | Outcome::Skipped(_));
+        // A rear that is full, or is not there, is no fault.
+        self.is_part || wanted(&self.outcome)
     }
 
     /// Writes its line of the table.
@@ -165,6 +221,12 @@ impl Record {
     /// Returns what became of it and why.
     pub fn what(&self) -> (&'static str, String) {
         match &self.outcome {
+            Outcome::NoRoom(why) => ("no room", why.in_language(Language::English).to_string()),
+            Outcome::NoHouse => (
+                "no room",
+                "no house on the front of the lot leaves a rear".to_owned(),
+            ),
+            Outcome::Built if self.is_part => ("rear", String::new()),
             Outcome::Built => {
                 let on = self.decision.as_ref().map_or("built", |d| d.on.word());
                 let code = self
@@ -194,6 +256,8 @@ pub struct Entry {
     pub line: String,
     /// True if something stands on it.
     pub built: bool,
+    /// True for a house behind the house of a feature.
+    pub is_part: bool,
     /// Why nothing does.
     pub skipped: Option<SkippedFeature>,
     /// How its geometry was changed.
@@ -217,6 +281,7 @@ impl Entry {
             id: record.id,
             line,
             built,
+            is_part: record.is_part,
             skipped: (!built).then(|| {
                 let (what, why) = record.what();
                 of(what, why)
@@ -283,8 +348,11 @@ impl TownReport {
         });
     }
 
-    /// Adds a feature.
+    /// Adds a feature; what stands behind its house is counted with it.
     pub fn add(&mut self, entry: Entry) {
+        if entry.is_part {
+            return;
+        }
         self.features += 1;
         self.built += usize::from(entry.built);
         self.corrected.extend(entry.corrected);

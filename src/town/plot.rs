@@ -1,6 +1,9 @@
 //! `on="plot"`: a rectangle of its own behind the front of an outline.
 
 use super::shape::{Segment, area, contains, distance, shared};
+use crate::ast::town::GapAt;
+use crate::diagnostic::Text;
+use crate::text;
 use glam::DVec2;
 
 /// How far a rectangle may leave its outline, metres.
@@ -83,10 +86,15 @@ pub fn depth_behind(ring: &[DVec2], front: Segment) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Returns the part of a front that is left when it gives way by `by` at both ends.
-pub fn narrowed(front: Segment, by: f64) -> Segment {
-    let way = front.direction() * (by / 2.0);
-    Segment::new(front.from + way, front.to - way)
+/// Returns the part of a front that is left when it gives way by `by`, at both ends or at one.
+pub fn narrowed(front: Segment, by: f64, at: GapAt) -> Segment {
+    let way = front.direction() * by;
+    let (left, right) = match at {
+        GapAt::Both => (way / 2.0, way / 2.0),
+        GapAt::Left => (way, DVec2::ZERO),
+        GapAt::Right => (DVec2::ZERO, way),
+    };
+    Segment::new(front.from + left, front.to - right)
 }
 
 /// Why no rectangle stands on an outline.
@@ -98,6 +106,34 @@ pub enum Refused {
     Leaves(f64),
     /// It would meet a neighbour.
     Meets,
+}
+
+/// Returns a length to a tenth of a metre.
+pub fn tenths(length: f64) -> f64 {
+    (length * 10.0).round() / 10.0
+}
+
+impl Refused {
+    /// Returns it in words.
+    pub fn reason(self) -> Text {
+        match self {
+            Refused::Short(width) => {
+                let width = tenths(width);
+                text!([width] "its front is only {width} m long", "間口が {width} m しかありません")
+            }
+            Refused::Leaves(off) => {
+                let off = tenths(off);
+                text!([off]
+                    "no rectangle behind its front fits; the whole one leaves the outline by {off} m",
+                    "正面の後ろに収まる矩形がありません。全体では輪郭から {off} m はみ出します"
+                )
+            }
+            Refused::Meets => text!(
+                "every rectangle behind its front meets a neighbour",
+                "正面の後ろの矩形がどれも隣家に重なります"
+            ),
+        }
+    }
 }
 
 /// Fits a rectangle: of full width and the given depth if it can be, else shortened, then narrowed.
@@ -140,12 +176,8 @@ fn sides_narrowed(front: Segment, by: f64) -> Vec<Segment> {
     if by == 0.0 {
         return vec![front];
     }
-    let way = front.direction() * by;
-    vec![
-        narrowed(front, by),
-        Segment::new(front.from + way, front.to),
-        Segment::new(front.from, front.to - way),
-    ]
+    let ways = [GapAt::Both, GapAt::Left, GapAt::Right];
+    ways.map(|at| narrowed(front, by, at)).to_vec()
 }
 
 /// Returns the deepest rectangle of a front that fits.

@@ -5,6 +5,7 @@ use super::decision::{Outcome, Record};
 use super::layer::{self, KeptMaps, Lots, Raw, TownFrame};
 use super::over;
 use super::plan::{LotId, Plan};
+use super::rear::RearDecision;
 use super::site::LotSite;
 use super::table::{NoTable, Rows};
 use crate::ast::town::{Layer, Made, Stood, Town};
@@ -228,7 +229,7 @@ fn frame(town: &Town, first: &layer::Raw, out: &mut Diagnostics) -> Option<TownF
 pub struct Chunk {
     /// The houses, in the order of the features.
     pub houses: Vec<FeatureHouse>,
-    /// A line for each feature.
+    /// A line for each feature, and after it one for each house behind its house.
     pub records: Vec<Record>,
     /// What was found.
     pub found: Diagnostics,
@@ -324,7 +325,7 @@ fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
     drop(trees);
     let (mut houses, mut records) = (vec![], vec![]);
     for ((made, site), id) in made.into_iter().zip(&sites).zip(lots) {
-        records.push(record(plan, *id, site, made, &mut houses, &mut found));
+        records.extend(record(plan, *id, site, made, &mut houses, &mut found));
     }
     drop(features);
     drop(sites);
@@ -338,7 +339,7 @@ fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
     }
 }
 
-/// Turns what the rules made of a feature into houses, and records it.
+/// Turns what the rules made of a feature into houses, and records it: the feature, then what stands behind its house.
 fn record(
     plan: &Plan,
     id: LotId,
@@ -346,7 +347,7 @@ fn record(
     made: FeatureMade,
     houses: &mut Vec<FeatureHouse>,
     found: &mut Diagnostics,
-) -> Record {
+) -> Vec<Record> {
     let layer: Arc<str> = plan.layers[id.0].layer.name.value.as_str().into();
     let lot = plan.lot(id);
     let mut record = Record::new(id, &layer, lot, site);
@@ -364,37 +365,87 @@ fn record(
         found.push(say::refused(origin.clone(), &why));
         record.outcome = Outcome::Refused(why);
     }
+    let mut parts = parts(&record, &site.rear_decisions.borrow());
+    if parts
+        .iter()
+        .any(|part| matches!(part.outcome, Outcome::NoHouse))
+    {
+        found.push(say::rear_of_no_house(origin));
+    }
+    let mut behind = vec![];
     for made in made.made {
-        record.rule = made.rule + 1;
-        match made.made {
-            Made::Skip { because, .. } => record.outcome = Outcome::Skipped(because),
-            Made::Houses {
-                kind,
-                evidence,
-                houses: own,
-                parameters,
-                stood,
-                span,
-            } => {
-                record.span = Some(span);
-                record.outcome = Outcome::Built;
-                record.kind = kind;
-                record.evidence = evidence;
-                record.parameters = parameters;
-                for house in own {
-                    record.houses += 1;
-                    houses.push(FeatureHouse {
-                        plain: plain(&house, &stood, lot.shape.ring()),
-                        house: over_outline(house, &stood),
-                        origin: origin.clone(),
-                        name: name(&layer, &lot.key, record.houses),
-                    });
-                }
+        let rule = made.rule + 1;
+        let unit = match &made.made {
+            Made::Houses { unit, .. } => unit.as_ref(),
+            Made::Skip { .. } => None,
+        };
+        let Some(unit) = unit else {
+            let ring = lot.shape.ring();
+            enter(made.made, rule, &mut record, (ring, &layer), houses);
+            continue;
+        };
+        let key = part_key(&lot.key, unit);
+        if let Some(part) = parts.iter_mut().find(|part| *part.key == *key) {
+            let corners = part.corners();
+            let ring = corners.as_ref().map(|c| &c[..]);
+            enter(made.made, rule, part, (ring, &layer), &mut behind);
+        }
+    }
+    houses.append(&mut behind);
+    record.decide(&decisions);
+    std::iter::once(record).chain(parts).collect()
+}
+
+/// Enters what a rule made into the record that it belongs to.
+fn enter(
+    made: Made,
+    rule: usize,
+    record: &mut Record,
+    (ring, layer): (Option<&[DVec2]>, &Arc<str>),
+    houses: &mut Vec<FeatureHouse>,
+) {
+    record.rule = rule;
+    match made {
+        Made::Skip { because, .. } => record.outcome = Outcome::Skipped(because),
+        Made::Houses {
+            kind,
+            evidence,
+            houses: own,
+            parameters,
+            stood,
+            span,
+            unit: _,
+        } => {
+            record.span = Some(span);
+            record.outcome = Outcome::Built;
+            record.kind = kind;
+            record.evidence = evidence;
+            record.parameters = parameters;
+            for house in own {
+                record.houses += 1;
+                houses.push(FeatureHouse {
+                    plain: plain(&house, &stood, ring),
+                    house: over_outline(house, &stood),
+                    origin: Origin::Feature {
+                        layer: layer.clone(),
+                        key: (&*record.key).into(),
+                    },
+                    name: name(layer, &record.key, record.houses),
+                });
             }
         }
     }
-    record.decide(&decisions);
-    record
+}
+
+/// Returns the key of a house behind the house of a feature.
+fn part_key(key: &str, unit: &str) -> String {
+    format!("{key}/{unit}")
+}
+
+/// Returns the records of the houses behind the house of a feature, and of those that have no place.
+fn parts(of: &Record, decisions: &[RearDecision]) -> Vec<Record> {
+    let part = |decision: &RearDecision| of.part(&part_key(&of.key, &decision.unit), decision);
+    decisions.iter().map(part).collect()
 }
 
 /// Returns the name in the model of a house of a feature, by its number there.

@@ -151,6 +151,16 @@ pub fn azimuth(way: DVec2) -> f64 {
     }
 }
 
+/// Returns true if all corners are within 10 degrees of right angles.
+pub fn is_orthogonal(ring: &[DVec2]) -> bool {
+    const RIGHT: f64 = 10.0;
+    let all: Vec<Segment> = sides(ring).collect();
+    (0..all.len()).all(|n| {
+        let next = &all[(n + 1) % all.len()];
+        (angle(all[n].direction(), next.direction()) - 90.0).abs() <= RIGHT
+    })
+}
+
 /// Removes doubled points, spikes and corners that turn by less than half a degree; returns the ring counter-clockwise and
 /// the largest distance that a removed corner had from it.
 pub fn cleaned(ring: &[DVec2]) -> Vec<DVec2> {

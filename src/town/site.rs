@@ -4,12 +4,14 @@ use super::frontage::{Frontage, frontage};
 use super::layer::{Lot, Shape};
 use super::neighbour::Neighbours;
 use super::plan::{LotId, Plan};
-use super::plot::{self, LEAST_IOU, LEAVES, Rectangle, Refused};
+use super::plot::{self, LEAST_IOU, LEAVES, Rectangle};
 use super::published;
-use super::shape::{Segment, angle, area, azimuth, sides};
+use super::rear::{self, RearDecision, RearLot};
+use super::shape::{Segment, angle, area, azimuth, is_orthogonal, sides};
 use crate::ast::Value;
-use crate::ast::town::{Known, PlaceOn, Site, SiteWalls, Stood, Unfound, Wish};
+use crate::ast::town::{Known, PlaceOn, Rear, Site, SiteWalls, Stood, Unfound, Wish};
 use crate::diagnostic::Text;
+use crate::rng::Place;
 use crate::text;
 use glam::DVec2;
 use std::cell::{OnceCell, RefCell};
@@ -39,8 +41,6 @@ pub const MEASURES: [&str; 22] = [
     "bearing",
     "randloc",
 ];
-/// Corners this near to right angles are right, degrees.
-const RIGHT: f64 = 10.0;
 /// How far neighbours are looked for, metres.
 const BESIDE: f64 = 30.0;
 /// The side of the grid of places that key draws, metres.
@@ -71,6 +71,8 @@ pub struct LotSite<'p> {
     frontage: OnceCell<Option<Frontage>>,
     /// The decisions about the houses that were asked for.
     pub decisions: RefCell<Vec<Decision>>,
+    /// The decisions about the houses behind them.
+    pub rear_decisions: RefCell<Vec<RearDecision>>,
 }
 
 impl<'p> LotSite<'p> {
@@ -82,6 +84,7 @@ impl<'p> LotSite<'p> {
             neighbours: OnceCell::new(),
             frontage: OnceCell::new(),
             decisions: RefCell::default(),
+            rear_decisions: RefCell::default(),
         }
     }
 
@@ -187,6 +190,20 @@ impl<'p> LotSite<'p> {
         }
     }
 
+    /// Returns the rectangles of the houses on it; none if one of them takes more than a rectangle.
+    fn on_rectangles(&self) -> Vec<Rectangle> {
+        let decisions = self.decisions.borrow();
+        let standing = decisions.iter().filter(|d| d.refused.is_none());
+        let rectangle = |d: &Decision| {
+            let (front, depth) = (d.front, d.depth);
+            (d.on == PlaceOn::Plot).then_some(Rectangle { front, depth })
+        };
+        standing
+            .map(rectangle)
+            .collect::<Option<_>>()
+            .unwrap_or_default()
+    }
+
     fn refuse(&self, on: PlaceOn, front: Segment, why: Text) -> Option<Stood> {
         self.decisions.borrow_mut().push(Decision {
             on,
@@ -240,9 +257,9 @@ impl<'p> LotSite<'p> {
         whole: Rectangle,
         full: f64,
     ) -> Option<Stood> {
-        let front = plot::narrowed(whole.front, wish.gap);
+        let front = plot::narrowed(whole.front, wish.gap, wish.gap_at);
         if let Some(widest) = wish.widest {
-            let (width, widest) = (tenths(front.length()), tenths(widest));
+            let (width, widest) = (plot::tenths(front.length()), plot::tenths(widest));
             let why = text!([width, widest]
                 "its front of {width} m is wider than the type allows, {widest} m",
                 "間口 {width} m が型の上限 {widest} m を超えます"
@@ -254,7 +271,7 @@ impl<'p> LotSite<'p> {
         let fitted = plot::fitted(ring, front, depth, rings);
         let rectangle = match fitted {
             Ok(rectangle) => rectangle,
-            Err(why) => return self.refuse(PlaceOn::Plot, front, refusal(why)),
+            Err(why) => return self.refuse(PlaceOn::Plot, front, why.reason()),
         };
         self.decisions.borrow_mut().push(Decision {
             on: PlaceOn::Plot,
@@ -409,6 +426,22 @@ impl Site for LotSite<'_> {
         (at.x.floor() as i64, at.y.floor() as i64)
     }
 
+    fn rear(&self, density: f64, draws: Place) -> Rear {
+        let lot = self.lot();
+        let Shape::Area(ring, holes) = &lot.shape else {
+            return Rear::NoArea;
+        };
+        let ground = RearLot {
+            ring,
+            holes,
+            others: &self.neighbours().rings,
+            z: lot.z,
+        };
+        let houses = self.on_rectangles();
+        let mut record = self.rear_decisions.borrow_mut();
+        Rear::Houses(rear::rear(ground, &houses, (density, draws), &mut record))
+    }
+
     fn stand(&self, wish: &Wish<'_>) -> Option<Stood> {
         let shape = &self.lot().shape;
         match (shape, wish.on) {
@@ -438,39 +471,6 @@ fn cap(wish: &Wish<'_>) -> f64 {
         "chu-nikai" => 12.0,
         kind if SHALLOW.contains(&kind) => 8.0,
         _ => f64::INFINITY,
-    })
-}
-
-fn tenths(length: f64) -> f64 {
-    (length * 10.0).round() / 10.0
-}
-
-fn refusal(why: Refused) -> Text {
-    match why {
-        Refused::Short(width) => {
-            let width = tenths(width);
-            text!([width] "its front is only {width} m long", "間口が {width} m しかありません")
-        }
-        Refused::Leaves(off) => {
-            let off = tenths(off);
-            text!([off]
-                "no rectangle behind its front fits; the whole one leaves the outline by {off} m",
-                "正面の後ろに収まる矩形がありません。全体では輪郭から {off} m はみ出します"
-            )
-        }
-        Refused::Meets => text!(
-            "every rectangle behind its front meets a neighbour",
-            "正面の後ろの矩形がどれも隣家に重なります"
-        ),
-    }
-}
-
-/// Returns true if all corners are within 10 degrees of right angles.
-fn is_orthogonal(ring: &[DVec2]) -> bool {
-    let all: Vec<Segment> = sides(ring).collect();
-    (0..all.len()).all(|n| {
-        let next = &all[(n + 1) % all.len()];
-        (angle(all[n].direction(), next.direction()) - 90.0).abs() <= RIGHT
     })
 }
 

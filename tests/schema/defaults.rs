@@ -51,6 +51,7 @@ const EXCEPTIONS: &[(&str, &str)] = &[
     ("View", "fov"),
     // Towns build nothing without their maps; see tests/towns.rs.
     ("Town", "seed"),
+    ("Rear", "density"),
     ("Tiles", "size"),
     ("Tiles", "detail"),
 ];

@@ -291,3 +291,43 @@ pub fn no_crs(span: Span, path: &str) -> Diagnostic {
         "レイヤーに書いてください。平面直角座標系なら `crs=\"EPSG:6674\"` など、そのままのメートルなら `crs=\"local\"`"
     ))
 }
+
+/// A `Rear` at features without an area.
+#[cold]
+pub fn rear_of_no_lot(rear: Span) -> Diagnostic {
+    let message = text!(
+        "only a lot has a rear: the features of this layer are lines or points",
+        "裏があるのは敷地だけです。このレイヤーの地物は線か点です"
+    );
+    Diagnostic::error(1150, rear, message).help(text!(
+        "write `Rear` in a `for` over a layer of lots, after the `Place` of the house to the street",
+        "敷地のレイヤーの `for` で、通り側の家の `Place` のあとに `Rear` を書いてください"
+    ))
+}
+
+/// A density that is no share.
+#[cold]
+pub fn no_density(span: Span, value: &str) -> Diagnostic {
+    let value = quote(value);
+    let message = text!([value]
+        "{value} is no density: it is a share from 0 to 1",
+        "{value} は密度になりません。0 から 1 の割合で書きます"
+    );
+    Diagnostic::error(1151, span, message).help(text!(
+        "0 leaves the rear to the owner of the lot, 1 fills it with dwellings along an alley; hold a number of the map between them with `{{clamp(n, 0, 1)}}`",
+        "0 なら裏は家主のもの、1 なら路地沿いに長屋が建て込みます。地図の数値は `{{clamp(n, 0, 1)}}` で範囲に収められます"
+    ))
+}
+
+/// A `Rear` on lots on which no rectangle stands before it.
+#[cold]
+pub fn rear_of_no_house(origin: Origin) -> Diagnostic {
+    let message = text!(
+        "nothing stands at the rear of this lot, since no house on its front leaves it: a `Place` with `on=\"plot\"` does",
+        "この敷地の裏には何も建ちません。裏を空けて通り側に立つ家（`on=\"plot\"` の `Place`）がありません"
+    );
+    Diagnostic::warning(1152, origin, message).help(text!(
+        "write `<Place type=\"...\" on=\"plot\"/>` before the `Rear`; `on=\"outline\"` and `on=\"centre\"` leave no rear",
+        "`Rear` の前に `<Place type=\"...\" on=\"plot\"/>` を書いてください。`on=\"outline\"` と `on=\"centre\"` は裏を残しません"
+    ))
+}

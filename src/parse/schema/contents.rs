@@ -67,8 +67,10 @@ pub(in crate::parse) static TOWN: Content = content(
 );
 pub(in crate::parse) static LAYER: Content = content("layer", &[Tag::Field]);
 /// What may be made of a feature.
-pub(in crate::parse) static FOR: Content =
-    content("for", &[Tag::Skip, Tag::Place, Tag::House, Tag::Random]);
+pub(in crate::parse) static FOR: Content = content(
+    "for",
+    &[Tag::Skip, Tag::Place, Tag::Rear, Tag::House, Tag::Random],
+);
 pub(in crate::parse) static HOUSES: Content = content(
     "houses",
     &[

@@ -34,6 +34,7 @@ mod fixes;
 mod names;
 mod pieces;
 mod places;
+mod rear;
 mod rounds;
 mod scope;
 mod storeys;
@@ -364,6 +365,9 @@ impl<'a> Expander<'a, '_> {
             Some(Tag::Include) => self.include(element_ref, scope, into),
             Some(Tag::For) => self.rule(element_ref, scope, into),
             Some(Tag::Place) => self.place(element_ref, scope, into),
+            Some(Tag::Rear) if self.feature.site.is_some() => {
+                self.rear_at_feature(element_ref, scope, into)
+            }
             Some(Tag::House) if self.feature.site.is_some() && self.placed.is_empty() => {
                 self.house_at_feature(element_ref, scope, into)
             }

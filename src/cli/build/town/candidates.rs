@@ -125,7 +125,8 @@ impl Candidates {
             if number == 0 {
                 sources.extend(made.included);
             }
-            for record in &made.records {
+            // A house behind the house that has no room is no candidate.
+            for record in made.records.iter().filter(|r| r.is_shown()) {
                 let (kind, parameters) = (&record.kind, record.parameters());
                 lines += format!("{seed}\t{kind}\t{parameters}").trim_end();
                 lines.push('\n');

@@ -1,11 +1,12 @@
 //! The attributes of the elements of towns (docs/contract.md 10).
 
 use super::{FAR, LENGTH};
-use crate::ast::town::{FieldType, PlaceOn};
+use crate::ast::town::{FieldType, GapAt, PlaceOn};
 use crate::parse::schema::kinds::Kind::{Choice, Number, Point, Text, Whole};
 use crate::parse::schema::kinds::{AttributeSchema, may, must, words};
 
 const ON: &[&str] = &words(&PlaceOn::WORDS);
+const GAP_AT: &[&str] = &words(&GapAt::WORDS);
 const TYPE: &[&str] = &words(&FieldType::WORDS);
 
 #[rustfmt::skip]
@@ -50,6 +51,11 @@ pub(in crate::parse::schema) const SKIP: &[AttributeSchema] = &[
     may("because", Text, "", "why, for the table of decisions", "理由。決定の表に残す"),
 ];
 #[rustfmt::skip]
+pub(in crate::parse::schema) const REAR: &[AttributeSchema] = &[
+    may("density", Number(0.0, 1.0), "0", "the share of the dwellings along an alley that are built; 0 leaves the rear to the owner: court, storehouse, dwelling, by the depth of the lot", "路地に沿う長屋のうち建てる戸数の割合。0 なら裏は家主のもので、奥行に応じて庭、蔵、離れになる"),
+    may("evidence", Text, "", "where it comes from, for tables and models", "根拠。表とモデルに残す"),
+];
+#[rustfmt::skip]
 pub(in crate::parse::schema) const TILES: &[AttributeSchema] = &[
     may("size", Number(10.0, 100_000.0), "250", "side of a tile, metres", "タイルの一辺(m)").metres(),
     may("by", Text, "", "the field that names the tile of a feature, in place of squares", "タイルを分ける属性。格子の代わりに使う"),
@@ -57,10 +63,11 @@ pub(in crate::parse::schema) const TILES: &[AttributeSchema] = &[
 ];
 /// The attributes of a `Place` that only mean something in a `for`; elsewhere they are parameters like any other.
 #[rustfmt::skip]
-pub(in crate::parse::schema) const PLACEMENT: [AttributeSchema; 5] = [
+pub(in crate::parse::schema) const PLACEMENT: [AttributeSchema; 6] = [
     may("on", Choice(ON), "", "in a town: on a rectangle behind the front (`plot`), on the walls of the outline, at its centre, or along the line; without, a rectangle where one fits", "町で: 正面の後ろの矩形 `plot`、輪郭どおり `outline`、中心 `centre`、線の上 `line`。無ければ矩形が合うかどうかによる"),
     may("front", Text, "", "in a town: the layer of streets that it fronts, or `published` for the rule of the machiya macro; any other word is for the type", "町で: 正面が向く通りのレイヤー。`published` なら町家マクロの規則。ほかの語は型の変数"),
     may("cap", LENGTH, "", "in a town: the greatest depth behind the front, metres; 12 for chu-nikai, 8 for the other town houses", "町で: 正面からの奥行の上限(m)。中二階は 12、ほかの町家は 8").metres(),
     may("gap", LENGTH, "", "in a town: how much narrower than its front it is, metres", "町で: 間口をどれだけ狭めるか(m)").metres(),
+    may("gap_at", Choice(GAP_AT), "", "in a town: the side on which `gap` lies, as seen from the street: one side leaves an alley to the rear", "町で: `gap` を空ける側。通りから見て。片側に寄せると裏への路地になる"),
     may("evidence", Text, "", "in a town: where it comes from, for tables and models", "町で: 根拠。表とモデルに残す"),
 ];

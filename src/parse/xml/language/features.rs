@@ -5,7 +5,7 @@ use super::super::tree::{Child, Element};
 use super::places::{Arguments, Filled, Origin, Placed, bare};
 use super::{ELEMENT, ElementRef, Expander, Scope};
 use crate::ast::Parameter;
-use crate::ast::town::{PlaceOn, Stood, Wish};
+use crate::ast::town::{GapAt, PlaceOn, Stood, Wish};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::schema;
 use crate::parse::schema::Kind;
@@ -26,10 +26,12 @@ impl<'a> Expander<'a, '_> {
             return;
         };
         self.place_in_town(element_ref.element());
+        let before = self.made.elements.len();
         let text = |name: &str| {
             let found = own.iter().find(|a| a.name == name)?;
             Some(found.value.as_str().trim().to_owned()).filter(|text| !text.is_empty())
         };
+        let gap_at = self.word_of(&own, "gap_at", &GapAt::WORDS);
         let (word, front) = (kind.value.as_str().trim().to_owned(), text("front"));
         let mut wish = Wish {
             span: self.reporter.span(&kind.value.whole()),
@@ -38,9 +40,9 @@ impl<'a> Expander<'a, '_> {
             front: front.as_deref(),
             cap: self.metres(&own, "cap"),
             gap: self.metres(&own, "gap").unwrap_or(0.0),
+            gap_at: gap_at.unwrap_or_default(),
             widest: None,
         };
-        let before = self.made.elements.len();
         // Twice, if the type turns out to be too narrow for the front.
         for _ in 0..2 {
             let Some(stood) = site.stand(&wish) else {
@@ -56,11 +58,9 @@ impl<'a> Expander<'a, '_> {
                 uses: self.uses.len(),
                 ..Placed::new(kind.clone(), arguments.clone())
             };
-            let attributes = standing(&own, kind, &stood);
-            let tried = self.fill_at_feature(element_ref, attributes, placed, origin);
-            let Some((made, filled)) = tried else {
-                return;
-            };
+            let own = standing(&own, kind, &stood);
+            let tried = self.fill_at_feature(element_ref, own, placed, origin);
+            let Some((made, filled)) = tried else { return };
             if filled.widest.is_some() && wish.widest.is_none() && stood.walls.is_none() {
                 wish.widest = filled.widest;
                 self.made.elements.truncate(before);
@@ -75,7 +75,7 @@ impl<'a> Expander<'a, '_> {
     }
 
     /// Makes a `Place` with these attributes and puts the houses of a type into it.
-    fn fill_at_feature(
+    pub(super) fn fill_at_feature(
         &mut self,
         element_ref: &ElementRef<'_, 'a>,
         attributes: Vec<Attribute<'a>>,
@@ -114,6 +114,7 @@ impl<'a> Expander<'a, '_> {
             front: None,
             cap: None,
             gap: 0.0,
+            gap_at: GapAt::Both,
             widest: None,
         };
         let Some(stood) = site.stand(&wish) else {
@@ -143,7 +144,7 @@ impl<'a> Expander<'a, '_> {
 
     /// Returns true for an attribute of a `Place` that only means something in a town but sets a parameter here.
     pub(super) fn is_for_type(&mut self, attribute: &Attribute<'a>, scope: &Scope<'a>) -> bool {
-        if !["on", "front", "cap", "gap", "evidence"].contains(&attribute.name) {
+        if !["on", "front", "cap", "gap", "gap_at", "evidence"].contains(&attribute.name) {
             return false;
         }
         let Some(site) = self.feature.site.filter(|_| self.placed.is_empty()) else {
@@ -186,24 +187,30 @@ impl<'a> Expander<'a, '_> {
         scope: &Scope<'a>,
     ) -> Option<PlaceOn> {
         if own.iter().any(|a| a.name == "on") {
-            return self.place_on(own);
+            return self.word_of(own, "on", &PlaceOn::WORDS);
         }
         let origin = self.origin(kind, scope)?;
         origin.is_over_outlines().then_some(PlaceOn::Outline)
     }
 
-    fn place_on(&mut self, own: &[Attribute<'a>]) -> Option<PlaceOn> {
-        let attribute = own.iter().find(|a| a.name == "on")?;
+    /// Reads a word.
+    fn word_of<T: Copy>(
+        &mut self,
+        own: &[Attribute<'a>],
+        name: &str,
+        words: &[(&'static str, T)],
+    ) -> Option<T> {
+        let attribute = own.iter().find(|a| a.name == name)?;
         let word = attribute.value.as_str().trim();
-        let found = PlaceOn::WORDS.iter().find(|(known, _)| *known == word);
+        let found = words.iter().find(|(known, _)| *known == word);
         if found.is_none() && !attribute.faulty {
-            let known = PlaceOn::WORDS.map(|(word, _)| word);
-            let near = self.suggest.among(word, known.into_iter());
+            let known: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
+            let near = self.suggest.among(word, known.iter().copied());
             self.reporter.at(&attribute.value.whole(), |s| {
-                say::not_a_choice(s, "on", word, &known, near.map(|n| (n, None)))
+                say::not_a_choice(s, name, word, &known, near.map(|n| (n, None)))
             });
         }
-        found.map(|(_, on)| *on)
+        found.map(|(_, meant)| *meant)
     }
 
     /// Reads a length in metres.
@@ -231,7 +238,7 @@ impl<'a> Expander<'a, '_> {
 }
 
 /// Returns an attribute that stands in the place of another.
-fn named<'a>(name: &'a str, value: String, like: &Attribute<'a>) -> Attribute<'a> {
+pub(super) fn named<'a>(name: &'a str, value: String, like: &Attribute<'a>) -> Attribute<'a> {
     Attribute {
         name,
         value: Text::instead(value, like.value.whole()),
@@ -240,7 +247,11 @@ fn named<'a>(name: &'a str, value: String, like: &Attribute<'a>) -> Attribute<'a
 }
 
 /// Returns the attributes of a `Place` with those of the place that its site found.
-fn standing<'a>(own: &[Attribute<'a>], kind: &Attribute<'a>, stood: &Stood) -> Vec<Attribute<'a>> {
+pub(super) fn standing<'a>(
+    own: &[Attribute<'a>],
+    kind: &Attribute<'a>,
+    stood: &Stood,
+) -> Vec<Attribute<'a>> {
     let azimuth = match stood.walls {
         Some(_) => 180.0,
         None => stood.azimuth,

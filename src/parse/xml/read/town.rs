@@ -224,19 +224,23 @@ impl<'t> Reader<'t, '_> {
                         because: of_child("because"),
                     });
                 }
-                Tag::Place | Tag::House => {
+                Tag::Place | Tag::House | Tag::Rear => {
                     let Some(stood) = stood.remove(index) else {
                         continue;
                     };
+                    let is_rear = schema.tag == Tag::Rear;
                     let (kind, evidence) = match schema.tag {
-                        Tag::Place => (of_child("type"), of_child("evidence")),
-                        _ => Default::default(),
+                        Tag::House => Default::default(),
+                        _ => (of_child("type"), of_child("evidence")),
                     };
+                    // A house behind a house has become a `Place`.
+                    let read_as = schema::named("Place").filter(|_| is_rear);
                     all.push(Made::Houses {
                         span: self.start(child),
                         kind,
                         evidence,
-                        houses: self.houses_at(schema, child, &stood),
+                        unit: is_rear.then(|| of_child("name")),
+                        houses: self.houses_at(read_as.unwrap_or(schema), child, &stood),
                         parameters: given.remove(index).unwrap_or_default(),
                         stood: Box::new(stood),
                     });
