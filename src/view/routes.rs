@@ -283,12 +283,13 @@ async fn events(
     let viewing = work(&workspace, move |workspace| {
         let document = workspace.document(&file)?;
         let (viewer, updates) = workspace.add_viewer(&document);
+        // Before the state, which may start the build: what follows comes as updates.
+        let town = *lock(&document.town.progress);
         // Sends the current state first, so that no update is missed.
         let now = workspace
             .snapshot(&document)
             .ok()
             .map(|snapshot| snapshot.revision);
-        let town = *lock(&document.town.progress);
         Ok((document, viewer, updates, (now, town)))
     });
     let (document, viewer, updates, (now, town)) = viewing.await?;

@@ -5,7 +5,7 @@ import { button, h } from '../ui/dom.ts';
 import { strings } from '../ui/strings.ts';
 
 export function featureCard(app: App): HTMLElement {
-  const element = h('section', { class: 'card feature', 'aria-label': strings.feature, hidden: true });
+  const element = h('section', { class: 'feature-card', 'aria-label': strings.feature, hidden: true });
   const show = () => {
     const { selected } = app.town;
     element.hidden = !selected;

@@ -34,7 +34,7 @@ const placeOf = (page: Page, key: string) => page.evaluate(key => {
   return { x: left + (x + 1) / 2 * canvas.clientWidth, y: top + (1 - y) / 2 * canvas.clientHeight };
 }, key);
 
-const card = (page: Page) => page.locator('.card.feature');
+const card = (page: Page) => page.locator('.feature-card');
 
 before(async () => {
   preview = await Preview.of([]);
