@@ -97,7 +97,7 @@ export class TownTiles {
     this.group.name = 'town';
     this.group.add(tiles.group);
     tiles.addEventListener('load-root-tileset', () => this.#rooted());
-    tiles.addEventListener('load-error', ({ error }) => this.onError(error.message));
+    tiles.addEventListener('load-error', ({ error }) => { this.#ended = true; this.onError(error.message); }); // Nothing is waited for.
     tiles.addEventListener('needs-update', () => this.onChange());
     tiles.addEventListener('tiles-load-end', () => { this.#ended ||= this.#loaded.size > 0; this.onChange(); });
     tiles.addEventListener('load-model', ({ scene, tile }) => this.#enter(scene as THREE.Object3D, tile, dim));

@@ -22,7 +22,7 @@ async function shown(page: Page) {
     const { state, tiles, busy } = hsd.app.town;
     return state?.whole === true && !busy && tiles!.shown > 0;
   });
-  await until(ready, 'the town is shown', 60_000);
+  await until(ready, 'the town is shown', 120_000);
   await page.evaluate(() => hsd.settled());
 }
 
