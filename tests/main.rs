@@ -30,6 +30,7 @@ mod figure4_pictures;
 mod fmt;
 mod ide;
 mod joined;
+mod joins;
 mod language;
 mod legacy_grammar;
 mod lower;

@@ -17,6 +17,8 @@ pub(crate) struct Built {
     pub(crate) skipped: usize,
     pub(crate) houses: usize,
     csv: String,
+    /// Layer, key, code and reason of what was corrected.
+    pub(crate) corrected: Vec<[String; 4]>,
     pub(crate) found: Vec<String>,
 }
 
@@ -51,6 +53,7 @@ pub(crate) fn in_folder(text: &str, folder: &Path, look: impl FnOnce(&Plan)) -> 
         skipped: 0,
         houses: 0,
         csv: String::new(),
+        corrected: vec![],
         found: vec![],
     };
     if let Some(plan) = plan {
@@ -62,6 +65,10 @@ pub(crate) fn in_folder(text: &str, folder: &Path, look: impl FnOnce(&Plan)) -> 
         built.features = ledger.report.features;
         built.built = ledger.report.built;
         built.skipped = ledger.report.skipped.len();
+        let corrected = ledger.report.corrected.into_iter();
+        built.corrected = corrected
+            .map(|c| [c.layer, c.key, c.code, c.reason])
+            .collect();
         look(&plan);
     }
     built.found = out

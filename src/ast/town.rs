@@ -55,6 +55,21 @@ pub struct Layer {
     pub evidence: Option<Spanned<String>>,
     /// Fields that are renamed, converted or filled.
     pub fields: Vec<Field>,
+    /// Layers of points whose fields its outlines take.
+    pub joins: Vec<Join>,
+}
+
+/// A layer of points whose fields become fields of the outlines that they belong to.
+#[derive(Clone, Debug, Serialize)]
+pub struct Join {
+    /// The start tag.
+    pub span: Span,
+    /// The layer.
+    pub layer: Spanned<String>,
+    /// The field of the points that holds the key of their outline; without, a point belongs to the outline that it lies in.
+    pub by: Option<Spanned<String>>,
+    /// How far from an outline a point that lies in none may be, metres.
+    pub within: f64,
 }
 
 /// A field that is renamed, converted or filled.

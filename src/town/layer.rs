@@ -1,7 +1,9 @@
 //! The layers of a town: features of its maps in the frame of the town, with the fields that rules ask for.
 
+mod join;
 mod kept;
 
+pub use join::{Joined, NoJoin};
 pub use kept::KeptMaps;
 
 use super::grid::{Bounds, bounds};

@@ -1,5 +1,6 @@
 //! A town with its maps: all features in one frame, with the streets and an index of outlines.
 
+use super::decision::SkippedFeature;
 use super::frontage::first_front;
 use super::grid::{Grid, wider};
 use super::layer::{Lot, Lots, Shape, TownFrame};
@@ -25,6 +26,8 @@ pub struct Plan {
     pub layers: Vec<Lots>,
     /// Its tables.
     pub tables: Vec<Rows>,
+    /// The points of layers whose fields no outline takes, with the reason.
+    pub unjoined: Vec<SkippedFeature>,
     /// The streets of each layer of streets, by name; the empty name stands for all that count by default.
     streets: BTreeMap<String, Streets>,
     /// Outlines on which houses may stand: layer and feature.
@@ -77,6 +80,7 @@ impl Plan {
             town,
             frame,
             tables,
+            unjoined: vec![],
             streets,
             outlines,
             layers,

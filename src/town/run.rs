@@ -1,34 +1,31 @@
 //! Evaluates a town: reads its maps, then makes the houses of its features, a chunk of features at a time. What is made of a
 //! feature depends on the town file, the feature and what stands round it; chunks only save time.
 
+mod maps;
+
+pub use maps::plan;
+
 use super::decision::{Outcome, Record};
-use super::layer::{self, KeptMaps, Lots, Raw, TownFrame};
+use super::layer::KeptMaps;
 use super::over;
 use super::plan::{LotId, Plan};
 use super::rear::RearDecision;
 use super::site::LotSite;
-use super::table::{NoTable, Rows};
-use crate::ast::town::{Layer, Made, Stood, Town};
+use crate::ast::town::{Made, Stood};
 use crate::ast::{House, Item, Outline, Stand, Storey};
 use crate::diagnostic::messages::town as say;
 use crate::diagnostic::{Diagnostics, Origin};
 use crate::driver::{FeatureHouse, Options};
-use crate::map::{self, Crs, Datums, Fault, Mismatch, Projection, Transform};
 use crate::parse;
 use crate::parse::Values;
-use crate::parse::fields::{FieldTest, NoTruth};
 use crate::parse::xml::{self, FeatureMade, FeatureOf, MissingFields, Trees};
-use crate::source::{Source, SourceCache, Span, Spanned, World};
+use crate::source::{Source, SourceCache, Spanned, World};
 use crate::templates::{EXAMPLES, TYPES};
-use crate::text;
 use glam::DVec2;
-use std::ops::Range;
 use std::sync::Arc;
 
 /// The number of features that are evaluated together.
 const CHUNK: usize = 128;
-/// The origin of a town lies on whole kilometres.
-const KILOMETRE: f64 = 1000.0;
 
 /// What a town is made from.
 #[derive(Clone, Copy)]
@@ -41,188 +38,6 @@ pub struct TownInput<'a> {
     pub options: &'a Options,
     /// Maps that were read before.
     pub kept: Option<&'a KeptMaps>,
-}
-
-/// Reads the maps and tables of a town; `None` if its layers cannot be read.
-pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<Plan> {
-    let mut raw = vec![];
-    for written in &town.layers {
-        let path = match path(input, &written.src) {
-            Ok(path) => path,
-            Err(why) => {
-                out.push(say::no_map(written.src.span, &written.src.value, &why));
-                continue;
-            }
-        };
-        match read_map(input, &path, written) {
-            Ok(layer) if layer.is_nowhere() => {
-                out.push(say::no_crs(written.src.span, &written.src.value))
-            }
-            Ok(layer) => raw.push(layer),
-            Err(fault) => out.push(map::diagnostic(&fault, 1, written.src.span.into())),
-        }
-    }
-    let mut tables = vec![];
-    for table in &town.tables {
-        match read_table(input, table) {
-            Ok(rows) => tables.push(rows),
-            Err(why) => out.push(say::no_table(table.src.span, &table.src.value, &why)),
-        }
-    }
-    if raw.len() < town.layers.len() {
-        return None;
-    }
-    let frame = frame(town, raw.first()?, out)?;
-    let mut layers = vec![];
-    for (raw, written) in raw.into_iter().zip(&town.layers) {
-        let raw = Arc::try_unwrap(raw).unwrap_or_else(|kept| (*kept).clone());
-        match raw.placed(&frame, written) {
-            Ok(mut lots) => {
-                keep(&mut lots, out);
-                lots.faults
-                    .report(&written.name.value, Some(written.src.span), out);
-                layers.push(lots);
-            }
-            Err(why) => {
-                let why = mismatch(&why);
-                out.push(say::no_map(written.src.span, &written.src.value, &why));
-            }
-        }
-    }
-    (layers.len() == town.layers.len()).then(|| Plan::new(town.clone(), frame, layers, tables))
-}
-
-/// Reads a map, unless it is kept.
-fn read_map(input: TownInput<'_>, path: &str, written: &Layer) -> Result<Arc<Raw>, Fault> {
-    let world = input.world;
-    let Some(kept) = input.kept else {
-        return layer::read(world, path, written).map(Arc::new);
-    };
-    let key = KeptMaps::key(path, written);
-    if let Some(raw) = kept.find(&key, world) {
-        return Ok(raw);
-    }
-    // Taken first, so that a map that changes meanwhile is read again.
-    let stamp = world.stamp(path);
-    let raw = Arc::new(layer::read(world, path, written)?);
-    kept.keep(key, stamp, &raw);
-    Ok(raw)
-}
-
-/// Returns the place of some bytes of an attribute; the whole of it where it is written with entities.
-fn part(span: Span, value: &str, range: Range<usize>) -> Span {
-    let exact = (span.end - span.start) as usize == value.len() && !range.is_empty();
-    match exact {
-        true => Span {
-            start: span.start + range.start as u32,
-            end: span.start + range.end as u32,
-            ..span
-        },
-        false => span,
-    }
-}
-
-/// Leaves out the features that do not pass the `where` of their layer.
-fn keep(lots: &mut Lots, out: &mut Diagnostics) {
-    let Some(written) = lots.layer.filter.clone() else {
-        return;
-    };
-    let at = |range: Range<usize>| part(written.span, &written.value, range);
-    let kept = FieldTest::read(&written.value).and_then(|test| lots.keep(&test));
-    match kept {
-        Ok(before) if before > 0 && lots.lots.is_empty() => {
-            out.push(say::nothing_passes(written.span, before));
-        }
-        Ok(_) => {}
-        Err(NoTruth::Wanted(range, wanted)) => out.push(say::no_test(at(range), wanted)),
-        Err(NoTruth::Unknown(range, name)) => {
-            let names = lots.names();
-            let near = xml::nearest(&name, names.iter().map(|n| &**n));
-            out.push(say::unknown_field(at(range), &name, near, &names));
-        }
-    }
-}
-
-/// Returns why the coordinates of a map cannot be those of the town.
-fn mismatch(why: &Mismatch) -> crate::diagnostic::Text {
-    match why {
-        Mismatch::Datum => text!(
-            "its datum is another one, and no grid to convert it is at hand",
-            "測地系が違い、変換のための格子がありません"
-        ),
-        Mismatch::Local => text!(
-            "it is in metres of a local survey, and the town is not, or the reverse: write `crs` in the layer or in the town",
-            "地図と町の片方だけが局所座標です。レイヤーか町に `crs` を書いてください"
-        ),
-        Mismatch::Unusable => text!("its reference system cannot be used", "座標系を使えません"),
-    }
-}
-
-fn path(input: TownInput<'_>, href: &Spanned<String>) -> Result<String, crate::diagnostic::Text> {
-    let found = input.world.text(input.source.name(), &href.value);
-    found.map_err(|_| {
-        text!(
-            "there is no such file below the folder of the town",
-            "町のファイルのフォルダーより下に、そのファイルがありません"
-        )
-    })
-}
-
-fn read_table(
-    input: TownInput<'_>,
-    table: &crate::ast::town::Table,
-) -> Result<Rows, crate::diagnostic::Text> {
-    let path = path(input, &table.src)?;
-    let most = input.options.expand.limits.bytes;
-    let bytes = input
-        .world
-        .text_bytes(&path, most)
-        .map_err(|e| e.to_string())?;
-    let read = Source::new(input.source.id(), &path, &bytes);
-    Rows::read(&table.name.value, &table.key.value, read.text()).map_err(|why| match why {
-        NoTable::Empty => text!("it has no rows", "行がありません"),
-        NoTable::NoKey => {
-            let key = &table.key.value;
-            text!([key] "it has no column `{key}`", "`{key}` の列がありません")
-        }
-        NoTable::Uneven(line) => text!([line]
-            "line {line} has another number of cells than the first",
-            "{line} 行目の列の数が最初の行と違います"
-        ),
-    })
-}
-
-/// Finds the plane and the origin of a town.
-fn frame(town: &Town, first: &layer::Raw, out: &mut Diagnostics) -> Option<TownFrame> {
-    let local = Crs::local();
-    let (bounds, crs) = first.extent().unwrap_or(([DVec2::ZERO; 2], &local));
-    let centre = bounds[0].midpoint(bounds[1]);
-    let plane = match &town.crs {
-        Some(name) => match Crs::from_name(&name.value) {
-            Some(crs) => crs,
-            None => {
-                out.push(say::unknown_crs(name.span, &name.value));
-                return None;
-            }
-        },
-        None => match crs.projection {
-            Projection::TransverseMercator(_) | Projection::Local => crs.clone(),
-            Projection::Degrees | Projection::WebMercator => {
-                let degrees = Transform::new(crs, &Crs::wgs84(), Datums::Exact).ok();
-                let at = degrees.and_then(|t| t.apply(centre)).unwrap_or(centre);
-                Crs::zone_at(at, &crs.datum)
-            }
-        },
-    };
-    let origin = match &town.origin {
-        Some(origin) => DVec2::from(origin.value),
-        None => {
-            let transform = Transform::new(crs, &plane, Datums::Exact).ok();
-            let at = transform.and_then(|t| t.apply(centre)).unwrap_or_default();
-            (at / KILOMETRE).round() * KILOMETRE
-        }
-    };
-    Some(TownFrame { crs: plane, origin })
 }
 
 /// What is made of a chunk of features.

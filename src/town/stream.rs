@@ -125,6 +125,7 @@ impl Ledger {
                     .for_each(|f| self.report.unread(name, f));
             }
         }
+        self.report.corrected.extend(plan.unjoined.clone());
         self.report_layers(plan, out);
         let included = std::mem::take(&mut self.included);
         (self, included)

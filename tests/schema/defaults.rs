@@ -52,6 +52,7 @@ const EXCEPTIONS: &[(&str, &str)] = &[
     // Towns build nothing without their maps; see tests/towns.rs.
     ("Town", "seed"),
     ("Rear", "density"),
+    ("Join", "within"),
     ("Tiles", "size"),
     ("Tiles", "detail"),
 ];

@@ -331,3 +331,72 @@ pub fn rear_of_no_house(origin: Origin) -> Diagnostic {
         "`Rear` の前に `<Place type=\"...\" on=\"plot\"/>` を書いてください。`on=\"outline\"` と `on=\"centre\"` は裏を残しません"
     ))
 }
+
+/// A layer without points where points are joined to outlines, or outlines that are none.
+#[cold]
+pub fn no_points(span: Span, name: &str) -> Diagnostic {
+    let name = quote(name);
+    let message = text!([name]
+        "the features of {name} are no points: only points are joined to outlines",
+        "{name} の地物は点ではありません。輪郭に結べるのは点だけです"
+    );
+    Diagnostic::error(1153, span, message).help(text!(
+        "write the `Join` in the layer of outlines, and name the layer of points in it",
+        "`Join` は輪郭のレイヤーの中に書き、点のレイヤーの名を指定してください"
+    ))
+}
+
+/// Outlines to which several points belong.
+#[cold]
+pub fn several_points(span: Span, name: &str, outlines: usize, left: usize) -> Diagnostic {
+    let name = quote(name);
+    let message = text!([name, outlines, left]
+        "{outlines} outlines have several points of {name}: {left} points more than outlines, whose fields are not used",
+        "{outlines} 個の輪郭に {name} の点が複数あり、余った {left} 個の点の属性は使われません"
+    );
+    Diagnostic::warning(1154, span, message).help(text!(
+        "the point nearest to the middle of its outline counts, or the first one with its key; `where` in the layer of points leaves others out",
+        "輪郭の中心にいちばん近い点（キーで結ぶときは最初の点）を使います。点のレイヤーの `where` でほかを除けます"
+    ))
+}
+
+/// Points that belong to no outline.
+#[cold]
+pub fn points_without_outline(span: Span, name: &str, points: usize, by_key: bool) -> Diagnostic {
+    let name = quote(name);
+    let found = match by_key {
+        true => text!([name, points]
+            "{points} points of {name} have the key of no outline",
+            "{name} の {points} 個の点は、どの輪郭のキーも持っていません"
+        ),
+        false => text!([name, points]
+            "{points} points of {name} lie in no outline",
+            "{name} の {points} 個の点は、どの輪郭にも入っていません"
+        ),
+    };
+    let help = match by_key {
+        true => text!(
+            "compare the field with the keys in the table of decisions; the report lists the points",
+            "属性の値と決定の表のキーを見比べてください。点は報告に並びます"
+        ),
+        false => text!(
+            "`within=\"2\"` joins a point to the nearest outline up to 2 m away; the report lists the points",
+            "`within=\"2\"` なら 2 m 以内のいちばん近い輪郭に結びます。点は報告に並びます"
+        ),
+    };
+    Diagnostic::warning(1155, span, found).help(help)
+}
+
+/// Fields in which outlines and their points differ.
+#[cold]
+pub fn fields_differ(span: Span, name: &str, fields: &[String], outlines: usize) -> Diagnostic {
+    let (name, fields) = (quote(name), known(fields));
+    let message = text!([name, fields, outlines]
+        "{outlines} outlines have another value than their point of {name} in {fields}: that of the outline counts",
+        "{outlines} 個の輪郭では {fields} の値が {name} の点と違い、輪郭の値を使います"
+    );
+    Diagnostic::warning(1156, span, message).help(text!(
+        "give the field of the points a name of its own in their layer: `<Field name=\"...\" from=\"...\"/>`",
+        "点のレイヤーで属性に別の名を付けてください: `<Field name=\"...\" from=\"...\"/>`"
+    ))
+}

@@ -65,7 +65,7 @@ pub(in crate::parse) static TOWN: Content = content(
     "town",
     &[Tag::Layer, Tag::Table, Tag::For, Tag::Tiles, Tag::PartDef],
 );
-pub(in crate::parse) static LAYER: Content = content("layer", &[Tag::Field]);
+pub(in crate::parse) static LAYER: Content = content("layer", &[Tag::Field, Tag::Join]);
 /// What may be made of a feature.
 pub(in crate::parse) static FOR: Content = content(
     "for",

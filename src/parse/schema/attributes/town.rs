@@ -36,6 +36,12 @@ pub(in crate::parse::schema) const FIELD: &[AttributeSchema] = &[
     may("map", Text, "", "other words for its values: `a=b, c=d`", "値の言い換え。`a=b, c=d`"),
 ];
 #[rustfmt::skip]
+pub(in crate::parse::schema) const JOIN: &[AttributeSchema] = &[
+    must("layer", Text, "the layer of points", "点のレイヤーの名"),
+    may("by", Text, "", "the field of the points that holds the key of their outline; without, their place decides", "点の属性のうち、輪郭のキーを持つもの。無ければ位置による"),
+    may("within", LENGTH, "0", "how far from an outline a point that lies in none may be, metres; the nearest one takes it", "どの輪郭にも入らない点を、いちばん近い輪郭に結ぶ距離の上限(m)").metres(),
+];
+#[rustfmt::skip]
 pub(in crate::parse::schema) const TABLE: &[AttributeSchema] = &[
     must("name", Text, "what `look` calls it", "`look` で使う名"),
     must("src", Text, "a CSV file whose first line names the columns", "最初の行に列の名がある CSV ファイル"),

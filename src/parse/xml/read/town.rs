@@ -1,6 +1,8 @@
 //! A town: its layers, tables and tiles; and the houses that its rules make of a feature.
 
-use crate::ast::town::{Field, FieldType, Layer, Made, Rule, SiteWalls, Stood, Table, Tiles, Town};
+use crate::ast::town::{
+    Field, FieldType, Join, Layer, Made, Rule, SiteWalls, Stood, Table, Tiles, Town,
+};
 use crate::ast::{Frame, House, Outline, Stand, Value};
 use crate::diagnostic::messages::{town, xml as say};
 use crate::diagnostic::noun;
@@ -49,10 +51,14 @@ impl<'t> Reader<'t, '_> {
 
     fn layer(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Option<Layer> {
         let of = self.attributes(schema, element);
-        let mut fields = vec![];
+        let (mut fields, mut joins) = (vec![], vec![]);
         for node in self.children(element, schema.content()) {
-            if let AllowedChild::Element(schema, child) = node {
-                fields.extend(self.field(schema, child));
+            match node {
+                AllowedChild::Element(schema, child) if schema.tag == Tag::Join => {
+                    joins.extend(self.join(schema, child));
+                }
+                AllowedChild::Element(schema, child) => fields.extend(self.field(schema, child)),
+                AllowedChild::Text(_) => {}
             }
         }
         Some(Layer {
@@ -66,6 +72,18 @@ impl<'t> Reader<'t, '_> {
             filter: self.text(&of, "where"),
             evidence: self.text(&of, "evidence"),
             fields,
+            joins,
+        })
+    }
+
+    fn join(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Option<Join> {
+        let of = self.attributes(schema, element);
+        self.no_children(element);
+        Some(Join {
+            span: self.start(element),
+            layer: self.text(&of, "layer")?,
+            by: self.text(&of, "by"),
+            within: self.number(&of, "within").map_or(0.0, |far| far.value),
         })
     }
 
@@ -182,13 +200,13 @@ impl<'t> Reader<'t, '_> {
             .iter()
             .map(|l| l.name.value.clone())
             .collect();
-        for rule in &town_read.rules {
-            if !known.contains(&rule.each.value) {
-                let near = self
-                    .suggest
-                    .among(&rule.each.value, known.iter().map(|n| &**n));
+        let joined = town_read.layers.iter().flat_map(|l| &l.joins);
+        let joined = joined.map(|join| &join.layer);
+        for name in town_read.rules.iter().map(|rule| &rule.each).chain(joined) {
+            if !known.contains(&name.value) {
+                let near = self.suggest.among(&name.value, known.iter().map(|n| &**n));
                 self.reporter
-                    .push(|| town::unknown_layer(rule.each.span, &rule.each.value, near, &known));
+                    .push(|| town::unknown_layer(name.span, &name.value, near, &known));
             }
         }
     }
