@@ -5,7 +5,9 @@
 import * as THREE from 'three';
 import { TilesRenderer } from '3d-tiles-renderer/three';
 import { GLTFExtensionsPlugin } from '3d-tiles-renderer/three/plugins';
-import { DEFAULT_LRU_CACHE, LRUCache, type Tile } from '3d-tiles-renderer/core';
+import {
+  DEFAULT_DOWNLOAD_QUEUE, DEFAULT_LRU_CACHE, DEFAULT_NODE_QUEUE, DEFAULT_PARSE_QUEUE, DownloadPriorityQueue, LRUCache, PriorityQueue, type Tile,
+} from '3d-tiles-renderer/core';
 import type { TownFeature } from '../server/api.ts';
 import { holdTextures, releaseTextures, sharedTextures, sweepTextures } from './textures.ts';
 
@@ -89,9 +91,14 @@ export class TownTiles {
     const tiles = this.#tiles = new TilesRenderer(url);
     tiles.registerPlugin(new GLTFExtensionsPlugin({ plugins: [sharedTextures], autoDispose: false }));
     tiles.errorTarget = ERROR_TARGET;
-    // The next tiles are loaded while the ones before are still shown: a cache for both would have no room for them.
+    // The next tiles are loaded while the ones before are still shown: a cache for both would have no room for them, and
+    // what is left in the queues of tiles that are gone would be waited for.
     tiles.lruCache = new LRUCache();
     tiles.lruCache.unloadPriorityCallback = DEFAULT_LRU_CACHE.unloadPriorityCallback;
+    const { maxJobsPerOrigin, priorityCallback } = DEFAULT_DOWNLOAD_QUEUE;
+    tiles.downloadQueue = Object.assign(new DownloadPriorityQueue(), { maxJobsPerOrigin, priorityCallback });
+    tiles.parseQueue = ownQueue(DEFAULT_PARSE_QUEUE);
+    tiles.processNodeQueue = ownQueue(DEFAULT_NODE_QUEUE);
     Object.assign(tiles, { calculateBytesUsed: (_tile: Tile, scene: THREE.Object3D | undefined) => bytesOf(scene) });
     tiles.setCamera(camera);
     this.group.name = 'town';
@@ -203,6 +210,9 @@ export class TownTiles {
     sweepTextures();
   }
 }
+
+/** A queue that works as another one. */
+const ownQueue = ({ maxJobs, priorityCallback }: PriorityQueue) => Object.assign(new PriorityQueue(), { maxJobs, priorityCallback });
 
 /** The bytes of the geometry of a tile: its textures are shared with others, and would be counted with each. */
 function bytesOf(scene: THREE.Object3D | undefined): number {
