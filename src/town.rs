@@ -5,7 +5,7 @@
 //! | maps and tables are read into one frame | `layer`, `table` |
 //! | streets and outlines are indexed | `plan`, `street`, `grid` |
 //! | a feature knows its fields, measures and neighbours | `site`, `neighbour` |
-//! | its front is found, by the rule of the contract or the published one | `frontage`, `published` |
+//! | its front is found, by the rule of the contract or the published one | `frontage`, `site/published` |
 //! | a house is put on it: a rectangle, or its walls | `plot`, `over` |
 //! | houses are put behind it | `rear` |
 //! | the rules of the town file make the houses | `run` |
@@ -23,7 +23,6 @@ pub mod neighbour;
 pub mod over;
 pub mod plan;
 pub mod plot;
-pub mod published;
 pub mod rear;
 pub mod run;
 pub mod shape;

@@ -3,7 +3,7 @@
 mod join;
 mod kept;
 
-pub use join::{Joined, NoJoin};
+pub use join::{Joined, NoJoin, Unjoined};
 pub use kept::KeptMaps;
 
 use super::grid::{Bounds, bounds};

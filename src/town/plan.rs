@@ -1,9 +1,8 @@
 //! A town with its maps: all features in one frame, with the streets and an index of outlines.
 
-use super::decision::SkippedFeature;
 use super::frontage::first_front;
 use super::grid::{Grid, wider};
-use super::layer::{Lot, Lots, Shape, TownFrame};
+use super::layer::{Lot, Lots, Shape, TownFrame, Unjoined};
 use super::neighbour::{Neighbours, TOUCHING};
 use super::shape::Segment;
 use super::street::{FAR, Piece, Streets, StreetsBuilder, class_width};
@@ -27,7 +26,7 @@ pub struct Plan {
     /// Its tables.
     pub tables: Vec<Rows>,
     /// The points of layers whose fields no outline takes, with the reason.
-    pub unjoined: Vec<SkippedFeature>,
+    pub unjoined: Vec<Unjoined>,
     /// The streets of each layer of streets, by name; the empty name stands for all that count by default.
     streets: BTreeMap<String, Streets>,
     /// Outlines on which houses may stand: layer and feature.

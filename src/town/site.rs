@@ -1,11 +1,12 @@
-//! A feature as the rules of its town see it: its fields and measures, and where a house stands on it.
+//! A feature as the rules of its town see it: its fields and measures, and where a hopub mod published;
+
+use stands on it.
 
 use super::frontage::{Frontage, frontage};
 use super::layer::{Lot, Shape};
 use super::neighbour::Neighbours;
 use super::plan::{LotId, Plan};
 use super::plot::{self, LEAST_IOU, LEAVES, Rectangle};
-use super::published;
 use super::rear::{self, RearDecision, RearLot};
 use super::shape::{Segment, angle, area, azimuth, is_orthogonal, sides};
 use crate::ast::Value;

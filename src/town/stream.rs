@@ -1,6 +1,7 @@
 //! The houses of a town one after another, and the ledger of what became of its features.
 
-use super::decision::{Entry, HEAD, Outcome, TownReport};
+use super::decision::{Entry, HEAD, Outcome, SkippedFeature, TownReport};
+use super::layer::Unjoined;
 use super::plan::Plan;
 use super::run::{Chunk, TownHouses, TownInput};
 use crate::diagnostic::Diagnostics;
@@ -125,7 +126,9 @@ impl Ledger {
                     .for_each(|f| self.report.unread(name, f));
             }
         }
-        self.report.corrected.extend(plan.unjoined.clone());
+        self.report
+            .corrected
+            .extend(plan.unjoined.iter().map(unjoined));
         self.report_layers(plan, out);
         let included = std::mem::take(&mut self.included);
         (self, included)
@@ -152,6 +155,16 @@ impl Ledger {
         if plan.has_no_streets() {
             out.push(say::no_streets(plan.town.span));
         }
+    }
+}
+
+/// Returns a point whose fields no outline takes, as the report has it.
+fn unjoined(point: &Unjoined) -> SkippedFeature {
+    SkippedFeature {
+        layer: point.layer.clone(),
+        key: point.key.to_string(),
+        code: point.code.to_owned(),
+        reason: point.reason.to_owned(),
     }
 }
 

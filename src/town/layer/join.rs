@@ -25,6 +25,19 @@ pub struct Joined {
     pub outlines_differ: usize,
 }
 
+/// A point whose fields no outline takes.
+#[derive(Clone, Debug)]
+pub struct Unjoined {
+    /// Its layer.
+    pub layer: String,
+    /// Its key.
+    pub key: Box<str>,
+    /// The code of the diagnostic that counts it.
+    pub code: &'static str,
+    /// The reason.
+    pub reason: &'static str,
+}
+
 /// Why points cannot be joined.
 #[derive(Debug, PartialEq, Eq)]
 pub enum NoJoin {

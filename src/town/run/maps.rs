@@ -9,8 +9,7 @@ use crate::parse::fields::{FieldTest, NoTruth};
 use crate::parse::xml;
 use crate::source::{Source, Span, Spanned};
 use crate::text;
-use crate::town::decision::SkippedFeature;
-use crate::town::layer::{self, Joined, KeptMaps, Lots, NoJoin, Raw, TownFrame};
+use crate::town::layer::{self, Joined, KeptMaps, Lots, NoJoin, Raw, TownFrame, Unjoined};
 use crate::town::plan::Plan;
 use crate::town::table::{NoTable, Rows};
 use glam::DVec2;
@@ -96,7 +95,7 @@ fn read_map(input: TownInput<'_>, path: &str, written: &Layer) -> Result<Arc<Raw
 
 /// Joins points to outlines, then leaves out the outlines that do not pass the `where` of their layer. Returns the points
 /// that belong to no outline or give way to another, with the reason.
-fn join(town: &Town, layers: &mut [Lots], out: &mut Diagnostics) -> Vec<SkippedFeature> {
+fn join(town: &Town, layers: &mut [Lots], out: &mut Diagnostics) -> Vec<Unjoined> {
     let mut unjoined = vec![];
     for (number, written) in town.layers.iter().enumerate() {
         for how in &written.joins {
@@ -156,12 +155,12 @@ fn report_join(how: &Join, joined: &Joined, out: &mut Diagnostics) {
 }
 
 /// Returns the points whose fields no outline takes.
-fn unused(how: &Join, points: &Lots, joined: &Joined) -> Vec<SkippedFeature> {
-    let of = |point: &usize, code: &str, reason: &str| SkippedFeature {
+fn unused(how: &Join, points: &Lots, joined: &Joined) -> Vec<Unjoined> {
+    let of = |point: &usize, code, reason| Unjoined {
         layer: how.layer.value.clone(),
-        key: points.lots[*point].key.to_string(),
-        code: code.to_owned(),
-        reason: reason.to_owned(),
+        key: points.lots[*point].key.clone(),
+        code,
+        reason,
     };
     let without = joined.without.iter();
     let without = without.map(|p| of(p, "HSD1155", "it belongs to no outline"));

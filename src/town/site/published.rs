@@ -1,7 +1,7 @@
 //! The frontage rule of the machiya macro, to the letter (000-44 to 000-49, 000-60).
 
-use super::shape::{Segment, centroid};
-use super::street::{Piece, nearest};
+use crate::town::shape::{Segment, centroid};
+use crate::town::street::{Piece, nearest};
 use glam::DVec2;
 
 /// The least distance of the two vertices of a frontage, metres (000-46, -47).
