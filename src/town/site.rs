@@ -1,6 +1,6 @@
-//! A feature as the rules of its town see it: its fields and measures, and where a hopub mod published;
+//! A feature as the rules of its town see it: its fields and measures, and where a house stands on it.
 
-use stands on it.
+pub mod published;
 
 use super::frontage::{Frontage, frontage};
 use super::layer::{Lot, Shape};
