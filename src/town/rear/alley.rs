@@ -91,10 +91,11 @@ pub(super) fn rows(ground: &mut Ground<'_>, density: f64, draws: Place, found: &
             "no row of dwellings fits along an alley in the {depth} m behind the house",
             "家の裏の {depth} m には、路地に沿う長屋が収まりません"
         );
-        return match found.refused.is_empty() {
-            true => found.refuse("row", why),
-            false => {}
-        };
+        // Rows that were tried have told their own reasons.
+        if found.refused.is_empty() {
+            found.refuse("row", why);
+        }
+        return;
     }
     gate(ground, passage, found);
     yard(ground, built, right, found);
