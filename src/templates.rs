@@ -67,7 +67,7 @@ pub static TYPES: &[Template] = templates! { "library"
     "ura-nagaya" "裏長屋" "ura-nagaya" "row of dwellings along an alley"
     "長屋, 裏店, 長家, nagaya, uradana, row house, terrace, tenement"
     "roji" "路地" "roji" "well, privies or gate of an alley"
-    "井戸, 井, 厠, 便所, 雪隠, 後架, 木戸, 路地木戸, ido, kawaya, setchin, kōka, kido, well, privy, toilet, alley, gate"
+    "井戸, 井, 厠, 便所, 雪隠, 後架, 木戸, 路地木戸, ido, kawaya, setchin, kōka, kido, well, privy, toilet, alley"
     "kura" "土蔵" "dozō" "storehouse"
     "蔵, 倉, 倉庫, 店蔵, kura, misegura, warehouse, granary"
     "buke-nagaya" "武家長屋" "buke-nagaya" "outer row of a samurai residence"
@@ -124,10 +124,6 @@ const ABSENT: &[(&str, Noun)] = &[
     (
         "灯籠, 石灯籠, 燈籠, とうろう, tōrō, ishi-dōrō, lantern, stone lantern",
         noun("lanterns have no model yet", "灯籠の形はまだありません"),
-    ),
-    (
-        "井戸, ido, well",
-        noun("wells have no model yet", "井戸の形はまだありません"),
     ),
     (
         "生垣, 竹垣, 垣根, 垣, 玉垣, ikegaki, takegaki, kakine, tamagaki, hedge, bamboo fence",
@@ -324,7 +320,6 @@ mod tests {
             "torii",
             "灯籠",
             "灯篭",
-            "井戸",
             "生垣",
             "生け垣",
             "竹垣",

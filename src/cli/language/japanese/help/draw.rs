@@ -36,5 +36,11 @@ pub(in crate::cli::language::japanese) const DRAW: &[CommandHelp] = &[CommandHel
         ("dpi", "画像の解像度を 1 インチの画素数で指定する", ""),
         ("quiet", "指摘だけを表示する", ""),
     ],
-    values: &[],
+    values: &[
+        ("a4", "297 × 210 mm の用紙"),
+        ("a3", "420 × 297 mm の用紙"),
+        ("a2", "594 × 420 mm の用紙"),
+        ("a1", "841 × 594 mm の用紙"),
+        ("a0", "1189 × 841 mm の用紙"),
+    ],
 }];
