@@ -69,7 +69,7 @@ mod tests {
             [dvec2(4.0, 2.0), dvec2(4.0, 12.0)],
         ];
         let mut found = merged(all);
-        found.sort_by(|a, b| (a[0].x, a[0].y).partial_cmp(&(b[0].x, b[0].y)).unwrap());
+        found.sort_by(|a, b| a[0].x.total_cmp(&b[0].x).then(a[0].y.total_cmp(&b[0].y)));
         assert_eq!(
             found,
             [
