@@ -269,7 +269,10 @@ fn plans_have_the_bays_of_their_texts() {
             }
         }
         let drawn = draw(&run, &scene, Wanted::Plan(1), &[]);
-        let axes: Vec<_> = drawn.iter().filter(|d| d.role == "axis").collect();
+        let axes: Vec<_> = drawn
+            .iter()
+            .filter(|d| d.role == "axis" && d.view == "plan-1")
+            .collect();
         if axes.len() != wanted.len() {
             return vec![format!(
                 "{}: {} bays, not {}",
