@@ -272,7 +272,10 @@ mod tests {
         ("神社 jinja じんじゃ shrine", "shrine"),
         ("五重塔 塔 gojunoto gojūnotō pagoda", "pagoda"),
         ("門 mon もん", "buke-nagaya buke-bei taka-bei suzakumon"),
-        ("gate", "hei-tsuki buke-nagaya buke-bei taka-bei suzakumon"),
+        (
+            "gate",
+            "hei-tsuki buke-nagaya buke-bei taka-bei suzakumon roji",
+        ),
         ("薬医門 yakuimon", "buke-bei"),
         ("事務所 オフィス jimusho office", "office"),
         ("表店 omotedana", "omotedana"),
