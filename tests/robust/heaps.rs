@@ -29,13 +29,13 @@ pub(crate) fn unlike_stairs(steps: usize, bytes: usize) -> Vec<u8> {
 }
 
 /// A house with more roof lines than anybody means, each in others' way.
-pub(crate) fn pile_of_roofs() -> Vec<u8> {
+pub(crate) fn pile_of_roofs(roofs: usize) -> Vec<u8> {
     let wall = "KSK  ".repeat(200);
     let line = |n: usize| {
         let (a, b) = (n * 37 % 190, n * 61 % 193);
         format!("K X * KIR {a} {b} {} {}\n", a + 1 + n % 5, b + 1 + n % 4)
     };
-    let lines: String = (0..40_000).map(line).collect();
+    let lines: String = (0..roofs).map(line).collect();
     format!("0 0\n9\n\n{wall}\n{wall}\n{wall}\n{wall}\n\n{lines}").into_bytes()
 }
 
