@@ -13,6 +13,7 @@ mod parts;
 mod pieces;
 mod purpose;
 mod rare;
+mod rooms;
 mod roofs;
 pub mod town;
 mod value;
@@ -29,6 +30,7 @@ pub use parts::{WrittenAttribute, WrittenBody, WrittenPart, attribute_value};
 pub use pieces::{CodeText, Half, Part, Piece, Split};
 pub use purpose::Purpose;
 pub use rare::{Rare, Usual};
+pub use rooms::{Flooring, MatOrder, Room, RoomCeiling};
 pub use roofs::{
     RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
 };
@@ -212,6 +214,9 @@ pub struct Storey {
     /// What stands on the sides of the house's outline.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub walls: Option<Box<Walls>>,
+    /// Its rooms, in the order of the file.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub rooms: Vec<Room>,
     /// `random` and `replace` directly in the storey: edits of all its rows.
     pub edits: Vec<Edit>,
 }

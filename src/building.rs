@@ -8,17 +8,19 @@
 //! y north, z up, before azimuth and origin; x = -a * unit, y = b * unit.
 
 mod attic;
+mod room;
 mod trim;
 pub mod fittings;
 mod surface;
 
 pub use crate::building::trim::Trim;
 pub use attic::{Attic, Verge};
+pub use room::{Mat, Room};
 pub(crate) use surface::meeting;
 pub use surface::{Beside, EdgeKind, RoofEdge, RoofFacet, RoofSurface};
 
 use crate::ast::{
-    Finial, Order, PlacedBy, Platform, Rare, RoofKind, RoofShape, StoreyKind, Variant,
+    self,     Finial, Order, PlacedBy, Platform, Rare, RoofKind, RoofShape, StoreyKind, Variant,
 };
 use crate::building::fittings::Fitting;
 use crate::geometry::Heading;
@@ -49,6 +51,9 @@ pub struct Built {
     pub roofs: Arc<HouseRoofs>,
     /// Platforms, verandas, brackets, finials.
     pub fittings: Vec<Fitting>,
+    /// Its rooms, storey by storey.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub rooms: Vec<Room>,
 }
 
 fn shared<S: Serializer>(roofs: &Arc<HouseRoofs>, serializer: S) -> Result<S::Ok, S::Error> {
@@ -132,6 +137,9 @@ pub struct Storey {
     pub order: Order,
     /// Outer walks and courtyards.
     pub rings: Vec<Ring>,
+    /// Its rooms, as written.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub rooms: Vec<ast::Room>,
 }
 
 impl Storey {

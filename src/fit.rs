@@ -1,20 +1,24 @@
-//! Fittings of a house: platform, veranda, tie beams, bracket complexes, finials. They need the finished roofs: purlins
+//! Fittings of a house: platform, veranda, tie beams, bracket complexes, finials, rooms. They need the finished roofs: purlins
 //! end under them, finials stand on them.
 //!
 //! - [`around`]: outlines at a margin outside the walls;
 //! - [`platform`], [`veranda`], [`brackets`], [`beams`], [`finial`]: one kind of fitting each;
+//! - [`rooms`]: the areas between walls ([`areas`]) and the mats in them ([`mats`]);
 //! - [`undersides`]: the undersides of the roofs over brackets.
 
+mod areas;
 mod around;
 mod beams;
 mod brackets;
 mod finial;
+mod mats;
 mod platform;
+mod rooms;
 mod undersides;
 mod veranda;
 
 use crate::building::fittings::{Fitting, FittingKind, Veranda};
-use crate::building::{House, HouseRoofs, Ring, Storey, Wall};
+use crate::building::{House, HouseRoofs, Ring, Room, Storey, Wall};
 use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::fittings as say;
@@ -76,6 +80,11 @@ pub fn house(
         }
     }
     made
+}
+
+/// Works out the rooms of one house.
+pub fn rooms(house: &House, catalog: &Catalog, out: &mut Diagnostics) -> Vec<Room> {
+    rooms::rooms(house, catalog, out)
 }
 
 /// Lays out the platform, which it adds, and the veranda of the ground storey, which it returns: the flights of both are

@@ -53,6 +53,7 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
             z1: top,
             order: storey.order,
             rings,
+            rooms: storey.rooms,
         });
         if !parapet {
             z = top;

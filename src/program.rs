@@ -3,7 +3,7 @@
 
 use crate::ast::{
     Anchor, Era, Finial, Order, PlacedBy, Platform, Purpose, Rare, RoofLine, RoofMethod, RoofMode,
-    RoofStyle, StoreyKind, Usual, Variant,
+    RoofStyle, Room, StoreyKind, Usual, Variant,
 };
 use crate::catalog::PartId;
 use crate::source::{Span, Spanned};
@@ -129,6 +129,9 @@ pub struct Storey {
     pub order: Order,
     /// Outer walks and courtyards.
     pub loops: Vec<Loop>,
+    /// Its rooms.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub rooms: Vec<Room>,
 }
 
 /// A walk.

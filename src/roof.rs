@@ -52,6 +52,7 @@ pub fn roof(shell: Shell, out: &mut Diagnostics) -> Building {
             house,
             roofs,
             fittings: vec![],
+            rooms: vec![],
         }
     };
     Building {

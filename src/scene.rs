@@ -190,6 +190,8 @@ pub enum Kind {
     Post,
     /// A beam, sill or foundation stone.
     Member,
+    /// The floor and ceiling of a room.
+    Room,
     /// A roof.
     Roof,
     /// A stone platform.
@@ -212,6 +214,7 @@ impl Kind {
             Kind::Part => "part",
             Kind::Post => "post",
             Kind::Member => "member",
+            Kind::Room => "room",
             Kind::Roof => "roof",
             Kind::Platform => "platform",
             Kind::Veranda => "veranda",

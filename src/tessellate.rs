@@ -10,6 +10,7 @@ mod bake;
 mod trim;
 mod wall;
 mod fittings;
+mod rooms;
 mod hasher;
 mod lean;
 mod mesh;
@@ -20,7 +21,7 @@ mod store;
 mod weather;
 
 use crate::ast::{RoofKind, StoreyKind};
-use crate::building::{Building, Built, Ceiling, Face, House, Ring, Roof, Soffit, Solid, Storey};
+use crate::building::{Building, Built, Ceiling, Face, House, Ring, Roof, Room, Soffit, Solid, Storey};
 use crate::catalog::Catalog;
 use crate::geometry::{Heading, SAME};
 use crate::scene::{Detail, Kind, Node, NodeId, Scene};
@@ -36,6 +37,7 @@ use crate::tessellate::weather::exposure::{Aged, WallExposure};
 pub use assembly::{HouseDrafts, SceneBuilder};
 use compact_str::{CompactString, format_compact};
 use fittings::FittingMeshes;
+use rooms::MatMeshes;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use rayon::prelude::*;
 use std::cell::OnceCell;
@@ -118,6 +120,7 @@ impl<'c> Tessellator<'c> {
             roofs: Roofs::default(),
             fitting_meshes: FittingMeshes::default(),
             rooms: Rooms::default(),
+            mats: MatMeshes::default(),
             aged: None,
             air: None,
             nodes: Vec::with_capacity(nodes(houses).min(MANY_NODES)),
@@ -170,6 +173,7 @@ struct Walker<'a> {
     roofs: Roofs<'a>,
     fitting_meshes: FittingMeshes<'a>,
     rooms: Rooms,
+    mats: MatMeshes,
     nodes: Vec<Node>,
     /// The house in the making.
     root: NodeId,
@@ -298,8 +302,9 @@ impl<'a> Walker<'a> {
         self.weather(|aged| aged.even("house", 0.5));
         let standing: Vec<OnceCell<WallIndex>> =
             house.storeys.iter().map(|_| OnceCell::new()).collect();
-        for (storey, standing) in house.storeys.iter().zip(&standing) {
-            self.storey(root, house, storey, &roofs.ceilings, standing);
+        for (i, (storey, standing)) in house.storeys.iter().zip(&standing).enumerate() {
+            let rooms: Vec<&Room> = built.rooms.iter().filter(|r| r.level == i).collect();
+            self.storey((root, house), storey, &roofs.ceilings, standing, &rooms);
             if self.is_full() {
                 return;
             }
@@ -370,11 +375,11 @@ impl<'a> Walker<'a> {
 
     fn storey(
         &mut self,
-        root: NodeId,
-        house: &House,
+        (root, house): (NodeId, &House),
         storey: &Storey,
         ceilings: &[Ceiling],
         standing: &OnceCell<WallIndex>,
+        rooms: &[&Room],
     ) {
         let word = match storey.kind {
             StoreyKind::Storey => "storey",
@@ -409,7 +414,10 @@ impl<'a> Walker<'a> {
         for (_, lines) in &rings {
             self.ring(level, lines);
         }
-        self.interior(level, &rings);
+        match rooms {
+            [] => self.interior(level, &rings),
+            rooms => self.rooms(level, rooms),
+        }
     }
 
     /// The posts of a storey without its walls: what an open hall is from afar.

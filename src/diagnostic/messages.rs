@@ -14,6 +14,7 @@ pub mod pictures;
 pub mod plan;
 pub mod print;
 pub mod roofs;
+pub(crate) mod rooms;
 pub mod views;
 pub mod town;
 mod words;

@@ -12,6 +12,8 @@ pub enum Role {
     Axis,
     /// Edges of what lies beyond the cut, or is seen in an elevation.
     Seen,
+    /// Edges of mats.
+    Mat,
     /// Cut floors, verandas, platforms.
     Floor,
     /// Cut roofs.
@@ -48,9 +50,10 @@ pub enum Role {
 
 impl Role {
     /// All roles, those below first.
-    pub const ALL: [Role; 18] = [
+    pub const ALL: [Role; 19] = [
         Role::Axis,
         Role::Seen,
+        Role::Mat,
         Role::Floor,
         Role::Roof,
         Role::Timber,
@@ -74,6 +77,7 @@ impl Role {
         match self {
             Role::Axis => "axis",
             Role::Seen => "seen",
+            Role::Mat => "mat",
             Role::Floor => "floor",
             Role::Roof => "roof",
             Role::Timber => "timber",
@@ -96,7 +100,7 @@ impl Role {
     /// The width of its lines, millimetres: 0.13 fine, 0.25 medium, 0.5 heavy (ISO 128-20).
     pub fn pen(self) -> f64 {
         match self {
-            Role::Axis | Role::Seen | Role::Fall | Role::Dimension | Role::Open => 0.13,
+            Role::Axis | Role::Seen | Role::Mat | Role::Fall | Role::Dimension | Role::Open => 0.13,
             Role::Door | Role::Window | Role::Floor | Role::Valley | Role::Section => 0.18,
             Role::Roof | Role::Timber | Role::Wall | Role::Post => 0.35,
             Role::Ridge | Role::Frame | Role::Text => 0.25,

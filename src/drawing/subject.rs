@@ -118,6 +118,11 @@ impl<'b> Subject<'b> {
             let (Some(place), Some(mesh)) = (place, node.mesh) else {
                 continue;
             };
+            // Mats lie in rooms; a plan has them as lines.
+            let above = node.parent.map(|parent| scene.nodes[parent.0 as usize].kind);
+            if node.kind == Kind::Room && above == Some(Kind::Room) {
+                continue;
+            }
             let shape = welded
                 .entry(mesh.0)
                 .or_insert_with(|| Body::welded(&scene.meshes[mesh.0 as usize]));
@@ -221,7 +226,7 @@ fn role(node: &Node, catalog: &Catalog) -> Role {
         Kind::House | Kind::Storey | Kind::Facade => Role::Wall,
         Kind::Post => Role::Post,
         Kind::Roof => Role::Roof,
-        Kind::Platform | Kind::Veranda => Role::Floor,
+        Kind::Platform | Kind::Veranda | Kind::Room => Role::Floor,
         Kind::Member | Kind::Bracket | Kind::Finial => Role::Timber,
     }
 }

@@ -1,5 +1,7 @@
 //! The views of a subject: plans of storeys, elevations, sections.
 
+mod rooms;
+
 use crate::building::Storey;
 use crate::diagnostic::Language;
 use crate::drawing::cut;
@@ -7,6 +9,7 @@ use crate::drawing::dimension::{self, APART, Line, Measure};
 use crate::drawing::look::Look;
 use crate::drawing::paper::{Anchor, Bounds, Mark, Role, Shape, View};
 use crate::drawing::roofs;
+
 use crate::drawing::seen::Depths;
 use crate::drawing::subject::Subject;
 use crate::drawing::{Plane, Settings};
@@ -26,6 +29,7 @@ pub(super) fn plan(subject: &Subject<'_>, number: u32, settings: &Settings) -> V
     let height = floors.fold(f64::MIN, f64::max);
     let look = Look::down(scale).cut_at(DVec3::Z * height);
     let mut marks = drawn(subject, look);
+    marks.extend(rooms::rooms(subject, number, settings));
     marks.extend(bays(subject, number, scale));
     let drawn = bounds_of(&marks);
     if number == 1 {

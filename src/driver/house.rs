@@ -82,10 +82,12 @@ pub(super) fn finish(
     let house = lower::house(house, out);
     let mut roofs = roof::house(&house, cache, out);
     let fittings = fit::house(&house, &mut roofs, catalog, out);
+    let rooms = fit::rooms(&house, catalog, out);
     Built {
         house,
         roofs,
         fittings,
+        rooms,
     }
 }
 

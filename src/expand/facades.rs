@@ -77,6 +77,7 @@ impl Pass<'_, '_> {
             kind: level.kind,
             order: Order::default(),
             loops: vec![ring(structure, &mut walls, index)],
+            rooms: vec![],
         };
         levels.iter().enumerate().map(storey).collect()
     }

@@ -72,6 +72,7 @@ impl Pass<'_, '_> {
             kind: storey.kind,
             order: storey.order.clone(),
             loops: Vec::with_capacity(storey.loops.len()),
+            rooms: storey.rooms.clone(),
         };
         for (index, walk) in storey.loops.iter().enumerate() {
             let lines = self.walk(walk, place.at(index as u64));

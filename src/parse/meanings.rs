@@ -106,6 +106,29 @@ pub(crate) const RAILS: [Meaning; 3] = [
     means("knobbed", "railing with knobbed posts", "擬宝珠高欄", &["擬宝珠", "擬宝珠勾欄", "giboshi"]),
 ];
 
+/// The floors of rooms.
+#[rustfmt::skip]
+pub(crate) const FLOORS: [Meaning; 3] = [
+    means("boards", "boards", "板の間", &["板", "板張り", "板敷", "itanoma", "ita", "wood", "planks"]),
+    means("tatami", "mats", "畳敷", &["畳", "mat", "mats"]),
+    means("earth", "pounded earth (doma)", "土間", &["土", "三和土", "doma", "tataki", "dirt"]),
+];
+
+/// How mats lie.
+#[rustfmt::skip]
+pub(crate) const MATS: [Meaning; 2] = [
+    means("festive", "no four corners meet", "祝儀敷き", &["祝儀", "shugi", "shugijiki"]),
+    means("rows", "all in rows", "不祝儀敷き", &["不祝儀", "平敷き", "fushugi", "fushugijiki", "grid"]),
+];
+
+/// The ceilings of rooms.
+#[rustfmt::skip]
+pub(crate) const CEILINGS: [Meaning; 3] = [
+    means("battens", "boards on battens", "棹縁天井", &["棹縁", "竿縁", "竿縁天井", "saobuchi", "boards"]),
+    means("joists", "the joists of the floor above", "大和天井", &["根太天井", "踏天井", "大和", "yamato", "beams"]),
+    means("none", "none up to the roof", "吹き抜け", &["吹抜", "fukinuke", "open", "無し", "なし"]),
+];
+
 /// The colours of timber.
 #[rustfmt::skip]
 pub(crate) const PAINTS: [Meaning; 6] = [
@@ -204,6 +227,9 @@ const TABLES: &[&[Meaning]] = &[
     &SIDES,
     &TURNS,
     &RAILS,
+    &FLOORS,
+    &MATS,
+    &CEILINGS,
     &PAINTS,
     &FINIALS,
     &ERAS,

@@ -351,6 +351,7 @@ impl Words {
             z1,
             order: _,
             rings,
+            rooms: _,
         } = storey;
         self.0
             .extend([u64::from(*number), *kind as u64, rings.len() as u64]);

@@ -108,6 +108,7 @@ impl<'c> Draft<'c> {
             kind: StoreyKind::Storey,
             order: level.order.clone(),
             loops: vec![walk],
+            rooms: vec![],
         });
     }
 

@@ -2,7 +2,7 @@
 
 pub(super) mod town;
 
-use crate::ast::{Era, FinialKind, Paint, Purpose, RoofMethod};
+use crate::ast::{Era, FinialKind, Flooring, MatOrder, Paint, Purpose, RoofMethod, RoomCeiling};
 use crate::parse::schema::kinds::Kind::{
     Choice, Choices, Either, Number, Numbers, Pair, Point, Points, Positions, Spot, Text, Whole,
     WholePair, YesNo,
@@ -277,6 +277,15 @@ pub(super) const VERANDA: &[AttributeSchema] = &[
     may("rail", Choice(&words(&vocabulary::RAILS)), "none", "railing: crossed or knobbed posts", "高欄。組高欄または擬宝珠"),
     may("stairs", SIDES, "", "sides with stairs: F, B, L, R", "階段のある側。F 前、B 奥、L 左、R 右"),
     may("paint", PAINT, "", "wood or colour; that of the posts without", "材または色。無ければ柱と同じ"),
+];
+#[rustfmt::skip]
+pub(super) const ROOM: &[AttributeSchema] = &[
+    may("name", Text, "", "its name, such as 座敷; one such as 八畳 says how many mats lie in it", "部屋の名。座敷など。八畳のような名なら、畳の数と比べる"),
+    must("at", PLACE, "a point in it, units to the left and back from the house's origin", "部屋の中の一点。原点から左へ、奥へ(ユニット)").units(),
+    may("floor", Choice(&words(&Flooring::ALL)), "boards", "what one walks on", "床"),
+    may("mats", Choice(&words(&MatOrder::ALL)), "festive", "how mats lie: no four corners meeting, or in rows", "畳の敷き方。四隅が一点に集まらない祝儀敷きか、そろえて並べる不祝儀敷き"),
+    may("ceiling", Choice(&words(&RoomCeiling::ALL)), "battens", "boards on battens, the joists of the floor above, or none up to the roof", "天井。棹縁天井、上の床の根太が見える天井、無し(吹き抜け)"),
+    may("height", SIZE, "", "from the floor to the ceiling, shaku; up to the next storey without", "床から天井まで(尺)。無ければ上の階まで").shaku(),
 ];
 #[rustfmt::skip]
 pub(super) const BRACKETS: &[AttributeSchema] = &[

@@ -127,6 +127,7 @@ pub(in crate::parse) static STOREY: Content = repeating(
         Tag::Replace,
         Tag::Posts,
         Tag::Veranda,
+        Tag::Room,
         Tag::Brackets,
     ],
 );

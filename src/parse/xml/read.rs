@@ -6,6 +6,7 @@ pub(in crate::parse::xml) mod pieces;
 pub(in crate::parse::xml) mod values;
 pub(in crate::parse::xml) mod fittings;
 pub(in crate::parse::xml) mod roofs;
+pub(in crate::parse::xml) mod rooms;
 pub(in crate::parse::xml) mod house;
 pub(in crate::parse::xml) mod outline;
 pub(in crate::parse::xml) mod houses;

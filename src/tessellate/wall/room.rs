@@ -16,14 +16,14 @@ use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 
 /// Top of a floor relative to the storey's zero, so that it is not coplanar with sills, metres.
-const UNDER: f64 = -0.004;
+pub(in crate::tessellate) const UNDER: f64 = -0.004;
 
 /// Foot of a floor: that of the foundation on the ground, otherwise the depth of boards and joists; metres.
-const GROUND: f64 = -0.280;
-const BOARDS: f64 = -0.060;
+pub(in crate::tessellate) const GROUND: f64 = -0.280;
+pub(in crate::tessellate) const BOARDS: f64 = -0.060;
 
 /// Foot and top of a ceiling relative to the storey's top, metres.
-const CEILING: (f64, f64) = (-0.100, -0.075);
+pub(in crate::tessellate) const CEILING: (f64, f64) = (-0.100, -0.075);
 
 /// Interiors made so far, by outline and surfaces. Never iterated.
 #[derive(Debug, Default)]
@@ -171,7 +171,7 @@ fn outlines(level: Level<'_>, lines: &[(&Ring, Vec<Line<'_>>)]) -> Vec<Vec<DVec2
 }
 
 /// Joins a hole to the polygon around it by two mutually visible corners, trying the nearest first.
-fn seam(around: &mut Vec<DVec2>, hole: &[DVec2]) {
+pub(in crate::tessellate) fn seam(around: &mut Vec<DVec2>, hole: &[DVec2]) {
     let all = |n: usize| (0..n).map(move |i| (i, (i + 1) % n));
     let crosses = |p: DVec2, q: DVec2| {
         let here = all(around.len()).map(|(i, j)| (around[i], around[j]));

@@ -28,7 +28,7 @@ const en = {
   parts: 'Parts', part: 'Part', partsHelp: 'Use the arrow keys to move through the tree and Enter to select.',
   kind: {
     house: 'House', storey: 'Storey', facade: 'Wall', part: 'Part', post: 'Post', member: 'Beam', roof: 'Roof', platform: 'Platform',
-    veranda: 'Veranda', bracket: 'Bracket complex', finial: 'Finial', model: 'Model',
+    room: 'Room', veranda: 'Veranda', bracket: 'Bracket complex', finial: 'Finial', model: 'Model',
   } as Record<string, string>,
   code: 'Code', name: 'Name', place: 'Location', line: 'Line', sourceLine: 'Source line', size: 'Size', shape: 'Shape',
   open: 'Open in editor', close: 'Close', showText: 'Show source', frameIt: 'Zoom to part',
@@ -117,7 +117,7 @@ const ja: Strings = {
   parts: '部材', part: '部材', partsHelp: '矢印キーで移動し、Enter で選択します。',
   kind: {
     house: '家', storey: '階', facade: '壁面', part: '部材', post: '柱', member: '横架材', roof: '屋根', platform: '基壇',
-    veranda: '縁', bracket: '組物', finial: '屋根飾り', model: 'モデル',
+    room: '部屋', veranda: '縁', bracket: '組物', finial: '屋根飾り', model: 'モデル',
   },
   code: 'コード', name: '名前', place: '位置', line: '行', sourceLine: 'テキストの行', size: '大きさ', shape: '形',
   open: 'エディターで開く', close: '閉じる', showText: 'テキストを表示', frameIt: '部材に寄る',

@@ -152,6 +152,7 @@ impl<'t> Reader<'t, '_> {
             };
             match schema.tag {
                 Tag::Loop => storey.loops.push(self.walk(schema, child)),
+                Tag::Room => storey.rooms.extend(self.room(schema, child)),
                 Tag::Walls => self.only_walls(schema, child, element, &mut storey),
                 Tag::Random => {
                     let edit = self.random(schema, child).map(Edit::Random);

@@ -1,0 +1,81 @@
+//! The rooms of a plan: the edges of mats, names, numbers of mats.
+
+use crate::building::{Mat, Room};
+use crate::diagnostic::{Language, visible};
+use crate::drawing::Settings;
+use crate::drawing::paper::{Anchor, Mark, Role, Shape};
+use crate::drawing::subject::Subject;
+use crate::geometry::holds;
+use glam::{DVec2, dvec2};
+use std::collections::BTreeSet;
+
+/// The height of names, millimetres.
+const NAME: f64 = 2.5;
+
+/// The height of numbers of mats, and how far they stand below a name, millimetres.
+const COUNT: (f64, f64) = (2.0, 3.2);
+
+/// Returns the edges of mats, and the names of rooms with their numbers of mats.
+pub(super) fn rooms(subject: &Subject<'_>, number: u32, settings: &Settings) -> Vec<Mark> {
+    let scale = settings.millimetres();
+    let mut marks = vec![];
+    for built in &subject.houses {
+        let place = |p: DVec2| subject.plan_point(&built.house, p) * scale;
+        for room in built.rooms.iter().filter(|r| r.storey == number) {
+            let mats: Vec<[DVec2; 4]> = room.mats.iter().map(|m| corners(m).map(place)).collect();
+            if !mats.is_empty() {
+                marks.push(Mark::new(Role::Mat, Shape::Lines(sides(&mats))));
+            }
+            let at = place(middle(room));
+            let mut line = |down: f64, size: f64, text: String| {
+                let at = at - dvec2(0.0, down);
+                marks.push(Mark::label(Role::Text, at, size, Anchor::Middle, text));
+            };
+            if !room.name.is_empty() {
+                line(0.0, NAME, visible::line(&room.name));
+            }
+            if !room.mats.is_empty() {
+                let count = room.mat_count();
+                let words = match settings.language {
+                    Language::English => format!("{count} mats"),
+                    Language::Japanese => format!("{count}畳"),
+                };
+                line(COUNT.1, COUNT.0, words);
+            }
+        }
+    }
+    marks
+}
+
+fn corners(mat: &Mat) -> [DVec2; 4] {
+    let (low, high) = (mat.low, mat.high);
+    [low, dvec2(high.x, low.y), high, dvec2(low.x, high.y)]
+}
+
+/// Where the name of a room stands: its middle, or the author's point where that lies outside.
+fn middle(room: &Room) -> DVec2 {
+    let corners = || room.area.iter().flatten().copied();
+    let low = corners().reduce(DVec2::min).unwrap_or(room.at);
+    let high = corners().reduce(DVec2::max).unwrap_or(room.at);
+    let middle = (low + high) / 2.0;
+    let around = room.area.iter().filter(|ring| holds(ring, middle));
+    if around.count() % 2 == 1 {
+        middle
+    } else {
+        room.at
+    }
+}
+
+/// Returns the sides of mats, those that two share once.
+fn sides(mats: &[[DVec2; 4]]) -> Vec<[DVec2; 2]> {
+    let step = |p: DVec2| ((p.x * 1e4).round() as i64, (p.y * 1e4).round() as i64);
+    let mut known = BTreeSet::new();
+    let sides = mats
+        .iter()
+        .flat_map(|m| (0..4).map(|i| [m[i], m[(i + 1) % 4]]));
+    let new = |[p, q]: &[DVec2; 2]| {
+        let (p, q) = (step(*p), step(*q));
+        known.insert((p.min(q), p.max(q)))
+    };
+    sides.filter(new).collect()
+}

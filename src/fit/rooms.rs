@@ -1,0 +1,277 @@
+//! The rooms of a storey: the areas round the points at which they are written, their mats, and whether one gets in.
+
+use crate::ast;
+use crate::ast::Flooring;
+use crate::building::{House, Room, Storey};
+use crate::catalog::{Catalog, Opening};
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::rooms as say;
+use crate::fit::areas::{Areas, MOST_WALLS};
+use crate::fit::mats;
+use crate::geometry::{SAME, SHAKU, holds};
+use crate::program::{Content, Unit};
+use glam::{DVec2, dvec2};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Works out the rooms of a house.
+pub(super) fn rooms(house: &House, catalog: &Catalog, out: &mut Diagnostics) -> Vec<Room> {
+    let mut made = vec![];
+    for (level, storey) in house.storeys.iter().enumerate() {
+        if !storey.rooms.is_empty() {
+            made.extend(rooms_of(storey, level, catalog, out));
+        }
+    }
+    made
+}
+
+fn rooms_of(storey: &Storey, level: usize, catalog: &Catalog, out: &mut Diagnostics) -> Vec<Room> {
+    let walls = storey.rings.iter().flat_map(|ring| &ring.walls);
+    let walls: Vec<(DVec2, DVec2)> = walls.map(|wall| (wall.from, wall.to)).collect();
+    if walls.len() > MOST_WALLS {
+        out.push(say::too_many_walls(
+            storey.rooms[0].span,
+            walls.len(),
+            MOST_WALLS,
+        ));
+        return vec![];
+    }
+    let areas = Areas::new(&walls);
+    let mut taken: BTreeMap<usize, &ast::Room> = BTreeMap::new();
+    let mut made = vec![];
+    for room in &storey.rooms {
+        let at = dvec2(room.at.value.0, room.at.value.1);
+        if areas.on_wall(at) {
+            out.push(say::on_a_wall(room.at.span));
+            continue;
+        }
+        let Some(walk) = areas.around(at).filter(|_| is_inside(storey, at)) else {
+            out.push(say::outside(room.at.span, bounds(storey)));
+            continue;
+        };
+        if let Some(first) = taken.get(&walk) {
+            let names = [*first, room].map(|r| r.name.as_ref().map(|n| n.value.as_str()));
+            out.push(say::one_area(room.span, first.span, names));
+            continue;
+        }
+        taken.insert(walk, room);
+        made.push(built(room, storey, level, areas.area(walk), out));
+    }
+    // What is left has boards, so that no floor has a hole.
+    for walk in areas.walks() {
+        let point = areas.point_in(walk).filter(|p| is_inside(storey, *p));
+        if let Some(at) = point.filter(|_| !taken.contains_key(&walk)) {
+            made.push(Room {
+                span: storey.span,
+                name: String::new(),
+                storey: storey.number,
+                level,
+                at,
+                floor: Flooring::Boards,
+                ceiling: ast::RoomCeiling::Battens,
+                height: None,
+                area: areas.area(walk),
+                mats: vec![],
+            });
+        }
+    }
+    if storey.number == 1 && !taken.is_empty() {
+        let reached = reached(&areas, storey, catalog);
+        let shut = taken.iter().filter(|(walk, _)| !reached.contains(walk));
+        let mut shut: Vec<&ast::Room> = shut.map(|(_, room)| *room).collect();
+        shut.sort_by_key(|room| room.span.start);
+        for room in shut {
+            let name = room.name.as_ref().map(|n| n.value.as_str());
+            out.push(say::no_way_in(room.span, name));
+        }
+    }
+    made
+}
+
+/// Returns true for a point within the outer walls and in no courtyard.
+fn is_inside(storey: &Storey, p: DVec2) -> bool {
+    let closed = storey.rings.iter().filter(|r| r.closed && !r.inner);
+    let around = closed.filter(|r| holds(&r.corners(), p));
+    let (mut solid, mut court) = (false, false);
+    for ring in around {
+        (solid, court) = (solid || !ring.hole, court || ring.hole);
+    }
+    solid && !court
+}
+
+/// Returns the bounds of the outer walls, U.
+fn bounds(storey: &Storey) -> Option<[DVec2; 2]> {
+    let outer = storey.rings.iter().filter(|r| !r.hole && !r.inner);
+    let corners = outer.flat_map(|r| &r.walls).flat_map(|w| [w.from, w.to]);
+    corners.fold(None, |around: Option<[DVec2; 2]>, p| {
+        let [low, high] = around.unwrap_or([p, p]);
+        Some([low.min(p), high.max(p)])
+    })
+}
+
+fn built(
+    room: &ast::Room,
+    storey: &Storey,
+    level: usize,
+    area: Vec<Vec<DVec2>>,
+    out: &mut Diagnostics,
+) -> Room {
+    let mats = match room.floor {
+        Flooring::Tatami => mats::lay(&area, room.mats),
+        Flooring::Boards | Flooring::Earth => Some(vec![]),
+    };
+    if mats.is_none() {
+        out.push(say::too_large_for_mats(room.span, mats::MOST_CELLS / 2));
+    }
+    let height = room.height.map(|h| h * SHAKU);
+    let made = Room {
+        span: room.span,
+        name: room
+            .name
+            .as_ref()
+            .map_or(String::new(), |n| n.value.clone()),
+        storey: storey.number,
+        level,
+        at: dvec2(room.at.value.0, room.at.value.1),
+        floor: room.floor,
+        ceiling: room.ceiling,
+        height: height.filter(|h| *h < storey.z1 - storey.z0 - SAME),
+        area,
+        mats: mats.unwrap_or_default(),
+    };
+    let called = room
+        .name
+        .as_ref()
+        .and_then(|n| Some((n, called(&n.value)?)));
+    if let Some((name, called)) = called
+        && room.floor == Flooring::Tatami
+        && (made.mat_count() - called).abs() > 0.25
+    {
+        out.push(say::other_count(name.span, called, made.mat_count()));
+    }
+    made
+}
+
+/// Returns the number of mats in a name: 八畳, 四畳半, 8 mats.
+fn called(name: &str) -> Option<f64> {
+    let at = ["畳", "帖", "mat", "-mat", "jo"]
+        .iter()
+        .find_map(|word| name.find(word))?;
+    let half = name[at..].chars().nth(1) == Some('半');
+    let digit = |c: char| match c {
+        '0'..='9' | '.' => Some(c),
+        '０'..='９' => char::from_digit(u32::from(c) - u32::from('０'), 10),
+        _ => None,
+    };
+    let before = name[..at].trim_end_matches([' ', '\u{3000}', '-']);
+    let tail = |is: &dyn Fn(char) -> bool| {
+        let start = before
+            .char_indices()
+            .rev()
+            .take_while(|(_, c)| is(*c))
+            .last();
+        start.map(|(i, _)| &before[i..])
+    };
+    let number = match tail(&|c| digit(c).is_some()) {
+        Some(text) => text
+            .chars()
+            .filter_map(digit)
+            .collect::<String>()
+            .parse()
+            .ok()?,
+        None => kanji(tail(&|c| KANJI.contains(c) || c == '十')?)?,
+    };
+    Some(number + if half { 0.5 } else { 0.0 })
+}
+
+const KANJI: &str = "一二三四五六七八九";
+
+/// Returns a number below a hundred that is written in kanji.
+fn kanji(text: &str) -> Option<f64> {
+    let digit = |c: char| KANJI.chars().position(|k| k == c).map(|i| i as f64 + 1.0);
+    let one = |text: &str, empty: f64| {
+        let mut chars = text.chars();
+        match (chars.next(), chars.next()) {
+            (None, _) => Some(empty),
+            (Some(c), None) => digit(c),
+            _ => None,
+        }
+    };
+    match text.split_once('十') {
+        Some((tens, ones)) => Some(one(tens, 1.0)? * 10.0 + one(ones, 0.0)?),
+        None => one(text, 0.0),
+    }
+}
+
+/// Returns the areas of a ground storey that one can walk into from outside, courtyards included.
+fn reached(areas: &Areas, storey: &Storey, catalog: &Catalog) -> BTreeSet<usize> {
+    let mut ways: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    let outdoors = |walk: usize| match walk {
+        Areas::OUTSIDE => true,
+        walk => !areas.point_in(walk).is_some_and(|p| is_inside(storey, p)),
+    };
+    for ring in &storey.rings {
+        for wall in &ring.walls {
+            let mut at = wall.from;
+            for unit in &wall.units {
+                let middle = at + wall.direction * (unit.width / 2.0);
+                at += wall.direction * unit.width;
+                if unit.width < SAME || !is_way(unit, catalog) {
+                    continue;
+                }
+                let Some([one, other]) = areas.at_wall(middle) else {
+                    continue;
+                };
+                ways.entry(one).or_default().push(other);
+                ways.entry(other).or_default().push(one);
+            }
+        }
+    }
+    let mut reached: BTreeSet<usize> = BTreeSet::new();
+    let mut next: Vec<usize> = ways
+        .keys()
+        .copied()
+        .filter(|walk| outdoors(*walk))
+        .collect();
+    while let Some(walk) = next.pop() {
+        if reached.insert(walk) {
+            next.extend(ways.get(&walk).into_iter().flatten());
+        }
+    }
+    reached
+}
+
+/// Returns true if one can walk through a unit.
+fn is_way(unit: &Unit, catalog: &Catalog) -> bool {
+    match &unit.content {
+        Content::Void => true,
+        Content::Part(id) => {
+            let part = catalog.part(*id);
+            part.is_open() || part.opening() == Some(Opening::Door)
+        }
+        Content::Picture(_) => false,
+        Content::Split(split) => split.lower.iter().any(|unit| is_way(unit, catalog)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::called;
+
+    #[test]
+    fn names_tell_the_number_of_mats() {
+        for (name, mats) in [
+            ("八畳", Some(8.0)),
+            ("四畳半", Some(4.5)),
+            ("座敷(十二畳)", Some(12.0)),
+            ("二十一畳の間", Some(21.0)),
+            ("６畳", Some(6.0)),
+            ("4.5 mats", Some(4.5)),
+            ("8-mat room", Some(8.0)),
+            ("座敷", None),
+            ("matsu", None),
+            ("畳", None),
+        ] {
+            assert_eq!(called(name), mats, "{name}");
+        }
+    }
+}

@@ -1,0 +1,235 @@
+//! Rooms that the author has written: floors, mats and ceilings between the walls of a storey.
+
+use crate::ast::{Flooring, RoomCeiling};
+use crate::building::{Mat, Room};
+use crate::geometry::SAME;
+use crate::material::SurfaceId;
+use crate::scene::{Detail, Kind, MeshId, NodeId};
+use crate::tessellate::mesh::{Axis, Bodies};
+use crate::tessellate::store::look::Share;
+use crate::tessellate::wall::room::{BOARDS, CEILING, GROUND, UNDER, seam};
+use crate::tessellate::weather::Weather;
+use crate::tessellate::{Level, Walker};
+use compact_str::format_compact;
+use glam::{DVec2, DVec3, dvec2, dvec3};
+use std::collections::HashMap;
+
+/// Tops of mats above the boards that they lie on, metres.
+const MAT: f64 = 0.010;
+
+/// From the centre line of a wall to the mats beside it: half a post, which the bar along the wall (畳寄せ) fills; metres.
+const WALL: f64 = 0.060;
+
+/// Width of the cloth along the long sides of a mat (縁), metres.
+const CLOTH: f64 = 0.030;
+
+/// Battens under a ceiling (棹縁): width and height, metres, and distance, U.
+const BATTENS: [f64; 3] = [0.030, 0.036, 0.5];
+
+/// Joists under the boards of the floor above: width and height, metres, and distance, U.
+const JOISTS: [f64; 3] = [0.105, 0.150, 1.0];
+
+/// Meshes of mats made so far, by length and width in tenths of a millimetre. Never iterated.
+#[derive(Debug, Default)]
+pub(super) struct MatMeshes(HashMap<(i64, i64, Weather), MeshId>);
+
+impl Walker<'_> {
+    /// Writes the rooms of a storey.
+    pub(super) fn rooms(&mut self, level: Level<'_>, rooms: &[&Room]) {
+        if self.detail <= Detail::Flat {
+            return;
+        }
+        self.weather(|aged| aged.even("room", 0.0));
+        for room in rooms {
+            self.chamber(level, room);
+        }
+    }
+
+    fn chamber(&mut self, level: Level<'_>, room: &Room) {
+        let mut bodies = Bodies::default();
+        let outline = outline(level, room);
+        let floor = SurfaceId::named(match room.floor {
+            Flooring::Earth => "earth",
+            Flooring::Boards | Flooring::Tatami => "boards",
+        });
+        let foot = if level.grounded() { GROUND } else { BOARDS };
+        bodies.prism(floor, &outline, Axis::Z, foot, UNDER);
+        // None that would stick out of a lean-to.
+        let sloping = level
+            .ceilings
+            .iter()
+            .any(|c| c.storey == level.storey.number);
+        if !sloping || room.height.is_some() {
+            let whole = level.height.min(level.storey.wall_height());
+            let top = room
+                .height
+                .map_or(whole + CEILING.0, |height| height.min(whole + CEILING.0));
+            ceiling(&mut bodies, room.ceiling, (&outline, level.house.unit), top);
+        }
+        let name = match room.name.as_str() {
+            "" => "room".into(),
+            name => format_compact!("room {name}"),
+        };
+        let mesh = self
+            .store
+            .finish(name.to_string(), bodies, Share::default());
+        let mesh = self.store.push(mesh);
+        let node = self.node(Some(level.node), Kind::Room, name, DVec3::ZERO);
+        node.mesh = Some(mesh);
+        node.storey = Some(room.storey);
+        node.span = Some(room.span);
+        let own = self.last();
+        for (number, mat) in room.mats.iter().enumerate() {
+            self.mat(level, own, mat, number + 1);
+        }
+    }
+
+    fn mat(&mut self, level: Level<'_>, room: NodeId, mat: &Mat, number: usize) {
+        let unit = level.house.unit;
+        let inset = mat.walls.map(|wall| if wall { WALL } else { 0.0 });
+        let low = mat.low * unit + dvec2(inset[0], inset[2]);
+        let high = mat.high * unit - dvec2(inset[1], inset[3]);
+        let (size, middle) = (high - low, (low + high) / 2.0);
+        let along_a = mat.runs_along_a();
+        let (length, width) = match along_a {
+            true => (size.x, size.y),
+            false => (size.y, size.x),
+        };
+        let step = |metres: f64| (metres * 10_000.0).round() as i64;
+        let key = (step(length), step(width), self.store.weather);
+        let mesh = match self.mats.0.get(&key) {
+            Some(mesh) => *mesh,
+            None => {
+                let mesh =
+                    self.store
+                        .finish("mat".into(), mat_body(length, width), Share::default());
+                let mesh = self.store.push(mesh);
+                self.mats.0.insert(key, mesh);
+                mesh
+            }
+        };
+        let at = dvec3(-middle.x, middle.y, UNDER);
+        let node = self.node(
+            Some(room),
+            Kind::Room,
+            format_compact!("mat {number}"),
+            at,
+        );
+        node.mesh = Some(mesh);
+        if !along_a {
+            node.turn = DVec2::Y;
+        }
+    }
+}
+
+/// A mat round its centre, its long sides along x: rush between two strips of cloth.
+fn mat_body(length: f64, width: f64) -> Bodies {
+    let mut bodies = Bodies::default();
+    let (x, y) = (length / 2.0, width / 2.0);
+    let (rush, cloth) = (SurfaceId::named("tatami"), SurfaceId::named("boards_dark"));
+    for (finish, low, high) in [
+        (cloth, -y, -y + CLOTH),
+        (rush, -y + CLOTH, y - CLOTH),
+        (cloth, y - CLOTH, y),
+    ] {
+        bodies.face(
+            finish,
+            &[
+                dvec3(-x, low, MAT),
+                dvec3(x, low, MAT),
+                dvec3(x, high, MAT),
+                dvec3(-x, high, MAT),
+            ],
+        );
+    }
+    let ring = [dvec2(-x, -y), dvec2(x, -y), dvec2(x, y), dvec2(-x, y)];
+    for (i, p) in ring.iter().enumerate() {
+        let q = ring[(i + 1) % 4];
+        let finish = if i % 2 == 0 { cloth } else { rush };
+        bodies.face(
+            finish,
+            &[p.extend(0.0), q.extend(0.0), q.extend(MAT), p.extend(MAT)],
+        );
+    }
+    bodies
+}
+
+/// The outline of a room in the house's frame, with what stands free in it joined by seams.
+fn outline(level: Level<'_>, room: &Room) -> Vec<DVec2> {
+    let place = |p: &DVec2| level.house.place(*p, 0.0).truncate();
+    let mut rings = room.area.iter().map(|ring| {
+        let mut ring: Vec<DVec2> = ring.iter().map(place).collect();
+        // The house frame is the author's as in a mirror.
+        ring.reverse();
+        ring
+    });
+    let mut outer = rings.next().unwrap_or_default();
+    for hole in rings {
+        seam(&mut outer, &hole);
+    }
+    outer
+}
+
+/// Adds a ceiling whose lower face lies at a height above the floor.
+fn ceiling(bodies: &mut Bodies, kind: RoomCeiling, (outline, unit): (&[DVec2], f64), top: f64) {
+    let [width, height, apart] = match kind {
+        RoomCeiling::None => return,
+        RoomCeiling::Battens => BATTENS,
+        RoomCeiling::Joists => JOISTS,
+    };
+    let thick = CEILING.1 - CEILING.0;
+    bodies.prism(
+        SurfaceId::named("soffit"),
+        outline,
+        Axis::Z,
+        top,
+        top + thick,
+    );
+    let low = outline
+        .iter()
+        .copied()
+        .reduce(DVec2::min)
+        .unwrap_or_default();
+    let high = outline
+        .iter()
+        .copied()
+        .reduce(DVec2::max)
+        .unwrap_or_default();
+    let size = high - low;
+    // Battens run along the room, joists across it.
+    let along_x = (size.x >= size.y) == (kind == RoomCeiling::Battens);
+    let (axis, across) = match along_x {
+        true => (DVec2::X, DVec2::Y),
+        false => (DVec2::Y, DVec2::X),
+    };
+    let span = size.dot(across);
+    let count = (span / (apart * unit)).round().max(1.0);
+    for i in 1..count as u32 {
+        let middle = low.dot(across) + span * f64::from(i) / count;
+        for (from, to) in stretches(outline, axis, across, middle) {
+            let (s, e) = (from * axis, to * axis);
+            let side = across * (width / 2.0);
+            let (p, q) = (s + across * middle - side, e + across * middle + side);
+            bodies.block(
+                SurfaceId::named("cedar"),
+                p.min(q).extend(top - height),
+                p.max(q).extend(top),
+            );
+        }
+    }
+}
+
+/// Returns where a line across a polygon lies inside it, as places along an axis.
+fn stretches(outline: &[DVec2], axis: DVec2, across: DVec2, at: f64) -> Vec<(f64, f64)> {
+    let next = outline.iter().cycle().skip(1);
+    let cuts = outline.iter().zip(next).filter_map(|(p, q)| {
+        let (s, t) = (p.dot(across) - at, q.dot(across) - at);
+        ((s > 0.0) != (t > 0.0)).then(|| p.lerp(*q, s / (s - t)).dot(axis))
+    });
+    let mut cuts: Vec<f64> = cuts.collect();
+    cuts.sort_by(f64::total_cmp);
+    let pairs = cuts
+        .chunks_exact(2)
+        .map(|pair| (pair[0] + WALL, pair[1] - WALL));
+    pairs.filter(|(from, to)| to - from > SAME).collect()
+}
