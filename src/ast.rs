@@ -30,10 +30,10 @@ pub use parts::{WrittenAttribute, WrittenBody, WrittenPart, attribute_value};
 pub use pieces::{CodeText, Half, Part, Piece, Split};
 pub use purpose::Purpose;
 pub use rare::{Rare, Usual};
-pub use rooms::{Flooring, MatOrder, Room, RoomCeiling};
 pub use roofs::{
     RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
 };
+pub use rooms::{Flooring, MatOrder, Room, RoomCeiling};
 pub use value::{Parameter, Value};
 pub use view::{NamedView, ViewTime};
 

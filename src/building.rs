@@ -20,7 +20,7 @@ pub(crate) use surface::meeting;
 pub use surface::{Beside, EdgeKind, RoofEdge, RoofFacet, RoofSurface};
 
 use crate::ast::{
-    self,     Finial, Order, PlacedBy, Platform, Rare, RoofKind, RoofShape, StoreyKind, Variant,
+    self, Finial, Order, PlacedBy, Platform, Rare, RoofKind, RoofShape, StoreyKind, Variant,
 };
 use crate::building::fittings::Fitting;
 use crate::geometry::Heading;

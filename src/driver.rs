@@ -50,7 +50,7 @@ use crate::parse::xml::Trees;
 use crate::program::Program;
 use crate::roof::{KeptRoofs, RoofCache};
 #[cfg(feature = "models")]
-use crate::scene::Detail;
+use crate::scene::{Detail, Shown};
 use crate::source::{Source, SourceCache, World};
 #[cfg(feature = "models")]
 use crate::tessellate;
@@ -69,6 +69,9 @@ pub struct Options {
     /// The level of detail.
     #[cfg(feature = "models")]
     pub detail: Detail,
+    /// How much of each house the model shows.
+    #[cfg(feature = "models")]
+    pub shown: Shown,
     /// Files of custom parts for all houses; later definitions of a part override earlier ones.
     pub catalogs: Arc<[Source]>,
     /// The number of variants of the sources to make, each with the next seed, placed in rows.
@@ -87,6 +90,7 @@ impl Options {
     pub fn shapes(&self) -> tessellate::Options {
         tessellate::Options {
             detail: self.detail,
+            shown: self.shown,
             triangles: self.expand.limits.triangles,
             town: false,
         }

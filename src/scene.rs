@@ -175,6 +175,46 @@ pub struct Primitive {
     pub indices: Vec<u32>,
 }
 
+/// How much of each house a model shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shown {
+    /// Everything.
+    #[default]
+    Whole,
+    /// Everything but roofs, and the ceilings of the highest storey.
+    Roofless,
+    /// Storeys up to this one, counted from 1, without what hangs or stands on it.
+    Storeys(u32),
+}
+
+impl Shown {
+    /// Returns true if a storey is seen.
+    pub fn has_storey(self, storey: u32) -> bool {
+        match self {
+            Shown::Whole | Shown::Roofless => true,
+            Shown::Storeys(most) => storey <= most,
+        }
+    }
+
+    /// Returns true if the roofs on a storey are seen.
+    pub fn has_roof(self, storey: u32) -> bool {
+        match self {
+            Shown::Whole => true,
+            Shown::Roofless => false,
+            Shown::Storeys(most) => storey < most,
+        }
+    }
+
+    /// Returns true if the ceilings of a storey of a house of so many are seen.
+    pub fn has_ceiling(self, storey: u32, storeys: u32) -> bool {
+        match self {
+            Shown::Whole => true,
+            Shown::Roofless => storey < storeys,
+            Shown::Storeys(most) => storey < most.min(storeys),
+        }
+    }
+}
+
 /// The kind of thing that a node represents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum Kind {

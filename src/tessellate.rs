@@ -7,6 +7,7 @@
 
 mod assembly;
 mod bake;
+mod budget;
 mod trim;
 mod wall;
 mod fittings;
@@ -21,10 +22,13 @@ mod store;
 mod weather;
 
 use crate::ast::{RoofKind, StoreyKind};
-use crate::building::{Building, Built, Ceiling, Face, House, Ring, Roof, Room, Soffit, Solid, Storey};
+use crate::building::fittings::{Fitting, FittingKind};
+use crate::building::{
+    Building, Built, Ceiling, Face, House, Ring, Roof, Room, Soffit, Solid, Storey,
+};
 use crate::catalog::Catalog;
 use crate::geometry::{Heading, SAME};
-use crate::scene::{Detail, Kind, Node, NodeId, Scene};
+use crate::scene::{Detail, Kind, Node, NodeId, Scene, Shown};
 use crate::source::Limits;
 use crate::tessellate::roof::bulk::{Walls, is_fill};
 use crate::tessellate::roof::mesh_key::{MeshKey, Roofs};
@@ -35,11 +39,12 @@ use crate::tessellate::wall::index::{Place, WallIndex};
 use crate::tessellate::wall::room::Rooms;
 use crate::tessellate::weather::exposure::{Aged, WallExposure};
 pub use assembly::{HouseDrafts, SceneBuilder};
+use budget::Budget;
 use compact_str::{CompactString, format_compact};
 use fittings::FittingMeshes;
-use rooms::MatMeshes;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use rayon::prelude::*;
+use rooms::MatMeshes;
 use std::cell::OnceCell;
 use std::collections::hash_map::Entry;
 use store::Store;
@@ -74,6 +79,8 @@ pub fn tessellate(building: &Building, catalog: &Catalog, options: Options) -> S
 pub struct Options {
     /// The level of detail.
     pub detail: Detail,
+    /// How much of each house is shown.
+    pub shown: Shown,
     /// The most triangles that a house may show.
     pub triangles: usize,
     /// True in a town: joinery that is shown by images shares few of them, which are coarser.
@@ -85,6 +92,7 @@ impl From<Detail> for Options {
     fn from(detail: Detail) -> Options {
         Options {
             detail,
+            shown: Shown::Whole,
             triangles: Limits::default().triangles,
             town: false,
         }
@@ -111,11 +119,18 @@ impl<'c> Tessellator<'c> {
 
     /// Tessellates some houses, the first of which has this number in the run, counted from 1.
     pub fn houses(&self, houses: &[Built], first: usize) -> HouseDrafts {
-        let Options { detail, town, .. } = self.options;
+        let Options {
+            detail,
+            town,
+            shown,
+            ..
+        } = self.options;
         let triangles = self.options.triangles;
         let mut walker = Walker {
             catalog: self.catalog,
             detail,
+            shown,
+            storeys: 0,
             store: Store::new((detail, town), &self.bank),
             roofs: Roofs::default(),
             fitting_meshes: FittingMeshes::default(),
@@ -123,7 +138,7 @@ impl<'c> Tessellator<'c> {
             mats: MatMeshes::default(),
             aged: None,
             air: None,
-            nodes: Vec::with_capacity(nodes(houses).min(MANY_NODES)),
+            nodes: Vec::with_capacity(budget::nodes(houses)),
             root: NodeId(0),
             budget: Budget::default(),
         };
@@ -132,7 +147,7 @@ impl<'c> Tessellator<'c> {
             let before = walker.nodes.len();
             walker.budget = Budget::new(before, triangles);
             // Those that no house can have are not begun.
-            walker.budget.exceeded = parts(&built.house) * Budget::NODE > triangles;
+            walker.budget.exceeded = budget::parts(&built.house) * Budget::NODE > triangles;
             walker.house(built, number);
             if walker.is_full() {
                 walker.nodes.truncate(before);
@@ -149,26 +164,13 @@ impl<'c> Tessellator<'c> {
     }
 }
 
-/// Returns about how many nodes there will be: a part and a post a unit, and some others.
-fn nodes(houses: &[Built]) -> usize {
-    let parts: usize = houses.iter().map(|built| parts(&built.house)).sum();
-    2 * parts + 40 * houses.len()
-}
-
-/// Returns the number of units in the walls of a house.
-fn parts(house: &House) -> usize {
-    let rings = house.storeys.iter().flat_map(|storey| &storey.rings);
-    let walls = rings.flat_map(|ring| &ring.walls);
-    walls.map(|wall| wall.units.len()).sum()
-}
-
-/// Room is made beforehand for this many nodes at most: houses with more may exceed a limit.
-const MANY_NODES: usize = 1 << 16;
-
 /// Walks over houses and writes nodes.
 struct Walker<'a> {
     catalog: &'a Catalog,
     detail: Detail,
+    shown: Shown,
+    /// The number of storeys of the house in the making.
+    storeys: u32,
     store: Store<'a>,
     roofs: Roofs<'a>,
     fitting_meshes: FittingMeshes<'a>,
@@ -182,29 +184,6 @@ struct Walker<'a> {
     /// Exposure of the current wall, if the house has an age.
     air: Option<WallExposure>,
     budget: Budget,
-}
-
-/// The triangles that a house may still show.
-#[derive(Clone, Copy, Debug, Default)]
-struct Budget {
-    left: usize,
-    /// The number of nodes whose triangles have been subtracted.
-    counted: usize,
-    exceeded: bool,
-}
-
-impl Budget {
-    /// A node takes as much memory as this many triangles.
-    const NODE: usize = 16;
-
-    /// Creates one for a house that begins with this node.
-    fn new(first: usize, left: usize) -> Budget {
-        Budget {
-            left,
-            counted: first,
-            exceeded: false,
-        }
-    }
 }
 
 /// Data shared by the walls of a storey.
@@ -302,7 +281,12 @@ impl<'a> Walker<'a> {
         self.weather(|aged| aged.even("house", 0.5));
         let standing: Vec<OnceCell<WallIndex>> =
             house.storeys.iter().map(|_| OnceCell::new()).collect();
-        for (i, (storey, standing)) in house.storeys.iter().zip(&standing).enumerate() {
+        let whole = self.shown;
+        self.storeys = house.storeys.last().map_or(0, |s| s.number);
+        let standing_storeys = house.storeys.iter().zip(&standing).enumerate();
+        for (i, (storey, standing)) in
+            standing_storeys.filter(|(_, (s, _))| whole.has_storey(s.number))
+        {
             let rooms: Vec<&Room> = built.rooms.iter().filter(|r| r.level == i).collect();
             self.storey((root, house), storey, &roofs.ceilings, standing, &rooms);
             if self.is_full() {
@@ -310,7 +294,8 @@ impl<'a> Walker<'a> {
             }
         }
         self.weather(|aged| aged.even("soffits", 0.0));
-        for (i, soffit) in roofs.soffits.iter().enumerate() {
+        let soffits = roofs.soffits.iter().enumerate();
+        for (i, soffit) in soffits.filter(|(_, s)| whole.has_storey(s.storey)) {
             self.soffit(root, soffit, i + 1);
         }
         // Only trim needs them.
@@ -319,7 +304,8 @@ impl<'a> Walker<'a> {
             _ => Neighbours::of(roofs),
         };
         let shares = crate::tessellate::roof::bulk::shares(&roofs.roofs, self.detail);
-        for (i, (roof, shown)) in roofs.roofs.iter().zip(shares).enumerate() {
+        let shared = roofs.roofs.iter().zip(shares).enumerate();
+        for (i, (roof, shown)) in shared.filter(|(_, (r, _))| whole.has_roof(r.storey)) {
             let walls = self.below(house, roof, shown, &standing);
             let beyond = neighbours.beyond(i, roof);
             self.weather(|aged| aged.roof(i));
@@ -331,7 +317,12 @@ impl<'a> Walker<'a> {
             }
         }
         self.weather(|aged| aged.even("fittings", 0.5));
-        for (fitting, number) in built.fittings.iter().zip(1..) {
+        let fittings = built.fittings.iter().zip(1..);
+        let seen = |f: &Fitting| match f.what {
+            FittingKind::Finial(_) => whole == Shown::Whole,
+            _ => whole.has_storey(f.storey),
+        };
+        for (fitting, number) in fittings.filter(|(f, _)| seen(f)) {
             self.fitting(root, fitting, number);
         }
     }

@@ -84,6 +84,7 @@ fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
             kind,
             order: hsd::ast::Order::default(),
             loops,
+            rooms: vec![],
         }
     });
     let house = House {

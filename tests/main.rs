@@ -59,6 +59,7 @@ mod real_towns;
 mod rears;
 mod report;
 mod robust;
+mod rooms;
 mod roof_gallery;
 mod roof_partition;
 mod roof_shapes;

@@ -105,6 +105,7 @@ fn storey(number: u32, z0: f64, height: f64, walls: Vec<Wall>) -> Storey {
             inner: false,
             walls,
         }],
+        rooms: vec![],
     }
 }
 
@@ -130,6 +131,7 @@ fn building(storeys: Vec<Storey>) -> Building {
             house,
             roofs: Arc::new(HouseRoofs::default()),
             fittings: vec![],
+            rooms: vec![],
         }],
         images: vec![],
     }

@@ -248,6 +248,7 @@ impl Build {
     ) -> Result<driver::Options, Failure> {
         let mut options = driver::Options {
             detail: self.detail_args.detail(),
+            shown: self.detail_args.shown(),
             ..self.input_args.options(inputs, out)?
         };
         match seed {

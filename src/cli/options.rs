@@ -7,7 +7,7 @@ use crate::driver;
 use crate::expand;
 use crate::fs::FolderWorld;
 use crate::report::{Format, Report};
-use crate::scene::Detail;
+use crate::scene::{Detail, Shown};
 use crate::source::Limits;
 use crate::text;
 use clap::{Args, ValueEnum};
@@ -118,11 +118,26 @@ pub(super) struct DetailArgs {
     /// 3 everything as geometry.
     #[arg(long, value_name = "0..3", default_value_t = 3, value_parser = clap::value_parser!(u8).range(0..=3))]
     detail: u8,
+    /// Leave out roofs, and the ceilings of the highest storey.
+    #[arg(long, conflicts_with = "storey")]
+    cutaway: bool,
+    /// Show the storeys up to this one, counted from 1, open above.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    storey: Option<u32>,
 }
 
 impl DetailArgs {
     pub(super) fn detail(self) -> Detail {
         Detail::ALL[usize::from(self.detail)]
+    }
+
+    /// Returns how much of each house is shown.
+    pub(super) fn shown(self) -> Shown {
+        match self.storey {
+            Some(most) => Shown::Storeys(most),
+            None if self.cutaway => Shown::Roofless,
+            None => Shown::Whole,
+        }
     }
 }
 

@@ -325,6 +325,7 @@ impl Render {
             host: Box::new(FileHost {
                 read_args: self.read_args.clone(),
                 detail: self.detail_args.detail(),
+                shown: self.detail_args.shown(),
                 editor: None,
                 writes: false,
                 scratch: Default::default(),

@@ -63,6 +63,7 @@ impl View {
         let host = FileHost {
             read_args: self.read_args.clone(),
             detail: self.detail_args.detail(),
+            shown: self.detail_args.shown(),
             editor,
             writes: !self.read_only,
             scratch: Default::default(),

@@ -119,7 +119,9 @@ impl<'b> Subject<'b> {
                 continue;
             };
             // Mats lie in rooms; a plan has them as lines.
-            let above = node.parent.map(|parent| scene.nodes[parent.0 as usize].kind);
+            let above = node
+                .parent
+                .map(|parent| scene.nodes[parent.0 as usize].kind);
             if node.kind == Kind::Room && above == Some(Kind::Room) {
                 continue;
             }

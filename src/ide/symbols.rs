@@ -252,6 +252,7 @@ impl KnownName<'_> {
                 return Some(self.row(range, selection, &self.codes_in(number)));
             }
             "Loop" => (SymbolKind::Loop, None, String::new()),
+            "Room" => (SymbolKind::Piece, said("name"), detail("floor")),
             "Facade" => (SymbolKind::Facade, said("id"), detail("ratio")),
             "Roofs" | "Roof" => {
                 let words = ["shape", "kind", "pitch"].map(detail);

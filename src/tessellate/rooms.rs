@@ -59,7 +59,8 @@ impl Walker<'_> {
             .ceilings
             .iter()
             .any(|c| c.storey == level.storey.number);
-        if !sloping || room.height.is_some() {
+        let seen = self.shown.has_ceiling(level.storey.number, self.storeys);
+        if seen && (!sloping || room.height.is_some()) {
             let whole = level.height.min(level.storey.wall_height());
             let top = room
                 .height
@@ -109,12 +110,7 @@ impl Walker<'_> {
             }
         };
         let at = dvec3(-middle.x, middle.y, UNDER);
-        let node = self.node(
-            Some(room),
-            Kind::Room,
-            format_compact!("mat {number}"),
-            at,
-        );
+        let node = self.node(Some(room), Kind::Room, format_compact!("mat {number}"), at);
         node.mesh = Some(mesh);
         if !along_a {
             node.turn = DVec2::Y;
@@ -122,7 +118,7 @@ impl Walker<'_> {
     }
 }
 
-/// A mat round its centre, its long sides along x: rush between two strips of cloth.
+/// A mat round its centre, its long sides along x: rush between two strips of cloth. Corners meet, so that it is closed.
 fn mat_body(length: f64, width: f64) -> Bodies {
     let mut bodies = Bodies::default();
     let (x, y) = (length / 2.0, width / 2.0);
@@ -132,24 +128,23 @@ fn mat_body(length: f64, width: f64) -> Bodies {
         (rush, -y + CLOTH, y - CLOTH),
         (cloth, y - CLOTH, y),
     ] {
-        bodies.face(
-            finish,
-            &[
-                dvec3(-x, low, MAT),
-                dvec3(x, low, MAT),
-                dvec3(x, high, MAT),
-                dvec3(-x, high, MAT),
-            ],
-        );
-    }
-    let ring = [dvec2(-x, -y), dvec2(x, -y), dvec2(x, y), dvec2(-x, y)];
-    for (i, p) in ring.iter().enumerate() {
-        let q = ring[(i + 1) % 4];
-        let finish = if i % 2 == 0 { cloth } else { rush };
-        bodies.face(
-            finish,
-            &[p.extend(0.0), q.extend(0.0), q.extend(MAT), p.extend(MAT)],
-        );
+        let top = [(-x, low), (x, low), (x, high), (-x, high)];
+        let at = |i: usize, z: f64| dvec3(top[i % 4].0, top[i % 4].1, z);
+        bodies.face(finish, &[0, 1, 2, 3].map(|i| at(i, MAT)));
+        bodies.face(finish, &[3, 2, 1, 0].map(|i| at(i, 0.0)));
+        for i in 0..4 {
+            let inner = match i {
+                0 => low > -y,
+                2 => high < y,
+                _ => false,
+            };
+            if !inner {
+                bodies.face(
+                    finish,
+                    &[at(i, 0.0), at(i + 1, 0.0), at(i + 1, MAT), at(i, MAT)],
+                );
+            }
+        }
     }
     bodies
 }

@@ -135,6 +135,7 @@ fn regions_are_written_as_documented() {
                 ..Default::default()
             }),
             fittings: vec![],
+            rooms: vec![],
         }],
         images: vec![],
     };

@@ -84,6 +84,7 @@ pub fn house(storeys: Vec<Vec<Ring>>) -> House {
         z1: (k + 1) as f64 * H,
         order: Order::default(),
         rings,
+        rooms: vec![],
     });
     House {
         span: Span::default(),

@@ -7,7 +7,7 @@ use crate::cli::files::temporary::{Guarded, Temporary};
 use crate::cli::options::ReadArgs;
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver::Options;
-use crate::scene::Detail;
+use crate::scene::{Detail, Shown};
 use crate::source::{Source, Span, World};
 use crate::text;
 use crate::view::EditorHost;
@@ -23,6 +23,8 @@ pub(in crate::cli) struct FileHost {
     pub(in crate::cli) read_args: ReadArgs,
     /// The level of detail of models.
     pub(in crate::cli) detail: Detail,
+    /// How much of each house models show.
+    pub(in crate::cli) shown: Shown,
     /// The words of the editor command.
     pub(in crate::cli) editor: Option<Vec<String>>,
     /// True if source files may be changed.
@@ -54,6 +56,7 @@ impl EditorHost for FileHost {
         }
         let options = Options {
             detail: self.detail,
+            shown: self.shown,
             ..self.read_args.options(&read, &mut out).map_err(stopped)?
         };
         let world = self.read_args.world(&inputs);

@@ -1,7 +1,7 @@
 //! The walls, storeys, houses and roofs built from the source at a place.
 
 use super::Request;
-use crate::building::{Built, Finish, House, Ring, Roof, Storey, Wall};
+use crate::building::{Built, Finish, House, Ring, Roof, Room, Storey, Wall};
 use crate::diagnostic::{Noun, Text, noun};
 use crate::geometry::{SHAKU, area2};
 use crate::ide::card::short;
@@ -128,6 +128,23 @@ fn measures(house: &House, storey: &Storey) -> (f64, f64) {
         }
     }
     (area, perimeter)
+}
+
+/// Describes the rooms built from an element.
+pub(super) fn rooms(request: &Request<'_>, element: &Range<usize>) -> Vec<Text> {
+    let houses = request.a.checked.building.houses.iter();
+    let all = houses.flat_map(|b| b.rooms.iter().map(move |r| (&b.house, r)));
+    let own = all.filter(|(_, r)| same(request, r.span, element));
+    own.take(WALLS).map(|(h, r)| room(h, r)).collect()
+}
+
+fn room(house: &House, room: &Room) -> Text {
+    let area = bounded(room.area() * house.unit * house.unit, noun("area", "面積"));
+    if room.mats.is_empty() {
+        return area;
+    }
+    let mats = short(room.mat_count(), 1);
+    text!([mats, area] "{mats} mats; {area}", "{mats}畳、{area}")
 }
 
 /// Describes the houses built from an element.

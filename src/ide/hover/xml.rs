@@ -67,6 +67,7 @@ fn element_told(
         "Row" => built::walls(request, &element.range),
         "Storey" | "Floor" => built::storeys(request, &element.range),
         "House" | "Structure" => built::houses(request, &element.range),
+        "Room" => built::rooms(request, &element.range),
         "Roof" => built::roofs(request, &element.range, false),
         "Roofs" => built::roofs(request, &element.range, true),
         _ => vec![],

@@ -50,7 +50,8 @@ impl Walker<'_> {
         }
         // No ceiling over yards behind fences, and none that would stick out of a lean-to.
         let own = |c: &&crate::building::Ceiling| c.storey == level.storey.number;
-        let covered = !level.ceilings.iter().any(|c| own(&c))
+        let covered = self.shown.has_ceiling(level.storey.number, self.storeys)
+            && !level.ceilings.iter().any(|c| own(&c))
             && units().all(|s| s.stance != Stance::Fence && is_full(level, s));
         let foot = if level.grounded() { GROUND } else { BOARDS };
         let step = |metres: f64| (metres * 10_000.0).round() as i64;
