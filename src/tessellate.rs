@@ -21,21 +21,16 @@ mod roof;
 mod store;
 mod weather;
 
-use crate::ast::{RoofKind, StoreyKind};
+use crate::ast::StoreyKind;
 use crate::building::fittings::{Fitting, FittingKind};
-use crate::building::{
-    Building, Built, Ceiling, Face, House, Ring, Roof, Room, Soffit, Solid, Storey,
-};
+use crate::building::{Building, Built, Ceiling, House, Ring, Room, Soffit, Storey};
 use crate::catalog::Catalog;
 use crate::geometry::{Heading, SAME};
 use crate::scene::{Detail, Kind, Node, NodeId, Scene, Shown};
 use crate::source::Limits;
-use crate::tessellate::roof::bulk::{Walls, is_fill};
-use crate::tessellate::roof::mesh_key::{MeshKey, Roofs};
-use crate::tessellate::roof::plaster;
-use crate::tessellate::trim::Neighbours;
+use crate::tessellate::roof::mesh_key::Roofs;
 use crate::tessellate::wall::Line;
-use crate::tessellate::wall::index::{Place, WallIndex};
+use crate::tessellate::wall::index::WallIndex;
 use crate::tessellate::wall::room::Rooms;
 use crate::tessellate::weather::exposure::{Aged, WallExposure};
 pub use assembly::{HouseDrafts, SceneBuilder};
@@ -46,7 +41,6 @@ use glam::{DVec2, DVec3, dvec2, dvec3};
 use rayon::prelude::*;
 use rooms::MatMeshes;
 use std::cell::OnceCell;
-use std::collections::hash_map::Entry;
 use store::Store;
 use store::bank::Bank;
 use weather::Weather;
@@ -298,24 +292,7 @@ impl<'a> Walker<'a> {
         for (i, soffit) in soffits.filter(|(_, s)| whole.has_storey(s.storey)) {
             self.soffit(root, soffit, i + 1);
         }
-        // Only trim needs them.
-        let neighbours = match self.detail {
-            Detail::Body => Neighbours::default(),
-            _ => Neighbours::of(roofs),
-        };
-        let shares = crate::tessellate::roof::bulk::shares(&roofs.roofs, self.detail);
-        let shared = roofs.roofs.iter().zip(shares).enumerate();
-        for (i, (roof, shown)) in shared.filter(|(_, (r, _))| whole.has_roof(r.storey)) {
-            let walls = self.below(house, roof, shown, &standing);
-            let beyond = neighbours.beyond(i, roof);
-            self.weather(|aged| aged.roof(i));
-            let weather = self.store.weather;
-            let alike = MeshKey::new(roof, shown, walls, beyond, weather, i + 1);
-            self.roof(root, roof, alike, i + 1);
-            if self.is_full() {
-                return;
-            }
-        }
+        self.roofs(root, built, &standing);
         self.weather(|aged| aged.even("fittings", 0.5));
         let fittings = built.fittings.iter().zip(1..);
         let seen = |f: &Fitting| match f.what {
@@ -325,38 +302,6 @@ impl<'a> Walker<'a> {
         for (fitting, number) in fittings.filter(|(f, _)| seen(f)) {
             self.fitting(root, fitting, number);
         }
-    }
-
-    /// Returns what a roof takes from its storey's walls: the finishes of its visible gable fills, empty where there
-    /// are none, and whether it is plastered.
-    fn below(
-        &self,
-        house: &House,
-        roof: &Roof,
-        shown: &[Roof],
-        standing: &[OnceCell<WallIndex>],
-    ) -> Walls {
-        let solids = || shown.iter().flat_map(|r| &r.solids);
-        // Numbers rise, and a parapet follows the storey whose number it shares.
-        let below = house.storeys.partition_point(|s| s.number < roof.storey);
-        let Some(storey) = house.storeys.get(below) else {
-            return Walls::default();
-        };
-        let tiled = matches!(roof.kind, RoofKind::Tiles | RoofKind::CoverTiles);
-        let plastered = tiled && crate::tessellate::wall::index::is_plastered(self.catalog, storey);
-        if !solids().any(is_fill) {
-            return Walls {
-                gables: vec![],
-                plastered,
-            };
-        }
-        let standing = standing[below].get_or_init(|| WallIndex::of(storey));
-        let of = |solid: &Solid| match is_fill(solid) {
-            true => standing.gable(self.catalog, house, Place { solid, storey }),
-            false => plaster(),
-        };
-        let gables = solids().map(of).collect();
-        Walls { gables, plastered }
     }
 
     /// From now on meshes have the weather of the house in the making, if it has had any.
@@ -454,41 +399,6 @@ impl<'a> Walker<'a> {
         let node = self.node(Some(root), Kind::Member, name, DVec3::ZERO);
         node.mesh = mesh;
         node.storey = Some(soffit.storey);
-    }
-
-    fn roof(&mut self, root: NodeId, roof: &'a Roof, alike: MeshKey<'a>, number: usize) {
-        let name = format_compact!("roof {number}");
-        let (mesh, rows) = match self.roofs.entry(alike) {
-            Entry::Occupied(known) => known.get().clone(),
-            Entry::Vacant(new) => {
-                let walls = new.key().walls();
-                let worn = crate::tessellate::trim::build(
-                    roof,
-                    new.key().beyond(),
-                    walls.plastered,
-                    self.detail,
-                );
-                let bulk = new.key().bulk(self.detail);
-                let given = |solid: usize, face: &Face| bulk.given(solid, face);
-                let store = &mut self.store;
-                let mesh = store.solids(&name, &bulk.solids, &given, &worn.bodies);
-                let runs = worn.runs.into_iter();
-                let rows = runs.map(|run| (run.clone(), self.store.row(run.row, run.right)));
-                new.insert((mesh, rows.collect())).clone()
-            }
-        };
-        let node = self.node(Some(root), Kind::Roof, name, DVec3::ZERO);
-        node.mesh = mesh;
-        node.storey = Some(roof.storey);
-        node.span = roof.span;
-        node.shape = Some(roof.shape.letters().into());
-        let own = self.last();
-        for (run, mesh) in rows.iter() {
-            let node = self.node(Some(own), Kind::Member, run.row.name.into(), run.at);
-            node.turn = run.right;
-            node.mesh = Some(*mesh);
-            node.storey = Some(roof.storey);
-        }
     }
 }
 

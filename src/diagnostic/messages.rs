@@ -14,7 +14,6 @@ pub mod pictures;
 pub mod plan;
 pub mod print;
 pub mod roofs;
-pub(crate) mod rooms;
 pub mod views;
 pub mod town;
 mod words;

@@ -5,7 +5,7 @@ use crate::ast::Flooring;
 use crate::building::{House, Room, Storey};
 use crate::catalog::{Catalog, Opening};
 use crate::diagnostic::Diagnostics;
-use crate::diagnostic::messages::rooms as say;
+use crate::diagnostic::messages::plan::rooms as say;
 use crate::fit::areas::{Areas, MOST_WALLS};
 use crate::fit::mats;
 use crate::geometry::{SAME, SHAKU, holds};
@@ -25,19 +25,48 @@ pub(super) fn rooms(house: &House, catalog: &Catalog, out: &mut Diagnostics) -> 
 }
 
 fn rooms_of(storey: &Storey, level: usize, catalog: &Catalog, out: &mut Diagnostics) -> Vec<Room> {
+    let first = storey.rooms[0].span;
+    let Some(bounds) = bounds(storey) else {
+        out.push(say::not_closed(first));
+        return vec![];
+    };
     let walls = storey.rings.iter().flat_map(|ring| &ring.walls);
     let walls: Vec<(DVec2, DVec2)> = walls.map(|wall| (wall.from, wall.to)).collect();
     if walls.len() > MOST_WALLS {
-        out.push(say::too_many_walls(
-            storey.rooms[0].span,
-            walls.len(),
-            MOST_WALLS,
-        ));
+        out.push(say::too_many_walls(first, walls.len(), MOST_WALLS));
         return vec![];
     }
     let areas = Areas::new(&walls);
-    let mut taken: BTreeMap<usize, &ast::Room> = BTreeMap::new();
+    let taken = taken(storey, &areas, bounds, out);
+    let mut named: Vec<(usize, &ast::Room)> = taken.iter().map(|(w, r)| (*w, *r)).collect();
+    named.sort_by_key(|(_, room)| room.span.start);
     let mut made = vec![];
+    for (walk, room) in &named {
+        made.push(built(room, storey, level, areas.area(*walk), out));
+    }
+    // What is left has boards, so that no floor has a hole.
+    for walk in areas.walks().filter(|walk| !taken.contains_key(walk)) {
+        let point = areas.point_in(walk).filter(|p| is_inside(storey, *p));
+        made.extend(point.map(|at| rest(storey, level, at, areas.area(walk))));
+    }
+    if storey.number == 1 && !named.is_empty() {
+        let reached = reached(&areas, storey, catalog);
+        for (_, room) in named.iter().filter(|(walk, _)| !reached.contains(walk)) {
+            let name = room.name.as_ref().map(|n| n.value.as_str());
+            out.push(say::no_way_in(room.span, name));
+        }
+    }
+    made
+}
+
+/// Returns the rooms of a storey by the walks round them.
+fn taken<'s>(
+    storey: &'s Storey,
+    areas: &Areas,
+    bounds: [DVec2; 2],
+    out: &mut Diagnostics,
+) -> BTreeMap<usize, &'s ast::Room> {
+    let mut taken: BTreeMap<usize, &ast::Room> = BTreeMap::new();
     for room in &storey.rooms {
         let at = dvec2(room.at.value.0, room.at.value.1);
         if areas.on_wall(at) {
@@ -45,7 +74,7 @@ fn rooms_of(storey: &Storey, level: usize, catalog: &Catalog, out: &mut Diagnost
             continue;
         }
         let Some(walk) = areas.around(at).filter(|_| is_inside(storey, at)) else {
-            out.push(say::outside(room.at.span, bounds(storey)));
+            out.push(say::outside(room.at.span, bounds));
             continue;
         };
         if let Some(first) = taken.get(&walk) {
@@ -54,37 +83,24 @@ fn rooms_of(storey: &Storey, level: usize, catalog: &Catalog, out: &mut Diagnost
             continue;
         }
         taken.insert(walk, room);
-        made.push(built(room, storey, level, areas.area(walk), out));
     }
-    // What is left has boards, so that no floor has a hole.
-    for walk in areas.walks() {
-        let point = areas.point_in(walk).filter(|p| is_inside(storey, *p));
-        if let Some(at) = point.filter(|_| !taken.contains_key(&walk)) {
-            made.push(Room {
-                span: storey.span,
-                name: String::new(),
-                storey: storey.number,
-                level,
-                at,
-                floor: Flooring::Boards,
-                ceiling: ast::RoomCeiling::Battens,
-                height: None,
-                area: areas.area(walk),
-                mats: vec![],
-            });
-        }
+    taken
+}
+
+/// An area that no room names.
+fn rest(storey: &Storey, level: usize, at: DVec2, area: Vec<Vec<DVec2>>) -> Room {
+    Room {
+        span: storey.span,
+        name: String::new(),
+        storey: storey.number,
+        level,
+        at,
+        floor: Flooring::Boards,
+        ceiling: ast::RoomCeiling::Battens,
+        height: None,
+        area,
+        mats: vec![],
     }
-    if storey.number == 1 && !taken.is_empty() {
-        let reached = reached(&areas, storey, catalog);
-        let shut = taken.iter().filter(|(walk, _)| !reached.contains(walk));
-        let mut shut: Vec<&ast::Room> = shut.map(|(_, room)| *room).collect();
-        shut.sort_by_key(|room| room.span.start);
-        for room in shut {
-            let name = room.name.as_ref().map(|n| n.value.as_str());
-            out.push(say::no_way_in(room.span, name));
-        }
-    }
-    made
 }
 
 /// Returns true for a point within the outer walls and in no courtyard.
@@ -98,14 +114,15 @@ fn is_inside(storey: &Storey, p: DVec2) -> bool {
     solid && !court
 }
 
-/// Returns the bounds of the outer walls, U.
+/// Returns the bounds of the outer walls, U; none where they, or those of a courtyard, do not close.
 fn bounds(storey: &Storey) -> Option<[DVec2; 2]> {
-    let outer = storey.rings.iter().filter(|r| !r.hole && !r.inner);
-    let corners = outer.flat_map(|r| &r.walls).flat_map(|w| [w.from, w.to]);
-    corners.fold(None, |around: Option<[DVec2; 2]>, p| {
+    let rings = || storey.rings.iter().filter(|r| !r.inner);
+    let corners = rings().flat_map(|r| &r.walls).map(|w| w.from);
+    let around = corners.fold(None, |around: Option<[DVec2; 2]>, p| {
         let [low, high] = around.unwrap_or([p, p]);
         Some([low.min(p), high.max(p)])
-    })
+    });
+    around.filter(|_| rings().all(|r| r.closed))
 }
 
 fn built(

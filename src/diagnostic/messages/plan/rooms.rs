@@ -17,25 +17,26 @@ fn room(name: Option<&str>) -> Text {
     }
 }
 
+/// Rooms of a storey whose walls do not close.
+#[cold]
+pub(crate) fn not_closed(first: Span) -> Diagnostic {
+    let message = text!(
+        "the walls of this storey do not close, so it has no rooms",
+        "この階の壁が閉じていないため、部屋を作れません"
+    );
+    Diagnostic::warning(440, first, message)
+        .help(text!("mend the walls first", "先に壁を直してください"))
+}
+
 /// A place of a room that is not between walls.
 #[cold]
-pub(crate) fn outside(at: Span, bounds: Option<[DVec2; 2]>) -> Diagnostic {
-    let found = Diagnostic::error(
-        440,
-        at,
-        text!(
-            "this place is outside of the storey's walls",
-            "この位置は階の壁の外です"
-        ),
+pub(crate) fn outside(at: Span, [low, high]: [DVec2; 2]) -> Diagnostic {
+    let message = text!(
+        "this place is outside of the storey's walls",
+        "この位置は階の壁の外です"
     );
-    let Some([low, high]) = bounds else {
-        return found.help(text!(
-            "write the walls of the storey, so that they close",
-            "階の壁を閉じるまで書いてください"
-        ));
-    };
     let [a, b, c, d] = [low.x, high.x, low.y, high.y].map(|n| (n * 100.0).round() / 100.0);
-    found.help(text!([a, b, c, d]
+    Diagnostic::error(440, at, message).help(text!([a, b, c, d]
         "`at` counts units to the left of the house's origin, then units back: the walls stand between {a} and {b}, and between {c} and {d}; courtyards are outside too",
         "`at` は原点から左へのユニット数、奥へのユニット数です。壁は左へ {a} から {b}、奥へ {c} から {d} の範囲にあります。中庭も外です"
     ))

@@ -1,0 +1,112 @@
+//! The roofs of a house as nodes: each with what its storey's walls give it, and with its rows of tiles.
+
+use crate::ast::RoofKind;
+use crate::building::{Built, Face, House, Roof, Solid};
+use crate::scene::{Detail, Kind, NodeId};
+use crate::tessellate::Walker;
+use crate::tessellate::roof::bulk::{Walls, is_fill};
+use crate::tessellate::roof::mesh_key::MeshKey;
+use crate::tessellate::roof::plaster;
+use crate::tessellate::trim::Neighbours;
+use crate::tessellate::wall::index::{Place, WallIndex};
+use compact_str::format_compact;
+use glam::DVec3;
+use std::cell::OnceCell;
+use std::collections::hash_map::Entry;
+
+impl<'a> Walker<'a> {
+    /// Writes the roofs of a house as far as they are shown.
+    pub(in crate::tessellate) fn roofs(
+        &mut self,
+        root: NodeId,
+        built: &'a Built,
+        standing: &[OnceCell<WallIndex>],
+    ) {
+        let (house, roofs, whole) = (&built.house, &built.roofs, self.shown);
+        // Only trim needs them.
+        let neighbours = match self.detail {
+            Detail::Body => Neighbours::default(),
+            _ => Neighbours::of(roofs),
+        };
+        let shares = crate::tessellate::roof::bulk::shares(&roofs.roofs, self.detail);
+        let shared = roofs.roofs.iter().zip(shares).enumerate();
+        for (i, (roof, shown)) in shared.filter(|(_, (r, _))| whole.has_roof(r.storey)) {
+            let walls = self.below(house, roof, shown, standing);
+            let beyond = neighbours.beyond(i, roof);
+            self.weather(|aged| aged.roof(i));
+            let weather = self.store.weather;
+            let alike = MeshKey::new(roof, shown, walls, beyond, weather, i + 1);
+            self.roof(root, roof, alike, i + 1);
+            if self.is_full() {
+                return;
+            }
+        }
+    }
+
+    /// Returns what a roof takes from its storey's walls: the finishes of its visible gable fills, empty where there
+    /// are none, and whether it is plastered.
+    fn below(
+        &self,
+        house: &House,
+        roof: &Roof,
+        shown: &[Roof],
+        standing: &[OnceCell<WallIndex>],
+    ) -> Walls {
+        let solids = || shown.iter().flat_map(|r| &r.solids);
+        // Numbers rise, and a parapet follows the storey whose number it shares.
+        let below = house.storeys.partition_point(|s| s.number < roof.storey);
+        let Some(storey) = house.storeys.get(below) else {
+            return Walls::default();
+        };
+        let tiled = matches!(roof.kind, RoofKind::Tiles | RoofKind::CoverTiles);
+        let plastered = tiled && crate::tessellate::wall::index::is_plastered(self.catalog, storey);
+        if !solids().any(is_fill) {
+            return Walls {
+                gables: vec![],
+                plastered,
+            };
+        }
+        let standing = standing[below].get_or_init(|| WallIndex::of(storey));
+        let of = |solid: &Solid| match is_fill(solid) {
+            true => standing.gable(self.catalog, house, Place { solid, storey }),
+            false => plaster(),
+        };
+        let gables = solids().map(of).collect();
+        Walls { gables, plastered }
+    }
+
+    fn roof(&mut self, root: NodeId, roof: &'a Roof, alike: MeshKey<'a>, number: usize) {
+        let name = format_compact!("roof {number}");
+        let (mesh, rows) = match self.roofs.entry(alike) {
+            Entry::Occupied(known) => known.get().clone(),
+            Entry::Vacant(new) => {
+                let walls = new.key().walls();
+                let worn = crate::tessellate::trim::build(
+                    roof,
+                    new.key().beyond(),
+                    walls.plastered,
+                    self.detail,
+                );
+                let bulk = new.key().bulk(self.detail);
+                let given = |solid: usize, face: &Face| bulk.given(solid, face);
+                let store = &mut self.store;
+                let mesh = store.solids(&name, &bulk.solids, &given, &worn.bodies);
+                let runs = worn.runs.into_iter();
+                let rows = runs.map(|run| (run.clone(), self.store.row(run.row, run.right)));
+                new.insert((mesh, rows.collect())).clone()
+            }
+        };
+        let node = self.node(Some(root), Kind::Roof, name, DVec3::ZERO);
+        node.mesh = mesh;
+        node.storey = Some(roof.storey);
+        node.span = roof.span;
+        node.shape = Some(roof.shape.letters().into());
+        let own = self.last();
+        for (run, mesh) in rows.iter() {
+            let node = self.node(Some(own), Kind::Member, run.row.name.into(), run.at);
+            node.turn = run.right;
+            node.mesh = Some(*mesh);
+            node.storey = Some(roof.storey);
+        }
+    }
+}
