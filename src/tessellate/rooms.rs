@@ -3,11 +3,12 @@
 use crate::ast::{Flooring, RoomCeiling};
 use crate::building::{Mat, Room};
 use crate::geometry::SAME;
+use crate::geometry::triangulate::triangles;
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, MeshId, NodeId};
-use crate::tessellate::mesh::{Axis, Bodies};
+use crate::tessellate::mesh::Bodies;
 use crate::tessellate::store::look::Share;
-use crate::tessellate::wall::room::{BOARDS, CEILING, GROUND, UNDER, seam};
+use crate::tessellate::wall::room::{BOARDS, CEILING, GROUND, UNDER};
 use crate::tessellate::weather::Weather;
 use crate::tessellate::{Level, Walker};
 use compact_str::format_compact;
@@ -53,7 +54,7 @@ impl Walker<'_> {
             Flooring::Boards | Flooring::Tatami => "boards",
         });
         let foot = if level.grounded() { GROUND } else { BOARDS };
-        bodies.prism(floor, &outline, Axis::Z, foot, UNDER);
+        slab(&mut bodies, floor, &outline, foot, UNDER);
         // None that would stick out of a lean-to.
         let sloping = level
             .ceilings
@@ -149,47 +150,47 @@ fn mat_body(length: f64, width: f64) -> Bodies {
     bodies
 }
 
-/// The outline of a room in the house's frame, with what stands free in it joined by seams.
-fn outline(level: Level<'_>, room: &Room) -> Vec<DVec2> {
+/// The outline of a room in the house's frame, counter-clockwise, then what stands free in it, clockwise.
+fn outline(level: Level<'_>, room: &Room) -> Vec<Vec<DVec2>> {
     let place = |p: &DVec2| level.house.place(*p, 0.0).truncate();
-    let mut rings = room.area.iter().map(|ring| {
-        let mut ring: Vec<DVec2> = ring.iter().map(place).collect();
-        // The house frame is the author's as in a mirror.
-        ring.reverse();
-        ring
-    });
-    let mut outer = rings.next().unwrap_or_default();
-    for hole in rings {
-        seam(&mut outer, &hole);
+    // The house frame is the author's as in a mirror.
+    let rings = room.area.iter();
+    rings
+        .map(|ring| ring.iter().rev().map(place).collect())
+        .collect()
+}
+
+/// Adds a floor or a ceiling between two heights.
+fn slab(bodies: &mut Bodies, finish: SurfaceId, area: &[Vec<DVec2>], lo: f64, hi: f64) {
+    let Some((outer, holes)) = area.split_first() else {
+        return;
+    };
+    for [p, q, r] in triangles(outer, holes) {
+        bodies.face(finish, &[p, q, r].map(|p| p.extend(hi)));
+        bodies.face(finish, &[r, q, p].map(|p| p.extend(lo)));
     }
-    outer
+    for ring in area {
+        for (p, q) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+            bodies.face(
+                finish,
+                &[p.extend(lo), q.extend(lo), q.extend(hi), p.extend(hi)],
+            );
+        }
+    }
 }
 
 /// Adds a ceiling whose lower face lies at a height above the floor.
-fn ceiling(bodies: &mut Bodies, kind: RoomCeiling, (outline, unit): (&[DVec2], f64), top: f64) {
+fn ceiling(bodies: &mut Bodies, kind: RoomCeiling, (area, unit): (&[Vec<DVec2>], f64), top: f64) {
     let [width, height, apart] = match kind {
         RoomCeiling::None => return,
         RoomCeiling::Battens => BATTENS,
         RoomCeiling::Joists => JOISTS,
     };
     let thick = CEILING.1 - CEILING.0;
-    bodies.prism(
-        SurfaceId::named("soffit"),
-        outline,
-        Axis::Z,
-        top,
-        top + thick,
-    );
-    let low = outline
-        .iter()
-        .copied()
-        .reduce(DVec2::min)
-        .unwrap_or_default();
-    let high = outline
-        .iter()
-        .copied()
-        .reduce(DVec2::max)
-        .unwrap_or_default();
+    slab(bodies, SurfaceId::named("soffit"), area, top, top + thick);
+    let corners = || area.iter().flatten().copied();
+    let low = corners().reduce(DVec2::min).unwrap_or_default();
+    let high = corners().reduce(DVec2::max).unwrap_or_default();
     let size = high - low;
     // Battens run along the room, joists across it.
     let along_x = (size.x >= size.y) == (kind == RoomCeiling::Battens);
@@ -201,7 +202,7 @@ fn ceiling(bodies: &mut Bodies, kind: RoomCeiling, (outline, unit): (&[DVec2], f
     let count = (span / (apart * unit)).round().max(1.0);
     for i in 1..count as u32 {
         let middle = low.dot(across) + span * f64::from(i) / count;
-        for (from, to) in stretches(outline, axis, across, middle) {
+        for (from, to) in stretches(area, axis, across, middle) {
             let (s, e) = (from * axis, to * axis);
             let side = across * (width / 2.0);
             let (p, q) = (s + across * middle - side, e + across * middle + side);
@@ -215,9 +216,12 @@ fn ceiling(bodies: &mut Bodies, kind: RoomCeiling, (outline, unit): (&[DVec2], f
 }
 
 /// Returns where a line across a polygon lies inside it, as places along an axis.
-fn stretches(outline: &[DVec2], axis: DVec2, across: DVec2, at: f64) -> Vec<(f64, f64)> {
-    let next = outline.iter().cycle().skip(1);
-    let cuts = outline.iter().zip(next).filter_map(|(p, q)| {
+fn stretches(area: &[Vec<DVec2>], axis: DVec2, across: DVec2, at: f64) -> Vec<(f64, f64)> {
+    let sides = area.iter().flat_map(|ring| {
+        let next = ring.iter().cycle().skip(1);
+        ring.iter().zip(next)
+    });
+    let cuts = sides.filter_map(|(p, q)| {
         let (s, t) = (p.dot(across) - at, q.dot(across) - at);
         ((s > 0.0) != (t > 0.0)).then(|| p.lerp(*q, s / (s - t)).dot(axis))
     });

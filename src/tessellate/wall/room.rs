@@ -172,7 +172,7 @@ fn outlines(level: Level<'_>, lines: &[(&Ring, Vec<Line<'_>>)]) -> Vec<Vec<DVec2
 }
 
 /// Joins a hole to the polygon around it by two mutually visible corners, trying the nearest first.
-pub(in crate::tessellate) fn seam(around: &mut Vec<DVec2>, hole: &[DVec2]) {
+fn seam(around: &mut Vec<DVec2>, hole: &[DVec2]) {
     let all = |n: usize| (0..n).map(move |i| (i, (i + 1) % n));
     let crosses = |p: DVec2, q: DVec2| {
         let here = all(around.len()).map(|(i, j)| (around[i], around[j]));
