@@ -18,6 +18,7 @@ mod mesh;
 mod part;
 pub mod part_sheet;
 mod roof;
+mod roofs;
 mod store;
 mod weather;
 

@@ -2,7 +2,6 @@
 //! slope, so that courses are horizontal.
 
 pub(in crate::tessellate) mod bulk;
-mod house;
 pub(in crate::tessellate) mod mesh_key;
 
 use crate::ast::RoofKind;
