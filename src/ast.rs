@@ -118,6 +118,9 @@ pub struct Settings {
     pub anchor: Option<Anchor>,
     /// Height of the house's origin, metres.
     pub z: Option<Spanned<f64>>,
+    /// How far its plinth reaches below its ground, metres.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub plinth: Option<Spanned<f64>>,
     /// Compass direction of the first line's outward normal, degrees; 180 = south.
     pub azimuth: Option<Spanned<f64>>,
     /// One U in shaku: 3.0 Edo-ma, 3.25 Kyo-ma.

@@ -95,6 +95,9 @@ pub struct House {
     /// Height of the first storey's floor above the ground, metres: that of a platform or a veranda. The house's
     /// origin is raised by it.
     pub raised: f64,
+    /// How far its plinth reaches below the ground, metres.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub plinth: f64,
     /// The platform below it.
     pub platform: Option<Platform>,
     /// The finials of its roofs.
@@ -104,6 +107,10 @@ pub struct House {
     pub age: Option<Age>,
     /// The roof section.
     pub roofs: Rare<Roofs>,
+}
+
+fn is_zero(length: &f64) -> bool {
+    *length == 0.0
 }
 
 impl House {

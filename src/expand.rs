@@ -226,6 +226,7 @@ impl<'a, 'c> Pass<'a, 'c> {
             origin: [&settings.x, &settings.y, &settings.z].map(|v| number(v, 0.0)),
             placed: house.placement.as_ref().and_then(|p| p.place),
             anchor: settings.anchor.unwrap_or_default(),
+            plinth: number(&settings.plinth, 0.0),
             azimuth: number(&settings.azimuth, 180.0),
             unit_shaku: unit,
             street: settings.street.as_ref().is_some_and(|s| s.value),

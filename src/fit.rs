@@ -2,7 +2,7 @@
 //! end under them, finials stand on them.
 //!
 //! - [`around`]: outlines at a margin outside the walls;
-//! - [`platform`], [`veranda`], [`brackets`], [`beams`], [`finial`]: one kind of fitting each;
+//! - [`platform`], [`plinth`], [`veranda`], [`brackets`], [`beams`], [`finial`]: one kind of fitting each;
 //! - [`rooms`]: the areas between walls ([`areas`]) and the mats in them ([`mats`]);
 //! - [`undersides`]: the undersides of the roofs over brackets.
 
@@ -13,6 +13,7 @@ mod brackets;
 mod finial;
 mod mats;
 mod platform;
+mod plinth;
 mod rooms;
 mod undersides;
 mod veranda;
@@ -105,6 +106,9 @@ fn bases(house: &House, made: &mut Vec<Fitting>, out: &mut Diagnostics) -> Optio
             }
             None => out.push(say::nothing_to_stand_at(written.span, "Platform")),
         }
+    }
+    if let Some(it) = plinth::plinth(house, made, deck.as_ref()) {
+        made.push(fitting(house.span, 0, FittingKind::Plinth(it)));
     }
     deck
 }

@@ -81,6 +81,7 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
         age: house.age,
         storeys,
         raised,
+        plinth: house.plinth,
         platform: house.platform,
         finials: house.finials,
         roofs,

@@ -7,9 +7,10 @@
 //! A reader loses nothing in silence. It yields a [`Feature`] or, in place of each one that cannot be used, a [`Fault`];
 //! what is wrong with features that are built nevertheless, and with the file, it keeps as remarks
 //! ([`Reader::remarks`]).
+//!
+//! Grids of heights are no features: [`heights`] reads them.
 
 mod checked;
-mod citygml;
 pub mod crs;
 mod csv;
 mod fault;
@@ -17,8 +18,8 @@ mod feature;
 mod flatgeobuf;
 mod format;
 mod geojson;
+pub mod heights;
 mod input;
-mod moj;
 mod osm;
 mod rings;
 mod shapefile;
@@ -27,7 +28,7 @@ mod wkb;
 mod xml;
 
 pub use crs::{Crs, Datum, Datums, Mismatch, Outside, Projection, Transform, on_globe};
-pub use fault::{Fault, Faults, Kind, Which, diagnostic};
+pub use fault::{Fault, Faults, Kind, OtherGrid, Which, diagnostic};
 pub use feature::{
     Area, Chain, Column, ColumnType, Columns, Feature, Geometry, Layer, Place, Value,
 };
@@ -96,8 +97,8 @@ pub fn open(world: &dyn World, path: &str, options: &Options) -> Result<Box<dyn 
         Format::OsmXml => Box::new(osm::Osm::open(input, &file, options, false)?),
         Format::OsmPbf => Box::new(osm::Osm::open(input, &file, options, true)?),
         Format::FlatGeobuf => Box::new(flatgeobuf::FlatGeobuf::open(input, &file, options)?),
-        Format::Moj => Box::new(moj::Moj::open(input, &file, options)?),
-        Format::CityGml => Box::new(citygml::CityGml::open(input, &file, options)?),
+        Format::Moj => Box::new(xml::moj::Moj::open(input, &file, options)?),
+        Format::CityGml => Box::new(xml::citygml::CityGml::open(input, &file, options)?),
         #[cfg(feature = "geopackage")]
         Format::GeoPackage => {
             drop(input);

@@ -46,6 +46,9 @@ pub struct House {
     pub variant: Option<Variant>,
     /// East, north, up of the origin, metres.
     pub origin: [f64; 3],
+    /// How far its plinth reaches below its ground, metres.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub plinth: f64,
     /// The point of the house that stands there.
     #[serde(skip_serializing_if = "is_corner")]
     pub anchor: Anchor,
@@ -72,6 +75,10 @@ pub struct House {
     pub age: Option<Age>,
     /// The roof section.
     pub roofs: Rare<Roofs>,
+}
+
+fn is_zero(length: &f64) -> bool {
+    *length == 0.0
 }
 
 fn is_corner(anchor: &Anchor) -> bool {

@@ -242,6 +242,8 @@ pub enum Kind {
     Bracket,
     /// An ornament on a roof's ridge or apex.
     Finial,
+    /// The ground of a town.
+    Ground,
 }
 
 impl Kind {
@@ -260,6 +262,7 @@ impl Kind {
             Kind::Veranda => "veranda",
             Kind::Bracket => "bracket",
             Kind::Finial => "finial",
+            Kind::Ground => "ground",
         }
     }
 }

@@ -20,6 +20,7 @@ pub mod part_sheet;
 mod roof;
 mod roofs;
 mod store;
+mod terrain;
 mod weather;
 
 use crate::ast::StoreyKind;
@@ -44,6 +45,7 @@ use rooms::MatMeshes;
 use std::cell::OnceCell;
 use store::Store;
 use store::bank::Bank;
+pub use terrain::{GroundMesh, ground};
 use weather::Weather;
 
 /// The number of houses that one thread tessellates at a time. What they share is made once, and nothing else depends on

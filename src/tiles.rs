@@ -7,6 +7,7 @@
 //! | the rules make the houses of a tile; a hash of them names its files | `input` |
 //! | the houses are made once and written at each level of detail | `make` |
 //! | or written as CityJSON | `city` |
+//! | the ground is cut into pieces and thinned, each by itself | `terrain`, `piece` |
 //! | tiles that are there already are kept, others made; all become a tileset | `run` |
 //!
 //! Files go to a [`TileStore`], which a shell provides; nothing here touches a file system.
@@ -15,8 +16,10 @@ pub mod city;
 pub mod input;
 pub mod make;
 pub mod mesh;
+mod piece;
 pub mod record;
 pub mod run;
+pub mod terrain;
 
 use std::io;
 

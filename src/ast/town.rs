@@ -241,6 +241,8 @@ pub struct Stood {
     pub at: DVec2,
     /// Height of the ground.
     pub z: f64,
+    /// How far a plinth reaches below that, metres; 0 for none.
+    pub plinth: f64,
     /// Compass direction of the front, degrees.
     pub azimuth: f64,
     /// Width along the front.

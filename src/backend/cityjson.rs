@@ -139,6 +139,26 @@ impl CityHouse {
         made
     }
 
+    /// Makes a piece of ground: its name, what is known of it, its corners and triangles.
+    pub fn ground(
+        id: String,
+        attributes: Map<String, Value>,
+        (corners, indices): (&[DVec3], &[u32]),
+    ) -> CityHouse {
+        let mut made = CityHouse {
+            id,
+            object: json!({"type": "TINRelief", "attributes": attributes, "geometry": []}),
+            vertices: Vertices::default(),
+        };
+        let numbers: Vec<usize> = corners.iter().map(|p| made.vertices.number(*p)).collect();
+        let triangles = indices.chunks_exact(3);
+        let triangles =
+            triangles.map(|t| [t[0], t[1], t[2]].map(|corner| numbers[corner as usize]));
+        let faces: Vec<Value> = triangles.map(|corners| json!([corners])).collect();
+        made.add(json!({"type": "CompositeSurface", "lod": "1", "boundaries": faces}));
+        made
+    }
+
     /// Adds the block between the outline and the plate: LoD 1.
     fn block(&mut self, house: &Built, top: f64) {
         let ground = house.house.origin[2];

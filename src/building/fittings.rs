@@ -31,6 +31,8 @@ pub enum FittingKind {
     Beams(Vec<Beam>, SurfaceId),
     /// A finial on a roof.
     Finial(Finial),
+    /// The base of a house on a slope.
+    Plinth(Plinth),
 }
 
 /// A stone platform.
@@ -42,6 +44,15 @@ pub struct Platform {
     pub z: (f64, f64),
     /// Stairs up to it.
     pub stairs: Vec<Stairs>,
+}
+
+/// The base of a house on a slope: stone down to the ground.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Plinth {
+    /// Its parts, counter-clockwise seen from above: under the walls, the platform, the decks of a veranda.
+    pub outlines: Vec<Vec<DVec2>>,
+    /// Heights of foot and top.
+    pub z: (f64, f64),
 }
 
 /// A flight of steps.

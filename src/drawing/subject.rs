@@ -228,7 +228,7 @@ fn role(node: &Node, catalog: &Catalog) -> Role {
         Kind::House | Kind::Storey | Kind::Facade => Role::Wall,
         Kind::Post => Role::Post,
         Kind::Roof => Role::Roof,
-        Kind::Platform | Kind::Veranda | Kind::Room => Role::Floor,
+        Kind::Platform | Kind::Veranda | Kind::Room | Kind::Ground => Role::Floor,
         Kind::Member | Kind::Bracket | Kind::Finial => Role::Timber,
     }
 }

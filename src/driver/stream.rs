@@ -81,7 +81,7 @@ pub fn stream(
     let run = (feed, world, options);
     let made = run_houses(
         run,
-        expansion,
+        (expansion, &mut std::iter::empty()),
         &catalog,
         &included,
         true,
@@ -91,13 +91,14 @@ pub fn stream(
     Ok(made.with(included, catalog, times))
 }
 
-/// As [`stream`], of the houses of a town, whose file has been read.
+/// As [`stream`], of the houses of a town, whose file has been read, and of its ground behind them.
 ///
 /// # Errors
 /// Those of the sink and of the spool.
 pub fn stream_town(
     (source, read): (&Source, Read),
     houses: impl Iterator<Item = FeatureHouse> + Send,
+    ground: &mut dyn Iterator<Item = HouseDrafts>,
     world: &dyn World,
     options: &Options,
     out: &mut Diagnostics,
@@ -110,7 +111,7 @@ pub fn stream_town(
     let run = (Feed::whole(&sources), world, options);
     let made = run_houses(
         run,
-        expansion,
+        (expansion, ground),
         &catalog,
         &included,
         false,
@@ -154,7 +155,7 @@ impl Left {
 /// Makes the houses of an expansion; `apart` = they must not stand in each other, unlike those of a town.
 fn run_houses(
     (feed, world, options): (Feed<'_>, &dyn World, &Options),
-    mut expansion: Expansion<'_>,
+    (mut expansion, ground): (Expansion<'_>, &mut dyn Iterator<Item = HouseDrafts>),
     catalog: &Catalog,
     included: &[Source],
     apart: bool,
@@ -185,7 +186,8 @@ fn run_houses(
         sink,
     };
     timed(times, "houses", || {
-        town.build(&mut expansion, &tessellator, catalog)
+        town.build(&mut expansion, &tessellator, catalog)?;
+        town.lay(ground)
     })?;
     let Town {
         scene,
@@ -322,6 +324,18 @@ impl Town<'_, '_> {
             Some(made) => self.add(made, expansion),
             None => Ok(()),
         }
+    }
+
+    /// Hands the ground on.
+    fn lay(&mut self, ground: &mut dyn Iterator<Item = HouseDrafts>) -> io::Result<()> {
+        for piece in ground {
+            self.scene.add(piece);
+            let part = self.scene.part();
+            self.counter.add(part);
+            (self.sink)(part, &self.library)?;
+            self.scene.forget();
+        }
+        Ok(())
     }
 
     /// Hands houses on.

@@ -75,6 +75,23 @@ impl Fault {
     }
 }
 
+/// Why a grid is not read as heights.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OtherGrid {
+    /// It has several bands or colours: it is a picture.
+    Colours,
+    /// Its cells are bytes: it is a picture.
+    Bytes,
+    /// It does not say where it lies.
+    NoPlace,
+    /// Its rows do not run from west to east.
+    Turned,
+    /// Its compression, or the form of its numbers.
+    Packing,
+    /// Its heights are in a unit that is not known.
+    Unit,
+}
+
 /// The kinds of faults, with their values.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {
@@ -143,6 +160,11 @@ pub enum Kind {
     UnknownCrs {
         /// Its name in the file.
         name: Box<str>,
+    },
+    /// The grid is none of heights, or of a kind that is not read.
+    OtherGrid {
+        /// What it is.
+        what: OtherGrid,
     },
     /// Two features have the same key.
     DuplicateKey,

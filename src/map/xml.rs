@@ -1,5 +1,8 @@
 //! XML of maps as a stream of elements. Entities are not expanded beyond those of XML itself, so no file can blow up.
 
+pub(super) mod citygml;
+pub(super) mod moj;
+
 use super::fault::{Fault, Kind};
 use super::feature::Feature;
 use super::input::Input;

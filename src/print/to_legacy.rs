@@ -96,7 +96,7 @@ impl LegacyWriter<'_> {
     fn house(&mut self, house: &House, seed: Option<u64>) {
         self.comments_before(self.source.text_range(house.span).start);
         let [x, y, z] = house.origin;
-        if z != 0.0 {
+        if z != 0.0 || house.plinth != 0.0 {
             self.refuse(house.span, say::raised(self.head(house.span)));
         }
         let _ = write!(self.text, "{x} {y}");

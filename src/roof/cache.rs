@@ -256,6 +256,7 @@ impl Key {
             street,
             storeys,
             raised: _,
+            plinth: _,
             platform: _,
             finials: _,
             roofs,

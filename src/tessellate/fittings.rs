@@ -51,6 +51,7 @@ impl Hash for FittingKey<'_> {
             FittingKind::Brackets(it) => it.heads.iter().for_each(|h| point(h.at)),
             FittingKind::Beams(it, _) => it.iter().for_each(|b| point(b.ends[0])),
             FittingKind::Finial(it) => it.ridge.iter().for_each(|p| point(*p)),
+            FittingKind::Plinth(it) => it.outlines[0].iter().for_each(|p| point(p.extend(it.z.0))),
         }
     }
 }
@@ -60,7 +61,7 @@ impl<'a> Walker<'a> {
     pub(super) fn fitting(&mut self, root: NodeId, fitting: &'a Fitting, n: usize) {
         let detail = self.detail;
         let kind = match &fitting.what {
-            FittingKind::Platform(_) => Kind::Platform,
+            FittingKind::Platform(_) | FittingKind::Plinth(_) => Kind::Platform,
             FittingKind::Veranda(_) => Kind::Veranda,
             FittingKind::Beams(..) if detail == Detail::Body => return,
             FittingKind::Beams(..) => Kind::Member,
@@ -135,6 +136,7 @@ fn bodies(fitting: &FittingKind, detail: Detail) -> Bodies {
         }
         FittingKind::Brackets(it) => brackets::beams(it, detail),
         FittingKind::Finial(it) => finial::bodies(it, detail),
+        FittingKind::Plinth(it) => platform::plinth(it),
     }
 }
 

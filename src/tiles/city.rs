@@ -3,6 +3,7 @@
 use super::input::{TileSalt, evaluate};
 use super::mesh::tiles;
 use super::run::TileJob;
+use super::{piece, terrain};
 use crate::ast::CodeText;
 use crate::backend::cityjson::{City, CityHouse};
 use crate::backend::flat::places;
@@ -86,6 +87,12 @@ pub fn houses(
         ledger.report.corrected.extend(problems(&found));
         out.append(found);
         all.into_iter().flatten().try_for_each(&mut *take)?;
+    }
+    for (patch, mesh) in terrain::meshes(job.plan, details[details.len() - 1]) {
+        let known = attributes(&piece::row(job, patch.cell));
+        let id = unique.unique(&patch.name());
+        let shape = (&*mesh.positions, &*mesh.indices);
+        take(CityHouse::ground(id, known, shape))?;
     }
     Ok(ledger.finish(job.plan, out))
 }

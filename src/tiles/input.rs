@@ -2,6 +2,7 @@
 //! houses are the same is not made again, whatever else has changed in the town file.
 
 use super::mesh::Tile;
+use super::terrain::Patch;
 use crate::ast::WrittenPart;
 use crate::backend::gltf::FeatureRow;
 use crate::driver::FeatureHouse;
@@ -58,6 +59,21 @@ impl TileSalt {
     }
 }
 
+impl TileSalt {
+    /// Returns the hash of all that the files of a piece of ground depend on.
+    pub fn piece(&self, patch: &Patch, row: &FeatureRow) -> String {
+        let mut hasher = XxHash3_128::new();
+        hasher.write(&self.0);
+        hasher.write(format!("{:?} {row:?}", patch.centre()).as_bytes());
+        hasher.write(&patch.essence());
+        named_by(&hasher)
+    }
+}
+
+fn named_by(hasher: &XxHash3_128) -> String {
+    format!("{:016x}", hasher.finish_128() as u64)
+}
+
 /// Evaluates the rules at the features of a tile. `year` is the year of the town, if it has one.
 pub fn evaluate(
     town: &TownHouses<'_>,
@@ -86,7 +102,7 @@ pub fn evaluate(
         houses,
         row_of,
         rows,
-        hash: format!("{:016x}", hasher.finish_128() as u64),
+        hash: named_by(&hasher),
     }
 }
 

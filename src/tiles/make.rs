@@ -16,7 +16,7 @@ use std::io;
 use twox_hash::XxHash3_128;
 
 /// The folder of images, as tiles name it.
-const FOLDER: &str = "../textures";
+pub(super) const FOLDER: &str = "../textures";
 
 /// A tile that has been made.
 pub struct MadeTile {
@@ -56,25 +56,23 @@ pub fn make(
             files.add(name, *detail, content);
         }
     }
-    let record = TileRecord {
+    let known = TileRecord {
         tile: tile.key.stem(),
         inputs: hash,
         houses: row_of.len(),
-        levels: files.levels,
-        textures: files.textures,
         pictures: picture_hashes(&made.pictures, world),
         corrected: problems(&found),
+        ..TileRecord::default()
     };
     Ok(MadeTile {
-        record,
-        files: files.images.into_iter().chain(files.contents).collect(),
         found,
+        ..files.finish(known)
     })
 }
 
 /// The files of a tile so far.
 #[derive(Default)]
-struct Files {
+pub(super) struct Files {
     levels: Vec<LevelRecord>,
     contents: Vec<(String, Vec<u8>)>,
     /// The images of all levels, and the same with their bytes.
@@ -83,8 +81,21 @@ struct Files {
 }
 
 impl Files {
+    /// Returns the tile of these files, of which the rest is known.
+    pub(super) fn finish(self, known: TileRecord) -> MadeTile {
+        MadeTile {
+            record: TileRecord {
+                levels: self.levels,
+                textures: self.textures,
+                ..known
+            },
+            files: self.images.into_iter().chain(self.contents).collect(),
+            found: Diagnostics::new(),
+        }
+    }
+
     /// Adds a level.
-    fn add(&mut self, file: String, detail: Detail, content: TileContent<'_>) {
+    pub(super) fn add(&mut self, file: String, detail: Detail, content: TileContent<'_>) {
         let [low, high] = content.bounds;
         let image = |texture: OutFile<'_>| {
             let file = texture.name.trim_start_matches("../").to_owned();
@@ -131,7 +142,7 @@ fn named_by(bytes: &[u8]) -> String {
 
 /// The images of a tile under names that are the same in all tiles of a town: those of surfaces have their own, others that
 /// of their content. Pages of joinery have no relief, which is nothing from where they are shown.
-struct TileImages<'a>(&'a Library);
+pub(super) struct TileImages<'a>(pub(super) &'a Library);
 
 impl TileImages<'_> {
     fn named<'p>(picture: PictureBytes<'p>) -> PictureBytes<'p> {

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 pub const MM: f64 = 1000.0;
 
 /// A tile that has been made.
-#[derive(Clone, Debug, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub struct TileRecord {
     /// Its name.
     pub tile: String,

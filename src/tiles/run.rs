@@ -2,9 +2,11 @@
 
 use super::TileStore;
 use super::input::{TileSalt, evaluate};
-use super::make::{make, picture_hash};
+use super::make::{MadeTile, make, picture_hash};
 use super::mesh::{Tile, tiles};
+use super::piece;
 use super::record::{TileRecord, record_file};
+use super::terrain::{self, Cell, Patch};
 use crate::ast::WrittenPart;
 use crate::ast::town::Tiles;
 use crate::backend::tileset;
@@ -100,9 +102,10 @@ pub struct TiledTown {
     pub placed: bool,
 }
 
-/// What a thread made of a tile.
+/// What a thread made of a tile, or of a piece of ground.
+#[derive(Default)]
 struct Done {
-    chunk: Chunk,
+    chunk: Option<Chunk>,
     record: Option<TileRecord>,
     found: Diagnostics,
     kept: bool,
@@ -120,6 +123,7 @@ pub fn run(
     out: &mut Diagnostics,
 ) -> io::Result<TiledTown> {
     let tiles = tiles(job.plan, job.division);
+    let pieces = terrain::cells(job.plan, job.division);
     let levels: Vec<Detail> = levels(job.division);
     let maker = Maker {
         job,
@@ -141,8 +145,10 @@ pub fn run(
         included: vec![],
         placed: false,
     };
-    for done in maker.all(&tiles, progress)? {
-        town.ledger.add(done.chunk);
+    for done in maker.all((&tiles, &pieces), progress)? {
+        if let Some(chunk) = done.chunk {
+            town.ledger.add(chunk);
+        }
         town.kept += usize::from(done.kept);
         if let Some(record) = done.record {
             town.ledger
@@ -206,35 +212,44 @@ struct Maker<'a> {
 
 impl Maker<'_> {
     /// Makes all tiles; returns what was made in their order. The first error stops all threads.
-    fn all(&self, tiles: &[Tile], progress: &(dyn Fn(usize) + Sync)) -> io::Result<Vec<Done>> {
+    fn all(
+        &self,
+        (tiles, pieces): (&[Tile], &[Cell]),
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> io::Result<Vec<Done>> {
         let next = AtomicUsize::new(0);
-        let made: Mutex<Vec<Option<Done>>> = Mutex::new(tiles.iter().map(|_| None).collect());
+        let count = tiles.len() + pieces.len();
+        let made: Mutex<Vec<Option<Done>>> = Mutex::new((0..count).map(|_| None).collect());
+        let one = |number: usize| match tiles.get(number) {
+            Some(tile) => (self.one(tile, number == 0), tile.lots.len()),
+            None => (self.piece(pieces[number - tiles.len()]), 0),
+        };
         let failed: Mutex<Option<io::Error>> = Mutex::new(None);
         let work = || {
             // A tile is the work of one thread: no more tiles are in memory than there are threads.
             let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build();
             loop {
                 let number = next.fetch_add(1, Ordering::Relaxed);
-                let Some(tile) = tiles.get(number) else {
+                if number >= count {
                     return;
-                };
-                let done = match &alone {
-                    Ok(pool) => pool.install(|| self.one(tile, number == 0)),
-                    Err(_) => self.one(tile, number == 0),
+                }
+                let (done, features) = match &alone {
+                    Ok(pool) => pool.install(|| one(number)),
+                    Err(_) => one(number),
                 };
                 match done {
                     Ok(done) => locked(&made)[number] = Some(done),
                     Err(error) => {
-                        next.store(tiles.len(), Ordering::Relaxed);
+                        next.store(count, Ordering::Relaxed);
                         locked(&failed).get_or_insert(error);
                         return;
                     }
                 }
-                progress(tile.lots.len());
+                progress(features);
             }
         };
         thread::scope(|scope| {
-            for _ in 0..self.job.threads.clamp(1, tiles.len().max(1)) {
+            for _ in 0..self.job.threads.clamp(1, count.max(1)) {
                 scope.spawn(work);
             }
         });
@@ -254,14 +269,14 @@ impl Maker<'_> {
             input.chunk.included.clear();
         }
         let mut done = Done {
-            chunk: Chunk {
+            chunk: Some(Chunk {
                 houses: vec![],
                 records: std::mem::take(&mut input.chunk.records),
                 found: std::mem::take(&mut input.chunk.found),
                 missing: std::mem::take(&mut input.chunk.missing),
                 included: std::mem::take(&mut input.chunk.included),
                 values: std::mem::take(&mut input.chunk.values),
-            },
+            }),
             record: None,
             found: Diagnostics::new(),
             kept: false,
@@ -269,27 +284,54 @@ impl Maker<'_> {
         if input.houses.is_empty() {
             return Ok(done);
         }
-        if let Some(known) = self.known(tile, &input.hash) {
+        if let Some(known) = self.known(&tile.key.stem(), &input.hash) {
             done.kept = true;
             done.record = Some(known);
             return Ok(done);
         }
         let made = make(&self.driver, tile, input, &self.levels, world)?;
-        for (name, bytes) in &made.files {
-            self.store.commit(name, bytes)?;
-        }
-        let mut json = serde_json::to_vec(&made.record)?;
-        json.push(b'\n');
-        // Last: whoever finds it finds the others too.
-        self.store.commit(&made.record.file(), &json)?;
+        self.keep(&made)?;
         done.found = made.found;
         done.record = Some(made.record);
         Ok(done)
     }
 
+    /// Makes a piece of ground, unless it is there.
+    fn piece(&self, cell: Cell) -> io::Result<Done> {
+        let size = self.job.division.size;
+        let Some(patch) = Patch::new(&self.job.plan.ground, cell, size) else {
+            return Ok(Done::default());
+        };
+        let row = piece::row(self.job, cell);
+        let hash = self.salt.piece(&patch, &row);
+        if let Some(known) = self.known(&patch.name(), &hash) {
+            return Ok(Done {
+                record: Some(known),
+                kept: true,
+                ..Done::default()
+            });
+        }
+        let made = piece::make(&patch, row, &hash, &self.levels);
+        self.keep(&made)?;
+        Ok(Done {
+            record: Some(made.record),
+            ..Done::default()
+        })
+    }
+
+    /// Keeps what was made; its record comes last, since whoever finds that finds the others too.
+    fn keep(&self, made: &MadeTile) -> io::Result<()> {
+        for (name, bytes) in &made.files {
+            self.store.commit(name, bytes)?;
+        }
+        let mut json = serde_json::to_vec(&made.record)?;
+        json.push(b'\n');
+        self.store.commit(&made.record.file(), &json)
+    }
+
     /// Returns the record of a tile whose files are all there.
-    fn known(&self, tile: &Tile, hash: &str) -> Option<TileRecord> {
-        let bytes = self.store.read(&record_file(&tile.key.stem(), hash))?;
+    fn known(&self, tile: &str, hash: &str) -> Option<TileRecord> {
+        let bytes = self.store.read(&record_file(tile, hash))?;
         let record: TileRecord = serde_json::from_slice(&bytes).ok()?;
         let world = self.job.input.world;
         let same = |(path, hash): &(String, String)| picture_hash(path, world) == *hash;

@@ -5,7 +5,7 @@ use super::plan::LotId;
 use super::plot::Rectangle;
 use super::rear::{RearDecision, RearPlace};
 use super::shape::{Segment, azimuth};
-use super::site::{Decision, LotSite};
+use super::site::{Decision, Footing, LotSite};
 use crate::ast::Value;
 use crate::ast::town::PlaceOn;
 use crate::diagnostic::{Code, Diagnostics, Language, Origin, Severity, Text};
@@ -61,6 +61,8 @@ pub struct Record {
     pub problem: Option<(Severity, Code)>,
     /// The number of parts of its geometry that are left out.
     pub parts_left: usize,
+    /// What the ground knows of its place.
+    pub footing: Footing,
     /// True for a house behind the house of a feature, which is no feature of its own.
     pub is_part: bool,
     place: [f64; 2],
@@ -113,6 +115,7 @@ impl Record {
             parameters: vec![],
             problem: None,
             parts_left: lot.parts_left,
+            footing: site.footing.get(),
             is_part: false,
             place: [at.x, at.y],
             access: frontage.map_or("", |f| f.access.word()),
@@ -139,6 +142,7 @@ impl Record {
             },
             place: centre.map_or(self.place, |c| c.to_array()),
             parts_left: 0,
+            footing: Footing::Known,
             access: "",
             corner: false,
             measures: String::new(),
@@ -260,8 +264,8 @@ pub struct Entry {
     pub is_part: bool,
     /// Why nothing does.
     pub skipped: Option<SkippedFeature>,
-    /// How its geometry was changed.
-    pub corrected: Option<SkippedFeature>,
+    /// How its geometry or its place was changed.
+    pub corrected: Vec<SkippedFeature>,
 }
 
 impl Entry {
@@ -277,6 +281,13 @@ impl Entry {
         };
         let built = matches!(record.outcome, Outcome::Built);
         let left = record.parts_left;
+        let parts = (left > 0).then(|| of("parts", format!("{left} smaller parts left out")));
+        let off = match record.footing {
+            Footing::Known => None,
+            Footing::Near => Some("the ground has no height here: the next one counts"),
+            Footing::Lost => Some("the ground has no height within 200 m"),
+        };
+        let off = off.map(|why| of("HSD1163", why.to_owned()));
         Entry {
             id: record.id,
             line,
@@ -286,7 +297,7 @@ impl Entry {
                 let (what, why) = record.what();
                 of(what, why)
             }),
-            corrected: (left > 0).then(|| of("parts", format!("{left} smaller parts left out"))),
+            corrected: parts.into_iter().chain(off).collect(),
         }
     }
 }

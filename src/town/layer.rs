@@ -1,8 +1,10 @@
 //! The layers of a town: features of its maps in the frame of the town, with the fields that rules ask for.
 
+mod ground;
 mod join;
 mod kept;
 
+pub use ground::{Ground, GroundLayer, NoGround};
 pub use join::{Joined, NoJoin, Unjoined};
 pub use kept::KeptMaps;
 

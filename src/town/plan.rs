@@ -2,7 +2,7 @@
 
 use super::frontage::first_front;
 use super::grid::{Grid, wider};
-use super::layer::{Lot, Lots, Shape, TownFrame, Unjoined};
+use super::layer::{Ground, Lot, Lots, Shape, TownFrame, Unjoined};
 use super::neighbour::{Neighbours, TOUCHING};
 use super::shape::Segment;
 use super::street::{FAR, Piece, Streets, StreetsBuilder, class_width};
@@ -25,6 +25,8 @@ pub struct Plan {
     pub layers: Vec<Lots>,
     /// Its tables.
     pub tables: Vec<Rows>,
+    /// Its ground.
+    pub ground: Ground,
     /// The points of layers whose fields no outline takes, with the reason.
     pub unjoined: Vec<Unjoined>,
     /// The streets of each layer of streets, by name; the empty name stands for all that count by default.
@@ -79,6 +81,7 @@ impl Plan {
             town,
             frame,
             tables,
+            ground: Ground::default(),
             unjoined: vec![],
             streets,
             outlines,

@@ -133,6 +133,7 @@ impl Planned {
             stood: Stood {
                 at: front.to,
                 z,
+                plinth: 0.0,
                 azimuth: azimuth(front.normal()),
                 frontage: front.length(),
                 depth: self.rectangle.depth,

@@ -317,5 +317,6 @@ fn plain(house: &House, stood: &Stood, ring: Option<&[DVec2]>) -> Option<Box<Hou
     plain.settings.x = at(stood.at.x);
     plain.settings.y = at(stood.at.y);
     plain.settings.z = at(stood.z);
+    plain.settings.plinth = at(stood.plinth).filter(|plinth| plinth.value > 0.0);
     Some(Box::new(plain))
 }

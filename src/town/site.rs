@@ -1,6 +1,10 @@
 //! A feature as the rules of its town see it: its fields and measures, and where a house stands on it.
 
+mod footing;
 pub mod published;
+mod word;
+
+pub use footing::Footing;
 
 use super::frontage::{Frontage, frontage};
 use super::layer::{Lot, Shape};
@@ -15,7 +19,8 @@ use crate::diagnostic::Text;
 use crate::rng::Place;
 use crate::text;
 use glam::DVec2;
-use std::cell::{OnceCell, RefCell};
+use std::cell::{Cell, OnceCell, RefCell};
+use word::word;
 
 /// The measures of every feature.
 pub const MEASURES: [&str; 22] = [
@@ -74,6 +79,8 @@ pub struct LotSite<'p> {
     pub decisions: RefCell<Vec<Decision>>,
     /// The decisions about the houses behind them.
     pub rear_decisions: RefCell<Vec<RearDecision>>,
+    /// What the ground knows of the places of its houses.
+    pub footing: Cell<Footing>,
 }
 
 impl<'p> LotSite<'p> {
@@ -86,6 +93,7 @@ impl<'p> LotSite<'p> {
             frontage: OnceCell::new(),
             decisions: RefCell::default(),
             rear_decisions: RefCell::default(),
+            footing: Cell::default(),
         }
     }
 
@@ -119,7 +127,7 @@ impl<'p> LotSite<'p> {
             "key" => Value::read(&lot.key),
             "x" => number(lot.shape.centre().x),
             "y" => number(lot.shape.centre().y),
-            "z" => number(lot.z),
+            "z" => number(self.plan.ground.at(lot.shape.centre()).unwrap_or(lot.z)),
             "area" => number(match &lot.shape {
                 Shape::Area(ring, holes) => area(ring, holes),
                 _ => 0.0,
@@ -285,6 +293,7 @@ impl<'p> LotSite<'p> {
         Some(Stood {
             at: rectangle.front.to,
             z: self.lot().z,
+            plinth: 0.0,
             azimuth: azimuth(rectangle.front.normal()),
             frontage: rectangle.front.length(),
             depth: rectangle.depth,
@@ -343,6 +352,7 @@ impl<'p> LotSite<'p> {
         Stood {
             at,
             z: self.lot().z,
+            plinth: 0.0,
             azimuth: azimuth(all[front].normal()),
             frontage: length / times,
             depth,
@@ -381,6 +391,7 @@ impl<'p> LotSite<'p> {
         Stood {
             at: centre,
             z: self.lot().z,
+            plinth: 0.0,
             azimuth: azimuth(way),
             frontage: front.length(),
             depth,
@@ -440,10 +451,22 @@ impl Site for LotSite<'_> {
         };
         let houses = self.on_rectangles();
         let mut record = self.rear_decisions.borrow_mut();
-        Rear::Houses(rear::rear(ground, &houses, (density, draws), &mut record))
+        let mut made = rear::rear(ground, &houses, (density, draws), &mut record);
+        for house in &mut made {
+            self.put_rear_on_ground(&house.unit, &mut house.stood, &record);
+        }
+        Rear::Houses(made)
     }
 
     fn stand(&self, wish: &Wish<'_>) -> Option<Stood> {
+        let mut stood = self.place(wish)?;
+        self.put_on_ground(&mut stood);
+        Some(stood)
+    }
+}
+
+impl LotSite<'_> {
+    fn place(&self, wish: &Wish<'_>) -> Option<Stood> {
         let shape = &self.lot().shape;
         match (shape, wish.on) {
             (_, Some(on @ (PlaceOn::Centre | PlaceOn::Line))) => Some(self.on_centre(wish, on)),
@@ -473,23 +496,4 @@ fn cap(wish: &Wish<'_>) -> f64 {
         kind if SHALLOW.contains(&kind) => 8.0,
         _ => f64::INFINITY,
     })
-}
-
-/// Returns the turns of the walk round the outline, clockwise from the front: `R` and `L` (002-08).
-fn word(ring: &[DVec2], frontage: Option<&Frontage>) -> String {
-    let n = ring.len();
-    let first = frontage
-        .and_then(|f| f.front.sides.first())
-        .copied()
-        .unwrap_or(0);
-    let turn = |at: usize| {
-        let (p, q, r) = (ring[(at + n - 1) % n], ring[at % n], ring[(at + 1) % n]);
-        if (q - p).perp_dot(r - q) > 0.0 {
-            'R'
-        } else {
-            'L'
-        }
-    };
-    // Clockwise, the walk meets the corners of the ring backwards.
-    (0..n).map(|step| turn((first + n - step) % n)).collect()
 }

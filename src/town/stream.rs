@@ -4,6 +4,7 @@ use super::decision::{Entry, HEAD, Outcome, SkippedFeature, TownReport};
 use super::layer::Unjoined;
 use super::plan::Plan;
 use super::run::{Chunk, TownHouses, TownInput};
+use super::site::Footing;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::town as say;
 use crate::driver::FeatureHouse;
@@ -30,6 +31,8 @@ pub struct Ledger {
     missing: MissingFields,
     /// How many features no rule takes, by layer.
     unruled: BTreeMap<String, usize>,
+    /// How many features have no height under them, and how many of them none round them, by layer.
+    off_ground: BTreeMap<String, (usize, usize)>,
     /// Types and files that were read.
     included: Vec<Source>,
     /// The values of expressions in the town file, if the options ask for them.
@@ -86,6 +89,12 @@ impl Ledger {
         for record in &chunk.records {
             self.entries.push(Entry::of(record));
             self.incomplete |= !record.is_wanted();
+            if record.footing != Footing::Known {
+                let layer = record.layer.to_string();
+                let (off, lost) = self.off_ground.entry(layer).or_default();
+                *off += 1;
+                *lost += usize::from(record.footing == Footing::Lost);
+            }
             if let Outcome::NoRule = record.outcome {
                 *self.unruled.entry(record.layer.to_string()).or_default() += 1;
             }
@@ -140,6 +149,9 @@ impl Ledger {
             let name = &layer.name.value;
             if let Some(count) = self.unruled.get(name) {
                 out.push(say::nothing_made(layer.name.span, name, *count));
+            }
+            if let Some((off, lost)) = self.off_ground.get(name) {
+                out.push(say::off_the_ground(layer.name.span, name, *off, *lost));
             }
         }
         for layer in &plan.layers {

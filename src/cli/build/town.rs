@@ -18,6 +18,7 @@ use crate::report::{Format, Report};
 use crate::scene::Detail;
 use crate::source::Source;
 use crate::text;
+use crate::tiles::terrain;
 use crate::town::decision::problems;
 use crate::town::stream::{Ledger, TownStream};
 use crate::town::{Plan, TownInput, run};
@@ -193,9 +194,11 @@ impl Town {
         let folder = streamed::spool_folder(&model);
         let new = || -> io::Result<Box<dyn Spool>> { streamed::spool(&folder) };
         let mut writer = Writer::new(&new).map_err(failed)?;
+        let mut ground = terrain::drafts(plan, input.options.detail);
         let streamed = driver::stream_town(
             (input.source, read),
             houses.by_ref(),
+            &mut ground,
             input.world,
             input.options,
             &mut out,

@@ -5,7 +5,7 @@ mod fields;
 pub use fields::*;
 
 use crate::diagnostic::{Diagnostic, Origin, Text};
-use crate::map::Outside;
+use crate::map::{OtherGrid, Outside};
 use crate::text;
 
 /// Returns the place of a fault: file, feature, field, byte; and the number of cases if there are several.
@@ -354,5 +354,45 @@ pub fn outside_crs(
     .help(text!(
         "name the system that the map is in at the layer, such as `crs=\"EPSG:6674\"`",
         "地図の座標系をレイヤーに `crs=\"EPSG:6674\"` のように書いてください"
+    ))
+}
+
+/// A grid that holds no heights, or holds them in a way that is not read.
+#[cold]
+pub fn other_grid(origin: Origin, at: Text, what: OtherGrid) -> Diagnostic {
+    let what = match what {
+        OtherGrid::Colours => text!(
+            "it has several bands, as a picture has",
+            "画像のように複数のバンドがあります"
+        ),
+        OtherGrid::Bytes => text!(
+            "its cells are bytes, as those of a picture are",
+            "画像のようにセルが1バイトです"
+        ),
+        OtherGrid::NoPlace => text!("it does not say where it lies", "位置が書かれていません"),
+        OtherGrid::Turned => text!(
+            "its rows do not run from west to east",
+            "行が西から東へ並んでいません"
+        ),
+        OtherGrid::Packing => text!(
+            "its compression, or the form of its numbers, is none that is read",
+            "圧縮または数値の形式を読めません"
+        ),
+        OtherGrid::Unit => text!(
+            "its heights are in a unit that is not known",
+            "標高の単位が分かりません"
+        ),
+    };
+    Diagnostic::error(
+        1014,
+        origin,
+        text!([at, what]
+            "{at}this grid cannot be read as heights: {what}",
+            "{at}この格子は標高として読めません（{what}）"
+        ),
+    )
+    .help(text!(
+        "`gdalwarp -t_srs EPSG:6674 -ot Float32 -co COMPRESS=DEFLATE in.tif heights.tif` makes one that is read (with the plane of the town)",
+        "`gdalwarp -t_srs EPSG:6674 -ot Float32 -co COMPRESS=DEFLATE in.tif heights.tif` で読める形に変換できます（座標系は町のもの）"
     ))
 }

@@ -400,3 +400,66 @@ pub fn fields_differ(span: Span, name: &str, fields: &[String], outlines: usize)
         "点のレイヤーで属性に別の名を付けてください: `<Field name=\"...\" from=\"...\"/>`"
     ))
 }
+
+/// A layer of heights where features are meant.
+#[cold]
+pub fn heights_have_no_features(span: Span, name: &str) -> Diagnostic {
+    let name = quote(name);
+    let message = text!([name]
+        "{name} is a grid of heights, and has no features",
+        "{name} は標高の格子で、地物がありません"
+    );
+    Diagnostic::error(1160, span, message).help(text!(
+        "leave it out: the ground is there for all features, and its height at one is `z`",
+        "書かないでください。地盤はすべての地物に使われ、地物の位置の高さは `z` で分かります"
+    ))
+}
+
+/// A town of heights only.
+#[cold]
+pub fn heights_alone(town: Span, layer: Span) -> Diagnostic {
+    let message = text!(
+        "the town has a ground, and no layer of features",
+        "町に地盤だけがあり、地物のレイヤーがありません"
+    );
+    Diagnostic::error(1161, town, message)
+        .label(layer, text!("the ground", "地盤"))
+        .help(text!(
+            "add a `Layer` of outlines, lots or points: the ground is made where they are",
+            "輪郭、敷地、点の `Layer` を足してください。地盤はそのある所に作られます"
+        ))
+}
+
+/// A grid of heights that has none where the town is.
+#[cold]
+pub fn no_ground_here(span: Span, path: &str) -> Diagnostic {
+    let path = quote(path);
+    let message = text!([path]
+        "the grid {path} has no height where the features of the town are",
+        "格子 {path} は町の地物のある所に標高を持っていません"
+    );
+    Diagnostic::error(1162, span, message).help(text!(
+        "take the grid of this place, or name the system of its coordinates: `crs=\"EPSG:6674\"`",
+        "その場所の格子を使うか、座標系を `crs=\"EPSG:6674\"` のように書いてください"
+    ))
+}
+
+/// Features where the ground has no height.
+#[cold]
+pub fn off_the_ground(layer: Span, name: &str, count: usize, lost: usize) -> Diagnostic {
+    let name = quote(name);
+    let message = match lost {
+        0 => text!([name, count]
+            "the ground has no height at {count} features of {name}: the next one within 200 m counts",
+            "{name} の {count} 件の地物の位置に標高がありません。200 m 以内の最も近い値を使います"
+        ),
+        lost => text!([name, count, lost]
+            "the ground has no height at {count} features of {name}: the next one within 200 m counts, and {lost} of them have none and stand at their own z, or 0",
+            "{name} の {count} 件の地物の位置に標高がありません。200 m 以内の最も近い値を使います。うち {lost} 件はそれもなく、地物の z か 0 に建ちます"
+        ),
+    };
+    Diagnostic::warning(1163, layer, message).help(text!(
+        "add a second `Layer` of heights behind the first, which counts where the first has none; the report lists the features",
+        "二つ目の標高の `Layer` を後ろに足すと、一つ目に値がない所で使われます。地物は報告に並びます"
+    ))
+}

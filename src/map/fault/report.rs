@@ -84,6 +84,7 @@ pub fn diagnostic(fault: &Fault, cases: usize, origin: Origin) -> Diagnostic {
         Kind::DroppedParts { parts } => say::dropped_parts(origin, at, *parts),
         Kind::UnknownCrs { name } => say::unknown_crs(origin, at, name),
         Kind::LateCrs { name } => say::late_crs(origin, at, name),
+        Kind::OtherGrid { what } => say::other_grid(origin, at, *what),
         Kind::DuplicateKey => say::duplicate_key(origin, at),
         Kind::DuplicateField => say::duplicate_field(origin, at),
         Kind::DuplicateColumn => say::duplicate_column(origin, at),

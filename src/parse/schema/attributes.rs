@@ -55,7 +55,7 @@ const SHAPE_OF_HOUSE: Kind = Choice(&words(&vocabulary::SHAPES_OF_HOUSES));
 const ANCHOR: Kind = Choice(&words(&vocabulary::ANCHORS));
 
 #[rustfmt::skip]
-const HOUSE_OWN: [AttributeSchema; 9] = [
+const HOUSE_OWN: [AttributeSchema; 10] = [
     may("name", Text, "", "its name, which also keys its draws", "建物の名。抽選の鍵にもなる"),
     may("unit", Number(0.1, 100.0), "3", "one unit in shaku: 3 (Edo-ma), 3.15, 3.25 (Kyo-ma)", "1ユニットの長さ(尺)。3(江戸間)、3.15、3.25(京間)").shaku(),
     may("seed", Whole(0, u64::MAX), "0", "key of the draws: another seed, another house of the same kind", "抽選の種。変えると同じ型の別の建物になる"),
@@ -63,6 +63,7 @@ const HOUSE_OWN: [AttributeSchema; 9] = [
     may("x", ANYWHERE, "0", "place of the house's origin, metres east", "原点の位置。東へ(m)").metres(),
     may("y", ANYWHERE, "0", "place of the house's origin, metres north", "原点の位置。北へ(m)").metres(),
     may("z", ANYWHERE, "0", "height of the ground, metres", "地盤の高さ(m)").metres(),
+    may("plinth", Number(0.0, 100.0), "0", "how far a plinth of stone under its walls reaches below the ground, metres: on a slope, where the ground falls away", "壁の下の石積みが地盤より下へ伸びる深さ(m)。斜面で地面が下がる所に使う").metres(),
     may("street", YesNo, "no", "the first line stands on the street: its roof's ridge runs along it", "最初の行が通りに面する(平入りになる)"),
     may("use", Choice(&words(&Purpose::ALL)), "", "what it is for, where `Roofs` says nothing: nearly square halls have pyramids, temples hip-and-gable roofs, sheds one slope, blocks flat roofs, others gables", "用途。`Roofs` に書かないとき、正方形に近い堂は宝形、寺は入母屋、小屋は片流れ、ビルは陸屋根、ほかは切妻になる"),
 ];
@@ -103,7 +104,7 @@ pub(super) const VIEW: &[AttributeSchema] = &[
     may("date", Text, "", "day of the sun over Kyoto, such as `2026-12-21`; an afternoon without", "太陽の日付。`2026-12-21` のように書く。無ければ午後の日差し"),
     may("hour", Text, "", "hour of that day, such as `9` or `16:30`; noon without", "その日の時刻。`9`、`16:30` のように書く。無ければ正午"),
 ];
-pub(super) const HOUSE: &[AttributeSchema] = &join::<9, 2, 11>(HOUSE_OWN, AGED);
+pub(super) const HOUSE: &[AttributeSchema] = &join::<10, 2, 12>(HOUSE_OWN, AGED);
 #[rustfmt::skip]
 pub(super) const STOREY: &[AttributeSchema] = &[
     may("height", SIZE, "9", "from its floor to the next, shaku", "階高(尺)").shaku(),

@@ -2,7 +2,7 @@
 //! stairs between cheeks.
 
 use super::block;
-use crate::building::fittings::{Platform, Stairs};
+use crate::building::fittings::{Platform, Plinth, Stairs};
 use crate::material::SurfaceId;
 use crate::scene::Detail;
 use crate::tessellate::mesh::{Axis, Bodies};
@@ -44,6 +44,16 @@ pub(super) fn bodies(it: &Platform, detail: Detail) -> Bodies {
     }
     for stairs in &it.stairs {
         flight(&mut bodies, stairs, stone, detail);
+    }
+    bodies
+}
+
+/// Returns the body of a plinth, flush with what it carries.
+pub(super) fn plinth(it: &Plinth) -> Bodies {
+    let mut bodies = Bodies::default();
+    let stone = SurfaceId::named("stone");
+    for outline in &it.outlines {
+        bodies.prism(stone, outline, Axis::Z, it.z.0, it.z.1);
     }
     bodies
 }

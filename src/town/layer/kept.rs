@@ -1,18 +1,35 @@
 //! Maps that were read before, for programs that look at a town again and again while it is written.
 
-use super::Raw;
+use super::{Raw, TownFrame};
 use crate::ast::town::Layer;
+use crate::map::Fault;
+use crate::map::heights::Heights;
 use crate::source::World;
+use crate::town::grid::Bounds;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// The number of features kept in all; larger maps are read again.
 const ROOM: usize = 300_000;
 
+/// The bytes of grids of heights kept in all.
+const GROUND_ROOM: usize = 64 << 20;
+
 /// Maps that were read before, each as long as its files stay as they were. A copy shares them.
 #[derive(Clone, Debug, Default)]
 pub struct KeptMaps {
     maps: Arc<Mutex<BTreeMap<MapKey, KeptMap>>>,
+    grounds: Arc<Mutex<Vec<KeptGround>>>,
+}
+
+/// A grid of heights that was read before.
+#[derive(Debug)]
+struct KeptGround {
+    key: MapKey,
+    /// The plane, the origin and the part that was read.
+    frame: String,
+    stamp: u64,
+    heights: Arc<Heights>,
 }
 
 /// What a map is read from: its path, and what its `Layer` says of how it is to be read.
@@ -60,5 +77,47 @@ impl KeptMaps {
             let raw = raw.clone();
             maps.insert(key, KeptMap { stamp, raw });
         }
+    }
+    /// Returns a grid of heights that is kept, or reads and keeps it. `wide` is the part of the town's frame that is read.
+    pub(in crate::town) fn heights(
+        &self,
+        (world, path): (&dyn World, &str),
+        layer: &Layer,
+        (frame, wide): (&TownFrame, Bounds),
+        read: impl FnOnce() -> Result<Arc<Heights>, Fault>,
+    ) -> Result<Arc<Heights>, Fault> {
+        let key = KeptMaps::key(path, layer);
+        let part = format!("{} {:?} {wide:?}", frame.crs.name, frame.origin);
+        let stamp = world.stamp(path);
+        let lock = || self.grounds.lock().unwrap_or_else(PoisonError::into_inner);
+        let own = key.clone();
+        let is_this = |kept: &KeptGround| kept.key == own && kept.frame == part;
+        let same = lock()
+            .iter()
+            .find(|kept| is_this(kept) && Some(kept.stamp) == stamp)
+            .map(|kept| kept.heights.clone());
+        if let Some(heights) = same {
+            return Ok(heights);
+        }
+        let heights = read()?;
+        let (Some(stamp), frame) = (stamp, part.clone()) else {
+            return Ok(heights);
+        };
+        let mut kept = lock();
+        kept.retain(|kept| !is_this(kept));
+        let size = |all: &[KeptGround]| all.iter().map(|k| k.heights.bytes()).sum::<usize>();
+        while !kept.is_empty() && size(&kept) + heights.bytes() > GROUND_ROOM {
+            kept.remove(0);
+        }
+        if heights.bytes() <= GROUND_ROOM {
+            let heights = heights.clone();
+            kept.push(KeptGround {
+                key,
+                frame,
+                stamp,
+                heights,
+            });
+        }
+        Ok(heights)
     }
 }

@@ -9,7 +9,9 @@ use crate::parse::fields::{FieldTest, NoTruth};
 use crate::parse::xml;
 use crate::source::{Source, Span, Spanned};
 use crate::text;
-use crate::town::layer::{self, Joined, KeptMaps, Lots, NoJoin, Raw, TownFrame, Unjoined};
+use crate::town::layer::{
+    self, Ground, Joined, KeptMaps, Lots, NoGround, NoJoin, Raw, TownFrame, Unjoined,
+};
 use crate::town::plan::Plan;
 use crate::town::table::{NoTable, Rows};
 use glam::DVec2;
@@ -21,6 +23,8 @@ const KILOMETRE: f64 = 1000.0;
 
 /// Reads the maps and tables of a town; `None` if its layers cannot be read.
 pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<Plan> {
+    let (town, grounds) = apart(input, town, out);
+    let town = &town;
     let mut raw = vec![];
     for written in &town.layers {
         let path = match path(input, &written.src) {
@@ -71,9 +75,86 @@ pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<
         return None;
     }
     let unjoined = join(town, &mut layers, out);
+    let ground = ground(input, &grounds, (&frame, &layers), out)?;
     let mut plan = Plan::new(town.clone(), frame, layers, tables);
     plan.unjoined = unjoined;
+    plan.ground = ground;
     Some(plan)
+}
+
+/// Returns the town without its layers of heights, which have no features, and these layers.
+fn apart(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> (Town, Vec<Layer>) {
+    let is_grid = |layer: &Layer| {
+        path(input, &layer.src).is_ok_and(|path| map::heights::is_grid(input.world, &path))
+    };
+    let mut town = town.clone();
+    let layers = std::mem::take(&mut town.layers).into_iter();
+    let (grounds, layers): (Vec<Layer>, Vec<Layer>) = layers.partition(is_grid);
+    town.layers = layers;
+    let is_ground = |name: &&Spanned<String>| grounds.iter().any(|g| g.name.value == name.value);
+    let joined = town.layers.iter().flat_map(|layer| &layer.joins);
+    let joined = joined.map(|join| &join.layer);
+    let named = town.rules.iter().map(|rule| &rule.each);
+    let named = named.chain(&town.fronts).chain(joined).filter(is_ground);
+    for name in named {
+        out.push(say::heights_have_no_features(name.span, &name.value));
+    }
+    let of_features = grounds.iter().flat_map(|ground| {
+        let said = [&ground.layer, &ground.key, &ground.filter];
+        let spans = said.into_iter().flatten().map(|said| said.span);
+        let fields = ground.fields.iter().map(|field| field.span);
+        let joins = ground.joins.iter().map(|join| join.span);
+        spans
+            .chain(fields)
+            .chain(joins)
+            .map(move |span| (span, ground))
+    });
+    for (span, ground) in of_features {
+        out.push(say::heights_have_no_features(span, &ground.name.value));
+    }
+    if town.layers.is_empty()
+        && let Some(ground) = grounds.first()
+    {
+        out.push(say::heights_alone(town.span, ground.name.span));
+    }
+    (town, grounds)
+}
+
+/// Reads the ground of a town whose features are there.
+fn ground(
+    input: TownInput<'_>,
+    grounds: &[Layer],
+    (frame, layers): (&TownFrame, &[Lots]),
+    out: &mut Diagnostics,
+) -> Option<Ground> {
+    let boxes = layers.iter().flat_map(|layer| &layer.lots);
+    let bounds = boxes.map(|lot| lot.shape.bounds());
+    let bounds = bounds.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]);
+    let bounds = bounds.unwrap_or_default();
+    let mut read = vec![];
+    for written in grounds {
+        // A path that is not found is no grid.
+        let path = path(input, &written.src).ok()?;
+        let mut remarks = vec![];
+        let place = (frame, bounds);
+        let from = (input.world, input.kept);
+        let found = layer::GroundLayer::read(from, &path, written, place, &mut remarks);
+        let (span, src) = (written.src.span, &written.src.value);
+        for fault in remarks {
+            out.push(map::diagnostic(&fault, 1, span.into()));
+        }
+        out.push(match found {
+            Ok(ground) => {
+                read.push(ground);
+                continue;
+            }
+            Err(NoGround::Fault(fault)) => map::diagnostic(&fault, 1, span.into()),
+            Err(NoGround::NoCrs) => say::no_crs(span, src),
+            Err(NoGround::Mismatch(why)) => say::no_map(span, src, &mismatch(&why)),
+            Err(NoGround::Elsewhere) => say::no_ground_here(span, src),
+        });
+    }
+    (read.len() == grounds.len()).then(|| Ground::new(read))
 }
 
 /// Reads a map, unless it is kept.

@@ -80,6 +80,7 @@ impl<'t> Reader<'t, '_> {
             y: self.number(of, "y"),
             anchor: None,
             z: self.number(of, "z"),
+            plinth: self.number(of, "plinth"),
             azimuth: self.number(of, "azimuth"),
             unit: self.number(of, "unit"),
             seed: self.whole_number(of, "seed"),

@@ -295,6 +295,12 @@ impl<'t> Reader<'t, '_> {
             let house = self.house(schema, element);
             houses.push(Around::of(frame).put(house));
         }
+        if stood.plinth > 0.0 {
+            let span = self.start(element);
+            for house in &mut houses {
+                house.settings.plinth = Some(Spanned::new(stood.plinth, span));
+            }
+        }
         if let (Some(walls), [house]) = (&stood.walls, &mut *houses) {
             let attributes: Attributes<'t> = self.attributes(schema, element);
             let span = self.start(attributes.element);

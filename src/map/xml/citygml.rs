@@ -1,11 +1,11 @@
 //! CityGML 2.0 as PLATEAU has it: buildings as outlines with height, storeys and usage. The outline is the footprint or
 //! roof edge of level 0, else the lowest faces of the block of level 1; higher levels are left alone.
 
-use super::fault::{Fault, Kind};
-use super::feature::{Area, Chain, Feature, Geometry, Layer, Place, Value};
-use super::input::Input;
-use super::xml::{Element, Elements, Xml, next_feature};
-use super::{Crs, Options, Reader};
+use super::{Element, Elements, Xml, next_feature};
+use crate::map::fault::{Fault, Kind};
+use crate::map::feature::{Area, Chain, Feature, Geometry, Layer, Place, Value};
+use crate::map::input::Input;
+use crate::map::{Crs, Options, Reader};
 use glam::{DVec2, dvec2};
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ const OUTLINES: [&str; 5] = [
 const FLAT: f64 = 0.01;
 
 /// A reader of CityGML.
-pub(super) struct CityGml {
+pub(in crate::map) struct CityGml {
     xml: Xml,
     file: Arc<str>,
     layer: Layer,
@@ -59,7 +59,11 @@ impl CityGml {
     ///
     /// # Errors
     /// If it is no XML.
-    pub(super) fn open(input: Input, file: &Arc<str>, options: &Options) -> Result<CityGml, Fault> {
+    pub(in crate::map) fn open(
+        input: Input,
+        file: &Arc<str>,
+        options: &Options,
+    ) -> Result<CityGml, Fault> {
         let layer = Layer {
             name: options.layer.clone().unwrap_or_else(|| BUILDING.into()),
             crs: options.crs.clone(),

@@ -3,11 +3,11 @@
 //!
 //! The spatial part comes first and is kept, as whatever follows names it; a file holds one map of an office.
 
-use super::fault::{Fault, Kind};
-use super::feature::{Area, Chain, Feature, Geometry, Layer, Place, Value};
-use super::input::Input;
-use super::xml::{Element, Elements, Xml, next_feature};
-use super::{Crs, Options, Reader};
+use super::{Element, Elements, Xml, next_feature};
+use crate::map::fault::{Fault, Kind};
+use crate::map::feature::{Area, Chain, Feature, Geometry, Layer, Place, Value};
+use crate::map::input::Input;
+use crate::map::{Crs, Options, Reader};
 use glam::{DVec2, dvec2};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 const LOT: &str = "筆";
 
 /// A reader of the registry's maps.
-pub(super) struct Moj {
+pub(in crate::map) struct Moj {
     xml: Xml,
     file: Arc<str>,
     layer: Layer,
@@ -58,7 +58,11 @@ impl Moj {
     ///
     /// # Errors
     /// If it is no XML.
-    pub(super) fn open(input: Input, file: &Arc<str>, options: &Options) -> Result<Moj, Fault> {
+    pub(in crate::map) fn open(
+        input: Input,
+        file: &Arc<str>,
+        options: &Options,
+    ) -> Result<Moj, Fault> {
         let layer = Layer {
             name: options.layer.clone().unwrap_or_else(|| LOT.into()),
             crs: options.crs.clone(),
