@@ -46,6 +46,8 @@ pub enum Kind {
     Lines,
     /// Places.
     Places,
+    /// A grid of heights.
+    Heights,
 }
 
 /// A layer of a map.
@@ -132,6 +134,9 @@ struct Read {
 pub fn survey(world: &dyn World, path: &str, src: &str) -> Result<Vec<Surveyed>, Fault> {
     const THEMES: [&str; 4] = ["building", "highway", "natural", "barrier"];
     let name = src.to_lowercase();
+    if map::heights::is_grid(world, path) {
+        return Ok(vec![survey_grid(world, path, src)?]);
+    }
     let is_osm = [".osm", ".pbf", ".osm.gz", ".osm.bz2"]
         .iter()
         .any(|end| name.ends_with(end));
@@ -146,6 +151,26 @@ pub fn survey(world: &dyn World, path: &str, src: &str) -> Result<Vec<Surveyed>,
         }
     }
     Ok(found)
+}
+
+/// Looks at the head of a grid of heights.
+fn survey_grid(world: &dyn World, path: &str, src: &str) -> Result<Surveyed, Fault> {
+    let (mut remarks, mut faults) = (vec![], Faults::default());
+    let corner = DVec2::ZERO;
+    let nothing = |_: &Crs| Some([corner; 2]);
+    let options = Options::default();
+    let heights = map::heights::read(world, path, &options, &nothing, &mut remarks)?;
+    remarks.into_iter().for_each(|fault| faults.push(fault));
+    Ok(Surveyed {
+        kind: Kind::Heights,
+        src: src.to_owned(),
+        layer: None,
+        features: 0,
+        crs: heights.crs.is_none().then_some("local"),
+        encoding: None,
+        fields: Fields::new(&[], vec![], 0),
+        faults,
+    })
 }
 
 fn survey_layer(

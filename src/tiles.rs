@@ -6,7 +6,7 @@
 //! | features belong to the tile of their centroid, or of a field | `mesh` |
 //! | the rules make the houses of a tile; a hash of them names its files | `input` |
 //! | the houses are made once and written at each level of detail | `make` |
-//! | or written as CityJSON | `city` |
+//! | or written as CityJSON, or as a scene each | `city`, `scenes` |
 //! | the ground is cut into pieces and thinned, each by itself | `terrain`, `piece` |
 //! | tiles that are there already are kept, others made; all become a tileset | `run` |
 //!
@@ -19,6 +19,7 @@ pub mod mesh;
 mod piece;
 pub mod record;
 pub mod run;
+pub mod scenes;
 pub mod terrain;
 
 use std::io;

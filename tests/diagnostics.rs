@@ -53,6 +53,10 @@ const WITHOUT_FIXTURE: &[(u16, &str)] = &[
     (1154, "a map: tests/joins.rs"),
     (1155, "a map: tests/joins.rs"),
     (1156, "a map: tests/joins.rs"),
+    (1160, "a map: tests/ground.rs"),
+    (1161, "a map: tests/ground.rs"),
+    (1162, "a map: tests/ground.rs"),
+    (1163, "a map: tests/ground.rs"),
     (
         909,
         "more than 500 messages: tests/parse_legacy.rs, tests/parse_xml",
@@ -70,6 +74,7 @@ const WITHOUT_FIXTURE: &[(u16, &str)] = &[
     (1011, "a map: tests/maps.rs"),
     (1012, "a map: tests/maps.rs"),
     (1013, "a map: tests/maps.rs"),
+    (1014, "a map: tests/ground.rs"),
 ];
 
 /// Codes whose page shows no text that can be run, and why.
@@ -115,6 +120,7 @@ const WITHOUT_EXAMPLE: &[(u16, &str)] = &[
     (1011, "a map, no text"),
     (1012, "a map, no text"),
     (1013, "a map, no text"),
+    (1014, "a map, no text"),
     (1103, "the map is not there"),
     (1150, "the map is not there"),
     (1151, "the map is not there"),
@@ -123,6 +129,10 @@ const WITHOUT_EXAMPLE: &[(u16, &str)] = &[
     (1154, "the map is not there"),
     (1155, "the map is not there"),
     (1156, "the map is not there"),
+    (1160, "the map is not there"),
+    (1161, "the map is not there"),
+    (1162, "the map is not there"),
+    (1163, "the map is not there"),
     (1104, "the map is not there"),
     (1105, "the map is not there"),
     (1106, "the map is not there"),

@@ -231,3 +231,24 @@ fn real_maps_become_towns() {
         assert!(houses >= *least, "{maps:?}: {houses}");
     }
 }
+
+#[test]
+fn grids_of_heights_become_the_ground() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for name in ["hill-houses.geojson", "hill-roads.geojson", "hill.asc"] {
+        let text = fs::read(root().join("examples/towns").join(name)).expect("is there");
+        fs::write(folder.path().join(name), text).expect("is written");
+    }
+    let maps = ["hill.asc", "hill-houses.geojson", "hill-roads.geojson"];
+    let found = kinds(&surveyed(folder.path(), &maps));
+    assert_eq!(found[0], (Kind::Heights, 0));
+    let layers = surveyed(folder.path(), &maps[..1]);
+    let text = town("town", &layers);
+    assert!(
+        text.contains("<Layer name=\"ground\" src=\"hill.asc\" crs=\"local\"/>"),
+        "{text}"
+    );
+    // The other maps are small numbers without a system, which could be degrees.
+    let (text, houses) = first_town(folder.path(), &maps[1..]);
+    assert!(houses > 80, "{houses} {text}");
+}

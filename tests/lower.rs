@@ -94,6 +94,7 @@ fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
         placed: None,
         anchor: Anchor::Corner,
         origin: [0.0; 3],
+        plinth: 0.0,
         azimuth: 180.0,
         unit_shaku: 3.0,
         street: false,

@@ -30,6 +30,8 @@ mod figure4_pictures;
 mod fmt;
 mod ide;
 mod joined;
+mod ground;
+mod heights;
 mod joins;
 mod language;
 mod legacy_grammar;

@@ -122,6 +122,7 @@ fn building(storeys: Vec<Storey>) -> Building {
         age: None,
         storeys,
         raised: 0.0,
+        plinth: 0.0,
         platform: None,
         finials: vec![],
         roofs: Roofs::default().into(),

@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Files in memory.
 #[derive(Default)]
-struct Memory {
+pub(crate) struct Memory {
     files: Mutex<BTreeMap<String, Vec<u8>>>,
     /// The number of files after which it breaks.
     most: Option<usize>,
@@ -53,21 +53,26 @@ impl TileStore for Memory {
 }
 
 /// A town that has been built.
-struct Built {
-    town: TiledTown,
+pub(crate) struct Built {
+    pub(crate) town: TiledTown,
     files: BTreeMap<String, Vec<u8>>,
     tileset: Value,
 }
 
 impl Built {
     /// The bytes of everything.
-    fn all(&self) -> (String, BTreeMap<String, Vec<u8>>, String) {
+    pub(crate) fn all(&self) -> (String, BTreeMap<String, Vec<u8>>, String) {
         let decisions = self.town.ledger.decisions.clone();
         (self.tileset.to_string(), self.files.clone(), decisions)
     }
 }
 
-fn build(text: &str, folder: &Path, store: &Memory, threads: usize) -> io::Result<Built> {
+pub(crate) fn build(
+    text: &str,
+    folder: &Path,
+    store: &Memory,
+    threads: usize,
+) -> io::Result<Built> {
     let name = folder.join("town.hsd");
     let source = Source::new(FileId(0), name.to_string_lossy(), text.as_bytes());
     let world = FolderWorld::new(vec![], 1 << 20).with_roots(vec![folder.to_owned()]);
@@ -223,8 +228,8 @@ impl Glb {
 
 /// What a walk over a tileset finds: the keys of features by depth of contents.
 #[derive(Default)]
-struct Found {
-    keys: BTreeMap<usize, Vec<String>>,
+pub(crate) struct Found {
+    pub(crate) keys: BTreeMap<usize, Vec<String>>,
     uris: BTreeSet<String>,
 }
 
@@ -291,7 +296,7 @@ fn check(tile: &Value, above: Option<&Value>, level: usize, built: &Built, found
     }
 }
 
-fn checked(built: &Built) -> Found {
+pub(crate) fn checked(built: &Built) -> Found {
     let mut found = Found::default();
     assert_eq!(built.tileset["asset"]["version"], "1.1");
     assert_eq!(built.tileset["root"]["refine"], "REPLACE");

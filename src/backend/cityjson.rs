@@ -262,6 +262,11 @@ impl CityHouse {
         );
     }
 
+    /// Returns true if it is no ground.
+    pub fn is_building(&self) -> bool {
+        self.object["type"] == "Building"
+    }
+
     /// Returns its line of a CityJSONSeq.
     pub fn line(&self) -> String {
         let feature = json!({"type": "CityJSONFeature", "id": self.id,

@@ -211,16 +211,18 @@ impl Heights {
         let at = at.clamp(DVec2::ZERO, DVec2::new(columns - 1.0, rows - 1.0));
         let low = at.floor();
         let part = at - low;
-        let mut sum = 0.0;
+        let (mut sum, mut whole) = (0.0, 0.0);
         for (dx, dy) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
             let share = |part: f64, d: usize| if d == 0 { 1.0 - part } else { part };
             let weight = share(part.x, dx) * share(part.y, dy);
-            if weight > 0.0 {
+            // On the middle of a cell, but for rounding, others do not count.
+            if weight > 1e-6 {
                 let cell = (low.y as usize + dy) * self.columns + low.x as usize + dx;
                 let height = *self.values.get(cell)?;
                 sum += weight * f64::from(height);
+                whole += weight;
             }
         }
-        sum.is_finite().then_some(sum)
+        sum.is_finite().then_some(sum / whole)
     }
 }

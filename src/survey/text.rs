@@ -55,6 +55,7 @@ fn names(layers: &[Surveyed]) -> Vec<String> {
             Kind::Areas => "areas",
             Kind::Lines => "lines",
             Kind::Places => "places",
+            Kind::Heights => "ground",
         };
         let count = used.entry(word).or_default();
         *count += 1;
@@ -76,8 +77,12 @@ fn write_layer(out: &mut String, layer: &Surveyed, name: &str) {
         Kind::Areas => "other areas; nothing is made of them yet",
         Kind::Lines => "other lines; nothing is made of them yet",
         Kind::Places => "places; nothing is made of them yet",
+        Kind::Heights => "heights: the ground on which houses stand, on plinths where it slopes",
     };
-    let _ = write!(out, "\n  <!-- {}: {what}.", layer.features);
+    let _ = match layer.kind {
+        Kind::Heights => write!(out, "\n  <!-- {what}."),
+        _ => write!(out, "\n  <!-- {}: {what}.", layer.features),
+    };
     let fields: Vec<(&str, usize)> = layer.fields.shares().collect();
     if !fields.is_empty() {
         out.push_str("\n       Fields, and how many features of a hundred have them:");
@@ -300,7 +305,7 @@ fn nothing(out: &mut String, layers: &[Surveyed], names: &[String]) {
     for (layer, name) in layers.iter().zip(names) {
         let how = match layer.kind {
             Kind::Places | Kind::Trees => "<Place type=\"hiraya\" on=\"centre\"/>",
-            Kind::Roads | Kind::Lines => continue,
+            Kind::Roads | Kind::Lines | Kind::Heights => continue,
             _ => "<Place type=\"kanban\" on=\"outline\"/>",
         };
         let _ = write!(

@@ -89,7 +89,7 @@ pub fn houses(
         all.into_iter().flatten().try_for_each(&mut *take)?;
     }
     for (patch, mesh) in terrain::meshes(job.plan, details[details.len() - 1]) {
-        let known = attributes(&piece::row(job, patch.cell));
+        let known = attributes(&piece::row((job.plan, job.input.source), patch.cell));
         let id = unique.unique(&patch.name());
         let shape = (&*mesh.positions, &*mesh.indices);
         take(CityHouse::ground(id, known, shape))?;

@@ -2,21 +2,22 @@
 
 use super::make::{FOLDER, Files, MadeTile, TileImages};
 use super::record::TileRecord;
-use super::run::TileJob;
 use super::terrain::{Cell, Patch, tolerance};
 use crate::backend::gltf::{FeatureRow, TileWriter};
 use crate::backend::images::Library;
 use crate::scene::Detail;
+use crate::source::Source;
 use crate::tessellate::{GroundMesh, SceneBuilder, ground};
+use crate::town::Plan;
 
 /// Returns what the table tells of a piece: the layers of heights and where they come from.
-pub(super) fn row(job: TileJob<'_>, (east, north): Cell) -> FeatureRow {
-    let layers = || job.plan.ground.layers().iter().map(|ground| &ground.layer);
+pub(super) fn row((plan, source): (&Plan, &Source), (east, north): Cell) -> FeatureRow {
+    let layers = || plan.ground.layers().iter().map(|ground| &ground.layer);
     let joined = |words: Vec<&str>| words.join(", ");
     let evidence = layers().filter_map(|layer| layer.evidence.as_ref());
     let line = layers()
         .next()
-        .map_or(0, |layer| job.input.source.line_column(layer.span).0);
+        .map_or(0, |layer| source.line_column(layer.span).0);
     FeatureRow {
         key: format!("{east}_{north}"),
         layer: joined(layers().map(|layer| &*layer.name.value).collect()),

@@ -105,7 +105,8 @@ pub struct TiledTown {
 /// What a thread made of a tile, or of a piece of ground.
 #[derive(Default)]
 struct Done {
-    chunk: Option<Chunk>,
+    /// What became of its features.
+    ledger: Option<Ledger>,
     record: Option<TileRecord>,
     found: Diagnostics,
     kept: bool,
@@ -146,8 +147,8 @@ pub fn run(
         placed: false,
     };
     for done in maker.all((&tiles, &pieces), progress)? {
-        if let Some(chunk) = done.chunk {
-            town.ledger.add(chunk);
+        if let Some(ledger) = done.ledger {
+            town.ledger.merge(ledger);
         }
         town.kept += usize::from(done.kept);
         if let Some(record) = done.record {
@@ -269,14 +270,14 @@ impl Maker<'_> {
             input.chunk.included.clear();
         }
         let mut done = Done {
-            chunk: Some(Chunk {
+            ledger: Some(Ledger::of(Chunk {
                 houses: vec![],
                 records: std::mem::take(&mut input.chunk.records),
                 found: std::mem::take(&mut input.chunk.found),
                 missing: std::mem::take(&mut input.chunk.missing),
                 included: std::mem::take(&mut input.chunk.included),
                 values: std::mem::take(&mut input.chunk.values),
-            }),
+            })),
             record: None,
             found: Diagnostics::new(),
             kept: false,
@@ -302,7 +303,7 @@ impl Maker<'_> {
         let Some(patch) = Patch::new(&self.job.plan.ground, cell, size) else {
             return Ok(Done::default());
         };
-        let row = piece::row(self.job, cell);
+        let row = piece::row((self.job.plan, self.job.input.source), cell);
         let hash = self.salt.piece(&patch, &row);
         if let Some(known) = self.known(&patch.name(), &hash) {
             return Ok(Done {

@@ -110,6 +110,35 @@ impl Ledger {
         chunk.houses
     }
 
+    /// Returns what became of some features, without the houses: it takes a fraction of the memory of the features.
+    pub fn of(chunk: Chunk) -> Ledger {
+        let mut ledger = Ledger::default();
+        ledger.add(chunk);
+        ledger
+    }
+
+    /// Enters what became of other features.
+    pub fn merge(&mut self, other: Ledger) {
+        self.incomplete |= other.incomplete;
+        self.entries.extend(other.entries);
+        self.found.push_new(other.found);
+        for (place, count) in other.missing {
+            *self.missing.entry(place).or_default() += count;
+        }
+        for (layer, count) in other.unruled {
+            *self.unruled.entry(layer).or_default() += count;
+        }
+        for (layer, (off, lost)) in other.off_ground {
+            let (all_off, all_lost) = self.off_ground.entry(layer).or_default();
+            *all_off += off;
+            *all_lost += lost;
+        }
+        self.values.append(other.values);
+        if self.included.is_empty() {
+            self.included = other.included;
+        }
+    }
+
     /// Closes it: features in the order of their files, whatever the order in which they came. Reports what concerns all.
     pub fn finish(mut self, plan: &Plan, out: &mut Diagnostics) -> (Ledger, Vec<Source>) {
         out.append(std::mem::take(&mut self.found));

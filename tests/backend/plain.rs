@@ -104,6 +104,7 @@ fn regions_are_written_as_documented() {
         age: None,
         storeys: vec![],
         raised: 0.0,
+        plinth: 0.0,
         platform: None,
         finials: vec![],
         roofs: Default::default(),

@@ -98,6 +98,7 @@ pub fn house(storeys: Vec<Vec<Ring>>) -> House {
         age: None,
         storeys: storeys.collect(),
         raised: 0.0,
+        plinth: 0.0,
         platform: None,
         finials: vec![],
         roofs: Roofs::default().into(),

@@ -78,7 +78,7 @@ Examples:
   hsd town init buildings.geojson roads.geojson -o kyoto.hsd
   hsd town kyoto.hsd -o kyoto.glb")]
 pub(in crate::cli) struct Init {
-    /// Maps: GeoJSON, Shapefile, FlatGeobuf, OpenStreetMap, map XML of the land registry, CityGML, CSV of points.
+    /// Maps: GeoJSON, Shapefile, FlatGeobuf, OpenStreetMap, map XML of the land registry, CityGML, CSV of points, grids of heights (GeoTIFF, ESRI ASCII, GSI).
     #[arg(required = true, value_name = "MAP")]
     maps: Vec<PathBuf>,
 

@@ -2,6 +2,7 @@
 
 pub(super) mod candidates;
 mod city;
+mod obj;
 
 use super::tiled::{FEATURE, Wish, tables};
 use super::{streamed, tiled};
@@ -29,7 +30,8 @@ use std::path::{Path, PathBuf};
 
 /// Build a town from the layers of maps that a town file names.
 ///
-/// OUT is a folder for 3D Tiles, whose root is `tileset.json`, one model (.glb), or CityJSON 2.0 of LoD 1 to 3 (.city.json, or .city.jsonl with
+/// OUT is a folder for 3D Tiles, whose root is `tileset.json`, one model (.glb), a model for each tile
+/// (.obj: OUT-TILE.obj beside OUT), or CityJSON 2.0 of LoD 1 to 3 (.city.json, or .city.jsonl with
 /// a line for each house; `--detail 0` leaves out LoD 3). In the folder or beside the model stand
 /// `decisions.csv`, with a line for each feature, and `report.json`. Tiles that are there already and would be the same are
 /// kept, so a run that was interrupted goes on. The exit status is 1 if a feature has no house that nobody asked to skip.
@@ -131,6 +133,7 @@ impl Town {
             |input, read, plan, out| match CityForm::of(&self.output).filter(|_| !self.is_folder())
             {
                 Some(form) => self.city(form, input, (read, plan), out, language),
+                None if self.is_obj() => self.objects(input, (read, plan), out, language),
                 None if self.is_model()? => self.build(input, read, plan, out, language),
                 None => self.tiles(input, read, plan, out, language),
             },
@@ -149,6 +152,23 @@ impl Town {
         let openings = self.detail.iter().copied().max().unwrap_or(3) > 0;
         let wish = (&*self.output, form, openings, self.quiet);
         let (incomplete, included, out) = city::build(wish, input, town, out, language)?;
+        let spoiled = out.has_errors();
+        let mut sources = vec![input.source.clone()];
+        sources.extend(included);
+        print(&sources, out, language)?;
+        Ok(exit(incomplete || spoiled))
+    }
+
+    /// Builds a town as a `.obj` a tile.
+    fn objects(
+        &self,
+        input: TownInput<'_>,
+        town: (driver::Read, &Plan),
+        out: Diagnostics,
+        language: Language,
+    ) -> Outcome {
+        let wish = (&*self.output, input.options.detail, self.quiet);
+        let (incomplete, included, out) = obj::build(wish, input, town, out, language)?;
         let spoiled = out.has_errors();
         let mut sources = vec![input.source.clone()];
         sources.extend(included);
@@ -254,6 +274,11 @@ impl Town {
         self.output.is_dir() || text.ends_with(['/', std::path::MAIN_SEPARATOR])
     }
 
+    /// Returns true if a `.obj` is to be written for each tile.
+    fn is_obj(&self) -> bool {
+        self.output.extension().is_some_and(|e| e == "obj") && !self.is_folder()
+    }
+
     /// Returns true if one model is to be written.
     fn is_model(&self) -> Result<bool, Failure> {
         match self.output.extension() {
@@ -261,8 +286,8 @@ impl Town {
             Some(other) if !self.is_folder() => {
                 let other = other.to_string_lossy();
                 Err(Failure::Usage(text!([other]
-                    "a town is written to a folder, a `.glb`, a `.city.json` or a `.city.jsonl`, not to `.{other}`",
-                    "町の出力先はフォルダー、`.glb`、`.city.json`、`.city.jsonl` のどれかです。`.{other}` には書けません"
+                    "a town is written to a folder, a `.glb`, a `.obj`, a `.city.json` or a `.city.jsonl`, not to `.{other}`",
+                    "町の出力先はフォルダー、`.glb`、`.obj`、`.city.json`、`.city.jsonl` のどれかです。`.{other}` には書けません"
                 )))
             }
             _ => Ok(false),

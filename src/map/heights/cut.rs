@@ -45,10 +45,11 @@ impl Raster {
         if self.columns > LONGEST || self.rows > LONGEST {
             return too_large("the side of a grid of heights, cells", LONGEST);
         }
-        let window = crs.and_then(wish.window);
-        let kept = match window {
-            None => [0..self.columns, 0..self.rows],
-            Some(window) => {
+        let kept = match crs.map(wish.window) {
+            // Without a system nobody can say what is asked for; the town refuses it.
+            None => [0..0, 0..0],
+            Some(None) => [0..self.columns, 0..self.rows],
+            Some(Some(window)) => {
                 let [a, b] = window.map(|corner| (corner - self.first) / self.step);
                 let (low, high) = (a.min(b), a.max(b));
                 // Two cells more: heights between the middles of cells, and slopes at the edge.

@@ -63,7 +63,7 @@ pub(super) fn build(
         write(head.first_line()).map_err(failed)?;
     }
     let mut take = |house: CityHouse| {
-        houses += 1;
+        houses += usize::from(house.is_building());
         match form {
             CityForm::Lines => write(house.line()),
             CityForm::Whole => {

@@ -7,7 +7,7 @@ pub(in crate::cli::language::japanese) static TOWN: &[CommandHelp] = &[
     CommandHelp {
         path: "town",
         about: "町のファイルに書いた地図のレイヤーから町を作る",
-        more: "OUT は 3D Tiles を書くフォルダー(根は `tileset.json`)、一つのモデル (.glb)、LoD 1〜3 の CityJSON 2.0 (.city.json、または建物ごとに一行の .city.jsonl。`--detail 0` なら LoD 3 なし) のどれかです。フォルダーの中、またはモデルの横に、地物ごとに一行の `decisions.csv` と `report.json` を書きます。\
+        more: "OUT は 3D Tiles を書くフォルダー(根は `tileset.json`)、一つのモデル (.glb)、タイルごとのモデル (.obj。OUT の横に OUT-TILE.obj)、LoD 1〜3 の CityJSON 2.0 (.city.json、または建物ごとに一行の .city.jsonl。`--detail 0` なら LoD 3 なし) のどれかです。フォルダーの中、またはモデルの横に、地物ごとに一行の `decisions.csv` と `report.json` を書きます。\
                前からあって同じになるタイルはそのまま使うので、中断した実行は続きから進みます。省くと書いていない地物に建物が無ければ、終了コードは 1 です。",
         examples: "\
 例:
@@ -40,7 +40,7 @@ pub(in crate::cli::language::japanese) static TOWN: &[CommandHelp] = &[
   hsd town init buildings.geojson roads.geojson -o kyoto.hsd
   hsd town kyoto.hsd -o kyoto.glb",
         arguments: &[
-            ("maps", "地図: GeoJSON、シェープファイル、FlatGeobuf、OpenStreetMap、登記所備付地図の XML、CityGML、地点の CSV", ""),
+            ("maps", "地図: GeoJSON、シェープファイル、FlatGeobuf、OpenStreetMap、登記所備付地図の XML、CityGML、地点の CSV、標高の格子(GeoTIFF、ESRI ASCII、国土地理院)", ""),
             ("output", "町をこのファイルに書く", ""),
             ("force", "すでにあるファイルを置き換える", ""),
         ],

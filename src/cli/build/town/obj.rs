@@ -1,0 +1,69 @@
+//! `hsd town` to a `.obj`: a file for each tile, beside each its materials and images.
+
+use crate::backend::obj;
+use crate::cli::Failure;
+use crate::cli::build::tiled::{FEATURE, tables};
+use crate::cli::files::output::{folder_of, write_all};
+use crate::cli::files::terminal::{bytes, counted};
+use crate::diagnostic::{Diagnostics, Language, noun};
+use crate::driver;
+use crate::scene::Detail;
+use crate::source::Source;
+use crate::text;
+use crate::tiles::run::TileParts;
+use crate::tiles::scenes::scenes;
+use crate::town::{Plan, TownInput};
+use std::io::{self, Write};
+use std::path::Path;
+
+/// Builds a town and writes `OUT-TILE.obj` for each of its tiles and pieces of ground; returns whether something is missing that
+/// the author wanted, the files that were read, and what was found.
+pub(super) fn build(
+    (path, detail, quiet): (&Path, Detail, bool),
+    input: TownInput<'_>,
+    (read, plan): (driver::Read, &Plan),
+    mut out: Diagnostics,
+    language: Language,
+) -> Result<(bool, Vec<Source>, Diagnostics), Failure> {
+    let parts = TileParts::of(&read, input.options);
+    let job = parts.job(input, plan, &read.catalog, &plan.town.tiles);
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let (mut files, mut size) = (0, 0);
+    let mut failure = None;
+    let made = scenes(
+        job,
+        detail,
+        &mut |tile, scene, library| {
+            let written = obj::obj(scene, library, &format!("{stem}-{tile}")).into_iter();
+            let written = written.map(|file| {
+                let target = folder_of(path).join(&file.name);
+                (target, file.bytes.into_owned())
+            });
+            let written: Vec<_> = written.collect();
+            files += 1;
+            size += written.iter().map(|(_, bytes)| bytes.len()).sum::<usize>();
+            write_all(written).map_err(|why| {
+                failure = Some(why);
+                io::ErrorKind::Other.into()
+            })
+        },
+        &mut out,
+    );
+    let (ledger, included) = made.map_err(|error| match failure.take() {
+        Some(why) => why,
+        None => Failure::at(path.display(), error),
+    })?;
+    tables(path, &ledger)?;
+    if !quiet {
+        let (name, report) = (path.display(), &ledger.report);
+        let (features, built) = (counted(report.features, FEATURE), report.built);
+        let (files, size) = (counted(files, noun("model", "モデル{}個")), bytes(size));
+        let line = text!([name, features, built, files, size]
+            "{name}: {features}, {built} of them built, {files}, {size}",
+            "{name}: {features}、うち {built} 件に建物、{files}、{size}"
+        );
+        writeln!(io::stderr(), "{}", line.in_language(language))
+            .map_err(|error| Failure::at(path.display(), error))?;
+    }
+    Ok((ledger.incomplete, included, out))
+}

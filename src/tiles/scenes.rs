@@ -1,0 +1,57 @@
+//! A town as scenes, one for each tile and each piece of its ground: for back ends that write a file a tile.
+
+use super::input::{TileSalt, evaluate};
+use super::mesh::tiles;
+use super::run::TileJob;
+use super::terrain;
+use crate::backend::images::Library;
+use crate::diagnostic::Diagnostics;
+use crate::driver::TileDriver;
+use crate::scene::{Detail, Scene};
+use crate::source::Source;
+use crate::tessellate::{SceneBuilder, ground};
+use crate::town::decision::problems;
+use crate::town::run::TownHouses;
+use crate::town::stream::Ledger;
+use std::io;
+
+/// Receives the name of a tile, its scene and the images of that.
+pub type Take<'t> = dyn FnMut(&str, &Scene, &Library) -> io::Result<()> + 't;
+
+/// Makes a town at a level of detail, tile by tile, then its ground, piece by piece; tiles without houses are left out.
+///
+/// # Errors
+/// Those of `take`, and the one that ended the houses.
+pub fn scenes(
+    job: TileJob<'_>,
+    detail: Detail,
+    take: &mut Take<'_>,
+    out: &mut Diagnostics,
+) -> io::Result<(Ledger, Vec<Source>)> {
+    let (input, details) = (job.input, [detail]);
+    let of_world = (input.world, input.options);
+    let town = TownHouses::new(input, job.plan);
+    let driver = TileDriver::new(input.source, job.catalog, of_world, &details);
+    let salt = TileSalt::new(input, &details, (job.parts, job.written));
+    let mut ledger = Ledger::default();
+    for tile in tiles(job.plan, job.division) {
+        let mut made = evaluate(&town, &tile, (job.plan, input.source), job.year, &salt);
+        let houses = std::mem::take(&mut made.houses);
+        ledger.add(made.chunk);
+        if houses.is_empty() {
+            continue;
+        }
+        let mut found = Diagnostics::new();
+        let houses = driver.houses(houses, &mut found)?;
+        let level = driver.level(&houses, detail, &mut found);
+        ledger.report.corrected.extend(problems(&found));
+        out.append(found);
+        take(&tile.key.stem(), &level.scene, &level.library)?;
+    }
+    for (patch, mesh) in terrain::meshes(job.plan, detail) {
+        let mut scene = SceneBuilder::new(detail);
+        scene.add(ground(&patch.name(), patch.centre(), &mesh));
+        take(&patch.name(), &scene.finish(vec![]), &Library::default())?;
+    }
+    Ok(ledger.finish(job.plan, out))
+}

@@ -1,0 +1,657 @@
+//! Grids of heights: every format gives back the surface that its file was made from; damage and absurd sizes are told.
+
+use hsd::glam::{DVec2, dvec2};
+use hsd::map::heights::{Heights, is_grid, read};
+use hsd::map::{Crs, Fault, Kind, Options, OtherGrid};
+use hsd::source::{PictureFile, Stream, World};
+use std::io;
+
+/// Files in memory.
+struct Memory(Vec<(String, Vec<u8>)>);
+
+impl World for Memory {
+    fn picture(&self, _: &str) -> Option<PictureFile> {
+        None
+    }
+
+    fn picture_bytes(&self, path: &str) -> io::Result<Vec<u8>> {
+        Err(io::Error::new(io::ErrorKind::NotFound, path))
+    }
+
+    fn open(&self, path: &str) -> io::Result<Box<dyn Stream>> {
+        let found = self.0.iter().find(|(name, _)| name == path);
+        let (_, bytes) = found.ok_or(io::ErrorKind::NotFound)?;
+        Ok(Box::new(io::Cursor::new(bytes.clone())))
+    }
+}
+
+type Window = Option<[DVec2; 2]>;
+
+/// Reads a grid and its remarks.
+fn grid(
+    files: &[(&str, &[u8])],
+    crs: Option<&str>,
+    window: Window,
+) -> Result<(Heights, Vec<Fault>), Fault> {
+    let files = files
+        .iter()
+        .map(|(name, bytes)| ((*name).to_owned(), bytes.to_vec()));
+    let world = Memory(files.collect());
+    let (path, _) = &world.0[0];
+    let options = Options {
+        crs: crs.and_then(Crs::from_name),
+        ..Options::default()
+    };
+    let mut remarks = vec![];
+    let heights = read(&world, path, &options, &|_| window, &mut remarks)?;
+    Ok((heights, remarks))
+}
+
+/// Where the plane grids begin: near Kyoto, in zone 6 of Japan.
+const AT: DVec2 = dvec2(-22_000.0, -108_000.0);
+const SIDE: f64 = 10.0;
+const COLUMNS: usize = 30;
+const ROWS: usize = 20;
+
+/// The surface of the plane grids, which bilinear steps give back exactly.
+fn slope(p: DVec2) -> f64 {
+    let p = p - AT;
+    40.0 + 0.05 * p.x - 0.03 * p.y + 0.0004 * p.x * p.y
+}
+
+/// The middle of a cell, its row counted from the north.
+fn middle(column: usize, row: usize) -> DVec2 {
+    AT + dvec2(column as f64 + 0.5, (ROWS - 1 - row) as f64 + 0.5) * SIDE
+}
+
+fn cells() -> impl Iterator<Item = f64> {
+    (0..ROWS).flat_map(|row| (0..COLUMNS).map(move |column| slope(middle(column, row))))
+}
+
+fn ascii() -> Vec<u8> {
+    let mut text = format!(
+        "NCOLS {COLUMNS}\nNROWS {ROWS}\nXLLCORNER {}\nYLLCORNER {}\nCELLSIZE {SIDE}\nNODATA_VALUE -1\n",
+        AT.x, AT.y
+    );
+    for row in cells().collect::<Vec<f64>>().chunks(COLUMNS) {
+        let words: Vec<String> = row.iter().map(|h| format!("{h:.4}")).collect();
+        text.push_str(&(words.join(" ") + "\n"));
+    }
+    text.into_bytes()
+}
+
+/// How a GeoTIFF is written.
+#[derive(Clone, Copy)]
+struct Tiff {
+    big_endian: bool,
+    bits: u16,
+    /// 1 unsigned, 2 signed, 3 floating.
+    format: u16,
+    bands: u16,
+    of_points: bool,
+    vertical: u16,
+    code: u16,
+    turn: f64,
+}
+
+const TIFF: Tiff = Tiff {
+    big_endian: false,
+    bits: 32,
+    format: 3,
+    bands: 1,
+    of_points: false,
+    vertical: 9001,
+    code: 6674,
+    turn: 0.0,
+};
+
+/// Writes a GeoTIFF in strips of seven rows.
+fn tiff(how: Tiff, values: &[f64]) -> Vec<u8> {
+    const STRIP: usize = 7;
+    let (two, four, eight): (
+        fn(bool, u16) -> Vec<u8>,
+        fn(bool, u32) -> Vec<u8>,
+        fn(bool, f64) -> Vec<u8>,
+    ) = (
+        |big, n| {
+            if big {
+                n.to_be_bytes().to_vec()
+            } else {
+                n.to_le_bytes().to_vec()
+            }
+        },
+        |big, n| {
+            if big {
+                n.to_be_bytes().to_vec()
+            } else {
+                n.to_le_bytes().to_vec()
+            }
+        },
+        |big, n| {
+            if big {
+                n.to_be_bytes().to_vec()
+            } else {
+                n.to_le_bytes().to_vec()
+            }
+        },
+    );
+    let big = how.big_endian;
+    let value = |h: f64| match (how.bits, how.format) {
+        (8, _) => vec![h as u8],
+        (16, _) => two(big, (h as i16) as u16),
+        (64, _) => eight(big, h),
+        (_, 3) => four(big, (h as f32).to_bits()),
+        _ => four(big, (h as i32) as u32),
+    };
+    let mut data: Vec<u8> = if big {
+        b"MM\0*".to_vec()
+    } else {
+        b"II*\0".to_vec()
+    };
+    data.extend([0; 4]);
+    let (mut offsets, mut lengths) = (vec![], vec![]);
+    for strip in values.chunks(STRIP * COLUMNS) {
+        let bytes: Vec<u8> = strip
+            .iter()
+            .flat_map(|h| value(*h).repeat(how.bands.into()))
+            .collect();
+        offsets.push(data.len() as u32);
+        lengths.push(bytes.len() as u32);
+        data.extend(bytes);
+    }
+    let top = AT + dvec2(0.0, ROWS as f64 * SIDE);
+    let first = if how.of_points {
+        top + dvec2(SIDE, -SIDE) / 2.0
+    } else {
+        top
+    };
+    let shorts = |all: &[u16]| {
+        (
+            3u16,
+            all.len(),
+            all.iter().flat_map(|n| two(big, *n)).collect::<Vec<u8>>(),
+        )
+    };
+    let longs = |all: &[u32]| {
+        (
+            4u16,
+            all.len(),
+            all.iter().flat_map(|n| four(big, *n)).collect::<Vec<u8>>(),
+        )
+    };
+    let doubles = |all: &[f64]| {
+        (
+            12u16,
+            all.len(),
+            all.iter().flat_map(|n| eight(big, *n)).collect::<Vec<u8>>(),
+        )
+    };
+    let keys = [
+        1,
+        1,
+        0,
+        4,
+        1024,
+        0,
+        1,
+        1,
+        1025,
+        0,
+        1,
+        1 + u16::from(how.of_points),
+        3072,
+        0,
+        1,
+        how.code,
+        4099,
+        0,
+        1,
+        how.vertical,
+    ];
+    let mut tags = vec![
+        (256, longs(&[COLUMNS as u32])),
+        (257, longs(&[ROWS as u32])),
+        (258, shorts(&vec![how.bits; how.bands.into()])),
+        (259, shorts(&[1])),
+        (262, shorts(&[if how.bands == 3 { 2 } else { 1 }])),
+        (273, longs(&offsets)),
+        (277, shorts(&[how.bands])),
+        (278, longs(&[STRIP as u32])),
+        (279, longs(&lengths)),
+        (339, shorts(&vec![how.format; how.bands.into()])),
+        (33550, doubles(&[SIDE, SIDE, 0.0])),
+        (33922, doubles(&[0.0, 0.0, 0.0, first.x, first.y, 0.0])),
+        (34735, shorts(&keys)),
+        (42113, (2, 6, b"-9999\0".to_vec())),
+    ];
+    if how.turn != 0.0 {
+        let turned = [
+            SIDE, how.turn, 0.0, AT.x, how.turn, -SIDE, 0.0, AT.y, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
+            0.0, 1.0,
+        ];
+        tags[10] = (34264, doubles(&turned));
+        tags.remove(11);
+    }
+    tags.sort_by_key(|(tag, _)| *tag);
+    let mut directory = two(big, tags.len() as u16);
+    let mut extra = vec![];
+    let after = data.len() + 2 + 12 * tags.len() + 4;
+    for (tag, (kind, count, mut bytes)) in tags {
+        directory.extend([two(big, tag), two(big, kind), four(big, count as u32)].concat());
+        if bytes.len() > 4 {
+            directory.extend(four(big, (after + extra.len()) as u32));
+            extra.extend(bytes);
+        } else {
+            bytes.resize(4, 0);
+            directory.extend(bytes);
+        }
+    }
+    let at = four(big, data.len() as u32);
+    data[4..8].copy_from_slice(&at);
+    data.extend(directory);
+    data.extend([0; 4]);
+    data.extend(extra);
+    data
+}
+
+/// A grid of GSI's: 9 columns and 6 rows over a hundredth of a degree, with the cells from `start` on and the last left out.
+fn gml(start: usize, count: usize) -> Vec<u8> {
+    let mut lines = String::new();
+    for cell in start..start + count {
+        let (column, row) = (cell % 9, cell / 9);
+        let p = dvec2(
+            135.75 + (column as f64 + 0.5) * 0.001,
+            34.985 - (row as f64 + 0.5) * 0.001,
+        );
+        let kind = ["地表面", "表層面", "その他"][cell % 3];
+        lines.push_str(&format!("{kind},{:.4}\n", of_degrees(p)));
+    }
+    format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Dataset xmlns:gml=\"http://www.opengis.net/gml/3.2\"><DEM><type>5mメッシュ（標高）</type><coverage>\
+         <gml:boundedBy><gml:Envelope srsName=\"fguuid:jgd2011.bl\"><gml:lowerCorner>34.979 135.75</gml:lowerCorner><gml:upperCorner>34.985 135.759</gml:upperCorner></gml:Envelope></gml:boundedBy>\
+         <gml:gridDomain><gml:Grid><gml:limits><gml:GridEnvelope><gml:low>0 0</gml:low><gml:high>8 5</gml:high></gml:GridEnvelope></gml:limits></gml:Grid></gml:gridDomain>\
+         <gml:rangeSet><gml:DataBlock><gml:tupleList>\n{lines}</gml:tupleList></gml:DataBlock></gml:rangeSet>\
+         <gml:coverageFunction><gml:GridFunction><gml:sequenceRule order=\"+x-y\">Linear</gml:sequenceRule><gml:startPoint>{} {}</gml:startPoint></gml:GridFunction></gml:coverageFunction>\
+         </coverage></DEM></Dataset>\n",
+        start % 9,
+        start / 9
+    )
+    .into_bytes()
+}
+
+/// The surface of the grid of GSI's.
+fn of_degrees(p: DVec2) -> f64 {
+    50.0 + 3000.0 * (p.x - 135.75) - 2000.0 * (p.y - 34.98)
+}
+
+/// A tile of text, in which the last row has no heights.
+fn tile() -> Vec<u8> {
+    let row = |row: usize| -> String {
+        let cell = |column: usize| match row {
+            255 => "e".to_owned(),
+            row => format!("{:.2}", 5.0 + 0.25 * row as f64 + 0.5 * column as f64),
+        };
+        (0..256).map(cell).collect::<Vec<String>>().join(",") + "\n"
+    };
+    (0..256).map(row).collect::<String>().into_bytes()
+}
+
+const TILE: &str = "dem/14/14547/6463.txt";
+
+/// Checks the surface at places between the middles of cells.
+fn is_slope(heights: &Heights, tolerance: f64) {
+    for k in 0..500 {
+        let share = dvec2(
+            f64::from(k * 37 % 101) / 100.0,
+            f64::from(k * 53 % 97) / 96.0,
+        );
+        let p = middle(0, ROWS - 1) + share * (middle(COLUMNS - 1, 0) - middle(0, ROWS - 1));
+        let found = heights.at(p).unwrap_or_else(|| panic!("a height at {p}"));
+        assert!(
+            (found - slope(p)).abs() < tolerance,
+            "{p}: {found} {}",
+            slope(p)
+        );
+    }
+}
+
+#[test]
+fn an_ascii_grid_is_the_surface() {
+    let (heights, remarks) =
+        grid(&[("g.asc", &ascii())], Some("EPSG:6674"), None).expect("is read");
+    assert!(remarks.is_empty(), "{remarks:?}");
+    is_slope(&heights, 2e-4);
+    let [low, high] = heights.bounds();
+    assert!((low - AT).length() < 1e-9, "{low}");
+    assert!((high - AT - dvec2(COLUMNS as f64, ROWS as f64) * SIDE).length() < 1e-9);
+    assert_eq!(heights.at(low - 0.1), None, "outside");
+    assert!(heights.at(low + 0.1).is_some(), "the outer half of a cell");
+    // The centre of the first cell in place of its corner, and the system from a file beside.
+    let text = String::from_utf8(ascii()).expect("is text");
+    let centred = text
+        .replace(
+            &format!("XLLCORNER {}", AT.x),
+            &format!("xllcenter {}", AT.x + 5.0),
+        )
+        .replace(
+            &format!("YLLCORNER {}", AT.y),
+            &format!("yllcenter {}", AT.y + 5.0),
+        );
+    let prj = Crs::from_epsg(6674)
+        .map(|_| b"EPSG:6674".as_slice())
+        .expect("is known");
+    let (centred, _) =
+        grid(&[("g.asc", centred.as_bytes()), ("g.prj", prj)], None, None).expect("is read");
+    assert_eq!(centred, heights);
+}
+
+#[test]
+fn a_geotiff_is_the_surface() {
+    let values: Vec<f64> = cells().collect();
+    for how in [
+        TIFF,
+        Tiff {
+            big_endian: true,
+            ..TIFF
+        },
+        Tiff { bits: 64, ..TIFF },
+        Tiff {
+            of_points: true,
+            ..TIFF
+        },
+    ] {
+        let (heights, _) = grid(&[("g.tif", &tiff(how, &values))], None, None).expect("is read");
+        assert_eq!(
+            heights.crs.as_ref().map(|crs| &*crs.name),
+            Some("EPSG:6674")
+        );
+        is_slope(&heights, 1e-4);
+    }
+    let whole = Tiff {
+        bits: 16,
+        format: 2,
+        ..TIFF
+    };
+    let (heights, _) = grid(&[("g.tif", &tiff(whole, &values))], None, None).expect("is read");
+    is_slope(&heights, 1.01);
+    let feet: Vec<f64> = values.iter().map(|h| h / 0.3048).collect();
+    let how = Tiff {
+        vertical: 9002,
+        ..TIFF
+    };
+    let (heights, _) = grid(&[("g.tif", &tiff(how, &feet))], None, None).expect("is read");
+    is_slope(&heights, 1e-4);
+}
+
+#[test]
+fn a_cell_without_a_height_has_none() {
+    let mut values: Vec<f64> = cells().collect();
+    values[5 * COLUMNS + 7] = -9999.0;
+    values[5 * COLUMNS + 9] = f64::NAN;
+    values[5 * COLUMNS + 11] = -3.4e38;
+    let (heights, _) = grid(&[("g.tif", &tiff(TIFF, &values))], None, None).expect("is read");
+    for column in [7, 9, 11] {
+        assert_eq!(heights.at(middle(column, 5)), None);
+        assert_eq!(
+            heights.at(middle(column, 5) + dvec2(9.0, 0.0)),
+            None,
+            "it counts there"
+        );
+        assert!(heights.at(middle(column + 1, 5)).is_some());
+    }
+}
+
+#[test]
+fn grids_of_the_survey_of_japan_are_the_surface() {
+    for (start, count) in [(0, 54), (4, 50), (11, 30)] {
+        let (heights, remarks) =
+            grid(&[("d.xml", &gml(start, count))], None, None).expect("is read");
+        assert!(remarks.is_empty(), "{remarks:?}");
+        assert_eq!(
+            heights.crs.as_ref().map(|crs| &*crs.name),
+            Some("EPSG:6668")
+        );
+        for cell in 0..54 {
+            let p = dvec2(
+                135.7505 + (cell % 9) as f64 * 0.001,
+                34.9845 - (cell / 9) as f64 * 0.001,
+            );
+            let known = (start..start + count).contains(&cell);
+            match heights.at(p) {
+                Some(found) => assert!(known && (found - of_degrees(p)).abs() < 1e-3, "{cell}"),
+                None => assert!(!known, "{cell}"),
+            }
+        }
+    }
+    let (heights, _) = grid(&[(TILE, &tile())], None, None).expect("is read");
+    // Column 14547 and row 6463 of zoom 14: a corner by the formula of the web's tiles.
+    let half = std::f64::consts::PI * 6_378_137.0;
+    let side = 2.0 * half / f64::from(1 << 14);
+    let corner = dvec2(14547.0 * side - half, half - 6463.0 * side);
+    let at = |column: f64, row: f64| corner + dvec2(column + 0.5, -row - 0.5) * side / 256.0;
+    let found = heights.at(at(10.5, 20.25)).expect("a height");
+    assert!(
+        (found - (5.0 + 0.25 * 20.25 + 0.5 * 10.5)).abs() < 1e-3,
+        "{found}"
+    );
+    assert_eq!(heights.at(at(10.0, 255.0)), None);
+}
+
+#[test]
+fn only_the_window_is_kept() {
+    let window = [middle(10, 12), middle(12, 10)];
+    let values: Vec<f64> = cells().collect();
+    for (name, bytes) in [("g.asc", ascii()), ("g.tif", tiff(TIFF, &values))] {
+        let (whole, _) = grid(&[(name, &bytes)], Some("EPSG:6674"), None).expect("is read");
+        let (part, remarks) =
+            grid(&[(name, &bytes)], Some("EPSG:6674"), Some(window)).expect("is read");
+        assert!(remarks.is_empty(), "{remarks:?}");
+        assert!(
+            part.bytes() <= 4 * 64 && whole.bytes() == 4 * COLUMNS * ROWS,
+            "{}",
+            part.bytes()
+        );
+        for k in 0..100 {
+            let p = window[0].lerp(window[1], f64::from(k) / 99.0);
+            let both = part.at(p).zip(whole.at(p)).expect("heights");
+            assert!((both.0 - both.1).abs() < 1e-9, "{both:?}");
+        }
+    }
+    let far = [AT + 1e6, AT + 2e6];
+    let (none, _) = grid(&[("g.asc", &ascii())], Some("EPSG:6674"), Some(far)).expect("is read");
+    assert!(none.is_empty() && none.at(middle(3, 3)).is_none());
+}
+
+#[test]
+fn what_is_no_grid_of_heights_is_refused() {
+    let values: Vec<f64> = cells().collect();
+    let other = |how| match grid(&[("g.tif", &tiff(how, &values))], None, None) {
+        Err(Fault {
+            kind: Kind::OtherGrid { what },
+            ..
+        }) => what,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(
+        other(Tiff {
+            bits: 8,
+            format: 1,
+            ..TIFF
+        }),
+        OtherGrid::Bytes
+    );
+    assert_eq!(
+        other(Tiff {
+            bits: 16,
+            format: 1,
+            bands: 3,
+            ..TIFF
+        }),
+        OtherGrid::Colours
+    );
+    assert_eq!(
+        other(Tiff {
+            vertical: 9095,
+            ..TIFF
+        }),
+        OtherGrid::Unit
+    );
+    assert_eq!(other(Tiff { turn: 0.5, ..TIFF }), OtherGrid::Turned);
+    let unknown = grid(
+        &[("g.tif", &tiff(Tiff { code: 2154, ..TIFF }, &values))],
+        None,
+        None,
+    );
+    assert!(
+        matches!(
+            unknown,
+            Err(Fault {
+                kind: Kind::UnknownCrs { .. },
+                ..
+            })
+        ),
+        "{unknown:?}"
+    );
+    let degrees = grid(&[("g.asc", &ascii())], Some("EPSG:4326"), None);
+    assert!(
+        matches!(
+            degrees,
+            Err(Fault {
+                kind: Kind::OutsideCrs { .. },
+                ..
+            })
+        ),
+        "{degrees:?}"
+    );
+}
+
+#[test]
+fn absurd_sizes_and_cut_files_are_told() {
+    let head = |n: &str, more: &str| {
+        format!("ncols {n}\nnrows {n}\nxllcorner 0\nyllcorner 0\ncellsize 1\n{more}")
+    };
+    let kind = |text: String| {
+        grid(&[("g.asc", text.as_bytes())], Some("local"), None)
+            .map(|(_, r)| r)
+            .map_err(|f| f.kind)
+    };
+    assert!(matches!(
+        kind(head("99999999", "1 2 3")),
+        Err(Kind::TooLarge { .. })
+    ));
+    assert!(matches!(
+        kind(head("1000000", "1 2 3")),
+        Err(Kind::TooLarge { .. })
+    ));
+    assert!(matches!(kind(head("0", "")), Err(Kind::Damaged { .. })));
+    assert!(matches!(
+        kind(head("3", "1 2 three")),
+        Err(Kind::Damaged { .. })
+    ));
+    assert!(matches!(
+        kind(head("3", &"9".repeat(100))),
+        Err(Kind::Damaged { .. })
+    ));
+    let cut = kind(head("3", "1 2 3 4")).expect("is read as far as it goes");
+    assert!(
+        matches!(
+            cut[..],
+            [Fault {
+                kind: Kind::CountsDiffer { said: 9, found: 4 },
+                ..
+            }]
+        ),
+        "{cut:?}"
+    );
+    let mut bytes = tiff(TIFF, &cells().collect::<Vec<f64>>());
+    bytes.truncate(bytes.len() / 3);
+    assert!(grid(&[("g.tif", &bytes)], None, None).is_err());
+}
+
+#[test]
+fn grids_are_told_from_other_maps() {
+    let values: Vec<f64> = cells().collect();
+    let is =
+        |name: &str, bytes: &[u8]| is_grid(&Memory(vec![(name.to_owned(), bytes.to_vec())]), name);
+    assert!(
+        is("a.asc", &ascii())
+            && is("a.tif", &tiff(TIFF, &values))
+            && is("a.xml", &gml(0, 54))
+            && is(TILE, &tile())
+    );
+    assert!(
+        !is("14/1/2.csv", &tile())
+            && !is("points.txt", &tile())
+            && !is("14/1/2.txt", b"lon,lat\n1,2\n")
+    );
+    assert!(
+        !is(
+            "a.geojson",
+            b"{\"type\":\"FeatureCollection\",\"features\":[]}"
+        ) && !is("none", b"")
+    );
+}
+
+/// Numbers that look random.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self, below: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % below.max(1) as u64) as usize
+    }
+}
+
+#[test]
+fn five_hundred_damages_of_each_format() {
+    let values: Vec<f64> = cells().collect();
+    let files = [
+        ("g.asc", ascii()),
+        ("g.tif", tiff(TIFF, &values)),
+        ("d.xml", gml(4, 40)),
+        (TILE, tile()),
+    ];
+    for (name, whole) in files {
+        let mut random = Random(0x2545_f491_4f6c_dd1d);
+        let (mut refused, mut told) = (0, 0);
+        for _ in 0..500 {
+            let mut bytes = whole.clone();
+            for _ in 0..=random.next(3) {
+                if bytes.is_empty() {
+                    break;
+                }
+                // Heads matter most, so half of the damage is there.
+                let reach = if random.next(2) == 0 {
+                    bytes.len()
+                } else {
+                    bytes.len().min(400)
+                };
+                let at = random.next(reach);
+                let end = (at + 1 + random.next(12)).min(bytes.len());
+                match random.next(5) {
+                    0 | 1 => bytes[at] = random.next(256) as u8,
+                    2 => drop(bytes.drain(at..end)),
+                    3 => {
+                        let again = bytes[at..end].to_vec();
+                        bytes.splice(at..at, again);
+                    }
+                    _ => bytes.truncate(bytes.len() - random.next(bytes.len() / 2 + 1)),
+                }
+            }
+            match grid(&[(name, &bytes)], Some("local"), None) {
+                Ok((heights, remarks)) => {
+                    told += usize::from(!remarks.is_empty());
+                    let [low, high] = heights.bounds();
+                    for k in 0..20 {
+                        let found = heights.at(low.lerp(high, f64::from(k) / 19.0));
+                        assert!(found.is_none_or(f64::is_finite));
+                    }
+                }
+                Err(_) => refused += 1,
+            }
+        }
+        assert!(refused > 50, "{name}: {refused} refused, {told} told");
+    }
+}
