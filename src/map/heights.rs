@@ -112,7 +112,7 @@ fn form(head: &[u8], path: &str) -> Option<Form> {
     if [b"II*\0", b"MM\0*", b"II+\0", b"MM\0+"].contains(&head.first_chunk()?) {
         return Some(Form::GeoTiff);
     }
-    let text = String::from_utf8_lossy(&head[..head.len().min(4096)]);
+    let text = String::from_utf8_lossy(&head[..head.len().min(16 << 10)]);
     let text = text.trim_start_matches('\u{feff}').trim_start();
     if text.starts_with('<') {
         return (text.contains("<DEM") && text.contains("coverage")).then_some(Form::Gml);
