@@ -20,7 +20,6 @@ pub mod part_sheet;
 mod roof;
 mod roofs;
 mod store;
-mod terrain;
 mod weather;
 
 use crate::ast::StoreyKind;
@@ -35,7 +34,7 @@ use crate::tessellate::wall::Line;
 use crate::tessellate::wall::index::WallIndex;
 use crate::tessellate::wall::room::Rooms;
 use crate::tessellate::weather::exposure::{Aged, WallExposure};
-pub use assembly::{HouseDrafts, SceneBuilder};
+pub use assembly::{GroundMesh, HouseDrafts, SceneBuilder, ground};
 use budget::Budget;
 use compact_str::{CompactString, format_compact};
 use fittings::FittingMeshes;
@@ -45,7 +44,6 @@ use rooms::MatMeshes;
 use std::cell::OnceCell;
 use store::Store;
 use store::bank::Bank;
-pub use terrain::{GroundMesh, ground};
 use weather::Weather;
 
 /// The number of houses that one thread tessellates at a time. What they share is made once, and nothing else depends on

@@ -67,6 +67,14 @@ fn names(layers: &[Surveyed]) -> Vec<String> {
     layers.iter().map(&mut of).collect()
 }
 
+/// Returns the number of features as a comment begins with it; a grid has none.
+fn count(layer: &Surveyed) -> String {
+    match layer.kind {
+        Kind::Heights => String::new(),
+        _ => format!("{}: ", layer.features),
+    }
+}
+
 fn write_layer(out: &mut String, layer: &Surveyed, name: &str) {
     let what = match layer.kind {
         Kind::Houses => "outlines of buildings",
@@ -79,10 +87,8 @@ fn write_layer(out: &mut String, layer: &Surveyed, name: &str) {
         Kind::Places => "places; nothing is made of them yet",
         Kind::Heights => "heights: the ground on which houses stand, on plinths where it slopes",
     };
-    let _ = match layer.kind {
-        Kind::Heights => write!(out, "\n  <!-- {what}."),
-        _ => write!(out, "\n  <!-- {}: {what}.", layer.features),
-    };
+    let count = count(layer);
+    let _ = write!(out, "\n  <!-- {count}{what}.");
     let fields: Vec<(&str, usize)> = layer.fields.shares().collect();
     if !fields.is_empty() {
         out.push_str("\n       Fields, and how many features of a hundred have them:");

@@ -3,6 +3,10 @@
 //!
 //! Houses come in their order, however many threads made them, so the scene does not depend on threads.
 
+mod terrain;
+
+pub use terrain::{GroundMesh, ground};
+
 use crate::scene::{Baked, Detail, Image, Material, MaterialId, Mesh, MeshId, Node, NodeId};
 use crate::scene::{Primitive, Scene, ScenePart};
 use crate::source::Span;

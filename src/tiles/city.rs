@@ -88,13 +88,24 @@ pub fn houses(
         out.append(found);
         all.into_iter().flatten().try_for_each(&mut *take)?;
     }
-    for (patch, mesh) in terrain::meshes(job.plan, details[details.len() - 1]) {
+    grounds(job, details[details.len() - 1], &mut unique, take)?;
+    Ok(ledger.finish(job.plan, out))
+}
+
+/// Makes the ground of a town.
+fn grounds(
+    job: TileJob<'_>,
+    detail: Detail,
+    unique: &mut Names,
+    take: &mut dyn FnMut(CityHouse) -> io::Result<()>,
+) -> io::Result<()> {
+    for (patch, mesh) in terrain::meshes(job.plan, detail) {
         let known = attributes(&piece::row((job.plan, job.input.source), patch.cell));
         let id = unique.unique(&patch.name());
         let shape = (&*mesh.positions, &*mesh.indices);
         take(CityHouse::ground(id, known, shape))?;
     }
-    Ok(ledger.finish(job.plan, out))
+    Ok(())
 }
 
 /// Returns what is known of a feature; what is not known is left out.

@@ -1,11 +1,11 @@
 //! The ground of a town as a part of its scene.
 
-use super::assembly::HouseDrafts;
-use super::mesh::Soup;
-use super::store::draft::MeshDraft;
-use super::store::look::{Look, Share};
+use super::HouseDrafts;
 use crate::material::SurfaceId;
 use crate::scene::{Kind, MeshId, Node};
+use crate::tessellate::mesh::Soup;
+use crate::tessellate::store::draft::MeshDraft;
+use crate::tessellate::store::look::{Look, Share};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
