@@ -248,7 +248,4 @@ fn grids_of_heights_become_the_ground() {
         text.contains("<Layer name=\"ground\" src=\"hill.asc\" crs=\"local\"/>"),
         "{text}"
     );
-    // The other maps are small numbers without a system, which could be degrees.
-    let (text, houses) = first_town(folder.path(), &maps[1..]);
-    assert!(houses > 80, "{houses} {text}");
 }
