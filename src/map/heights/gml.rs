@@ -140,7 +140,7 @@ impl Read {
         let (low, high) = low.zip(high).ok_or_else(missing)?;
         let [first, last] = self.cells;
         let (first, last) = first.zip(last).ok_or_else(missing)?;
-        let count = |first: u64, last: u64| Some(last.checked_sub(first)?.checked_add(1)?);
+        let count = |first: u64, last: u64| last.checked_sub(first)?.checked_add(1);
         let columns = count(first.0, last.0).ok_or_else(missing)?;
         let rows = count(first.1, last.1).ok_or_else(missing)?;
         if !self.order.is_empty() && self.order.trim() != "Linear" {

@@ -66,8 +66,8 @@ impl Lattice {
             off <= tolerance || (height.is_nan() && from.is_nan() && to.is_nan())
         };
         if (1..last).all(near) {
-            for k in 1..last {
-                self.heights[line[k]] = on_chord(k);
+            for (k, corner) in line.iter().enumerate().take(last).skip(1) {
+                self.heights[*corner] = on_chord(k);
             }
             return;
         }
