@@ -253,7 +253,7 @@ fn height(mesh: &GroundMesh, p: DVec2) -> Option<f64> {
         assert!(whole > 0.0, "counter-clockwise from above");
         let (s, t) = (w.perp_dot(v) / whole, u.perp_dot(w) / whole);
         let inside = s >= -1e-9 && t >= -1e-9 && s + t <= 1.0 + 1e-9;
-        inside.then(|| a.z + (b.z - a.z) * s + (c.z - a.z) * t)
+        inside.then_some(a.z + (b.z - a.z) * s + (c.z - a.z) * t)
     })
 }
 

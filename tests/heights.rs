@@ -108,40 +108,22 @@ const TIFF: Tiff = Tiff {
 /// Writes a GeoTIFF in strips of seven rows.
 fn tiff(how: Tiff, values: &[f64]) -> Vec<u8> {
     const STRIP: usize = 7;
-    let (two, four, eight): (
-        fn(bool, u16) -> Vec<u8>,
-        fn(bool, u32) -> Vec<u8>,
-        fn(bool, f64) -> Vec<u8>,
-    ) = (
-        |big, n| {
-            if big {
-                n.to_be_bytes().to_vec()
-            } else {
-                n.to_le_bytes().to_vec()
-            }
-        },
-        |big, n| {
-            if big {
-                n.to_be_bytes().to_vec()
-            } else {
-                n.to_le_bytes().to_vec()
-            }
-        },
-        |big, n| {
-            if big {
-                n.to_be_bytes().to_vec()
-            } else {
-                n.to_le_bytes().to_vec()
-            }
-        },
-    );
+    let in_order = |mut bytes: Vec<u8>| {
+        if how.big_endian {
+            bytes.reverse();
+        }
+        bytes
+    };
+    let two = |n: u16| in_order(n.to_le_bytes().to_vec());
+    let four = |n: u32| in_order(n.to_le_bytes().to_vec());
+    let eight = |n: f64| in_order(n.to_le_bytes().to_vec());
     let big = how.big_endian;
     let value = |h: f64| match (how.bits, how.format) {
         (8, _) => vec![h as u8],
-        (16, _) => two(big, (h as i16) as u16),
-        (64, _) => eight(big, h),
-        (_, 3) => four(big, (h as f32).to_bits()),
-        _ => four(big, (h as i32) as u32),
+        (16, _) => two((h as i16) as u16),
+        (64, _) => eight(h),
+        (_, 3) => four((h as f32).to_bits()),
+        _ => four((h as i32) as u32),
     };
     let mut data: Vec<u8> = if big {
         b"MM\0*".to_vec()
@@ -169,21 +151,21 @@ fn tiff(how: Tiff, values: &[f64]) -> Vec<u8> {
         (
             3u16,
             all.len(),
-            all.iter().flat_map(|n| two(big, *n)).collect::<Vec<u8>>(),
+            all.iter().flat_map(|n| two(*n)).collect::<Vec<u8>>(),
         )
     };
     let longs = |all: &[u32]| {
         (
             4u16,
             all.len(),
-            all.iter().flat_map(|n| four(big, *n)).collect::<Vec<u8>>(),
+            all.iter().flat_map(|n| four(*n)).collect::<Vec<u8>>(),
         )
     };
     let doubles = |all: &[f64]| {
         (
             12u16,
             all.len(),
-            all.iter().flat_map(|n| eight(big, *n)).collect::<Vec<u8>>(),
+            all.iter().flat_map(|n| eight(*n)).collect::<Vec<u8>>(),
         )
     };
     let keys = [
@@ -233,20 +215,20 @@ fn tiff(how: Tiff, values: &[f64]) -> Vec<u8> {
         tags.remove(11);
     }
     tags.sort_by_key(|(tag, _)| *tag);
-    let mut directory = two(big, tags.len() as u16);
+    let mut directory = two(tags.len() as u16);
     let mut extra = vec![];
     let after = data.len() + 2 + 12 * tags.len() + 4;
     for (tag, (kind, count, mut bytes)) in tags {
-        directory.extend([two(big, tag), two(big, kind), four(big, count as u32)].concat());
+        directory.extend([two(tag), two(kind), four(count as u32)].concat());
         if bytes.len() > 4 {
-            directory.extend(four(big, (after + extra.len()) as u32));
+            directory.extend(four((after + extra.len()) as u32));
             extra.extend(bytes);
         } else {
             bytes.resize(4, 0);
             directory.extend(bytes);
         }
     }
-    let at = four(big, data.len() as u32);
+    let at = four(data.len() as u32);
     data[4..8].copy_from_slice(&at);
     data.extend(directory);
     data.extend([0; 4]);
