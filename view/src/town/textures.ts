@@ -1,13 +1,17 @@
-// Textures that tiles share: each image is loaded once, and freed with the last tile that shows it. The library frees the
-// textures of each tile that ends; those that are shared do not listen to it.
+// Textures that tiles share: each image is loaded once, and freed with the last tile that uses it, in this town or in the one
+// that takes its place. A tile uses a texture from the moment at which it asks for it, not only once it is shown. The library
+// frees the textures of each tile that ends; those that are shared do not listen to it.
 
-import * as THREE from 'three';
+import type * as THREE from 'three';
 import type { GLTFLoaderPlugin, GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 
+/** One try to load a tile: while it lasts, and as long as the tile is there, it uses its textures. */
+export type TextureUser = object;
+
 interface Shared {
-  texture: Promise<THREE.Texture>;
-  /** The number of tiles that show it. */
-  users: number;
+  /** Null if the image cannot be loaded. */
+  texture: Promise<THREE.Texture | null>;
+  users: Set<TextureUser>;
   /** Frees it. */
   free: () => void;
 }
@@ -15,80 +19,57 @@ interface Shared {
 /** By the address of the image and the way it is sampled. */
 const textures = new Map<string, Shared>();
 
-/** Keys of the textures that are shared. */
-const keys = new WeakMap<THREE.Texture, string>();
-
-/** The parser's own way to load a texture, which its types leave out. */
+/** The parser's own way to load a texture, which its types leave out; null if it cannot be loaded. */
 interface OwnLoading {
-  loadTextureImage(texture: number, source: number, loader: THREE.Loader): Promise<THREE.Texture>;
+  loadTextureImage(texture: number, source: number, loader: THREE.Loader): Promise<THREE.Texture | null>;
   textureLoader: THREE.Loader;
 }
 
-/** A plugin of the loader. */
-export function sharedTextures(parser: GLTFParser): GLTFLoaderPlugin {
-  return { name: 'town-textures', loadTexture: index => load(parser, index) };
+/** A plugin of the loader; `user` tells for which tile a parser is made. */
+export function sharedTextures(user: () => TextureUser): (parser: GLTFParser) => GLTFLoaderPlugin {
+  return parser => {
+    const own = user();
+    return { name: 'town-textures', loadTexture: index => load(parser, index, own) as Promise<THREE.Texture> | null };
+  };
 }
 
-function load(parser: GLTFParser, index: number): Promise<THREE.Texture> | null {
+function load(parser: GLTFParser, index: number, user: TextureUser): Promise<THREE.Texture | null> | null {
   const json = parser.json as { textures: { source?: number; sampler?: number }[]; samplers?: object[]; images: { uri?: string }[] };
   const { source, sampler } = json.textures[index]!, uri = source === undefined ? undefined : json.images[source]?.uri;
   if (source === undefined || !uri || uri.startsWith('data:')) return null;
   const folder = new URL((parser.options as { path: string }).path, location.href);
   const key = `${new URL(uri, folder)} ${JSON.stringify(json.samplers?.[sampler ?? -1] ?? {})}`;
-  const known = textures.get(key);
-  if (known) return known.texture;
-  const own = parser as unknown as OwnLoading;
-  const shared: Shared = { users: 0, free: () => {}, texture: own.loadTextureImage(index, source, own.textureLoader).then(texture => keep(texture, key)) };
-  textures.set(key, shared);
-  shared.texture.catch(() => textures.delete(key));
+  let shared = textures.get(key);
+  if (!shared) {
+    const own = parser as unknown as OwnLoading, made: Shared = { users: new Set(), free: () => {}, texture: Promise.resolve(null) };
+    made.texture = own.loadTextureImage(index, source, own.textureLoader).then(texture => {
+      if (texture) return keep(texture, made);
+      if (textures.get(key) === made) textures.delete(key); // The next tile tries again.
+      return null;
+    });
+    textures.set(key, shared = made);
+  }
+  shared.users.add(user);
   return shared.texture;
 }
 
 /** Takes a texture out of the library's hands. */
-function keep(texture: THREE.Texture, key: string): THREE.Texture {
+function keep(texture: THREE.Texture, shared: Shared): THREE.Texture {
   const dispose = texture.dispose.bind(texture), image = texture.image as Partial<ImageBitmap>, close = image.close?.bind(image);
   if (close) image.close = () => {};
   texture.dispose = () => {};
-  keys.set(texture, key);
-  const shared = textures.get(key);
-  if (shared) shared.free = () => { dispose(); close?.(); };
+  shared.free = () => { dispose(); close?.(); };
   return texture;
 }
 
-/** Counts the shared textures of a tile as used; returns them. */
-export function holdTextures(scene: THREE.Object3D): Set<string> {
-  const held = new Set<string>();
-  scene.traverse(node => {
-    if (!(node instanceof THREE.Mesh)) return;
-    for (const material of [node.material].flat() as THREE.Material[]) {
-      for (const value of Object.values(material)) {
-        const key = value instanceof THREE.Texture ? keys.get(value) : undefined;
-        if (key !== undefined) held.add(key);
-      }
-    }
-  });
-  for (const key of held) {
-    const shared = textures.get(key);
-    if (shared) shared.users++;
-  }
-  return held;
-}
-
-/** Frees textures of a tile that no other one shows. */
-export function releaseTextures(held: Set<string>) {
-  for (const key of held) {
-    const shared = textures.get(key);
-    if (!shared || --shared.users > 0) continue;
-    textures.delete(key);
-    shared.free();
-  }
-}
-
-/** Frees what was loaded for tiles that never came to be shown. */
-export function sweepTextures() {
+/** Frees the textures that no one but this user used. */
+export function releaseTextures(user: TextureUser) {
   for (const [key, shared] of textures) {
-    if (shared.users > 0) continue;
+    if (!shared.users.delete(user) || shared.users.size > 0) continue;
     textures.delete(key);
-    void shared.texture.then(() => shared.free(), () => {});
+    void shared.texture.then(() => shared.free());
   }
 }
+
+/** The number of textures in use. */
+export const texturesInUse = () => textures.size;

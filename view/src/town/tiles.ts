@@ -9,7 +9,7 @@ import {
   DEFAULT_DOWNLOAD_QUEUE, DEFAULT_LRU_CACHE, DEFAULT_NODE_QUEUE, DEFAULT_PARSE_QUEUE, DownloadPriorityQueue, LRUCache, PriorityQueue, type Tile,
 } from '3d-tiles-renderer/core';
 import type { TownFeature } from '../server/api.ts';
-import { holdTextures, releaseTextures, sharedTextures, sweepTextures } from './textures.ts';
+import { releaseTextures, sharedTextures, texturesInUse, type TextureUser } from './textures.ts';
 
 /** The attribute that names the feature of a vertex. */
 const FEATURE = '_feature_id_0';
@@ -33,10 +33,15 @@ interface Metadata {
 interface Loaded {
   scene: THREE.Object3D;
   metadata: Metadata | null;
-  /** The shared textures that it shows. */
-  textures: Set<string>;
   /** Rows of the table by layer and key, filled when first asked. */
   rows: Map<string, number> | null;
+}
+
+/** What the library's types leave out. */
+interface Inside {
+  /** Tiles by the step of loading at which they are. */
+  stats: { queued: number; downloading: number; parsing: number };
+  parseTile(content: ArrayBuffer, tile: Tile, extension: string, url: string, signal: AbortSignal): Promise<void>;
 }
 
 /** A tile as its root describes it, as far as it is used here. */
@@ -82,6 +87,8 @@ export class TownTiles {
   onError: (message: string) => void = () => {};
   #tiles: TilesRenderer;
   #loaded = new Map<Tile, Loaded>();
+  /** What uses the textures of tiles that are parsed. */
+  #users = new Map<Tile, TextureUser>();
   #camera: THREE.PerspectiveCamera;
   #renderer: THREE.WebGLRenderer;
 
@@ -89,7 +96,18 @@ export class TownTiles {
     this.#camera = camera;
     this.#renderer = renderer;
     const tiles = this.#tiles = new TilesRenderer(url);
-    tiles.registerPlugin(new GLTFExtensionsPlugin({ plugins: [sharedTextures], autoDispose: false }));
+    let user: TextureUser = {};
+    tiles.registerPlugin(new GLTFExtensionsPlugin({ plugins: [sharedTextures(() => user)], autoDispose: false }));
+    const inside = tiles as unknown as Inside, parse = inside.parseTile.bind(tiles);
+    inside.parseTile = async (content, tile, extension, url, signal) => {
+      const own = user = {}; // The parser is made before anything is waited for.
+      try {
+        await parse(content, tile, extension, url, signal);
+        if (!signal.aborted) this.#users.set(tile, own);
+      } finally {
+        if (this.#users.get(tile) !== own) releaseTextures(own);
+      }
+    };
     tiles.errorTarget = ERROR_TARGET;
     // The next tiles are loaded while the ones before are still shown: a cache for both would have no room for them, and
     // what is left in the queues of tiles that are gone would be waited for.
@@ -104,17 +122,31 @@ export class TownTiles {
     this.group.name = 'town';
     this.group.add(tiles.group);
     tiles.addEventListener('load-root-tileset', () => this.#rooted());
-    tiles.addEventListener('load-error', ({ error }) => { this.#ended = true; this.onError(error.message); }); // Nothing is waited for.
-    tiles.addEventListener('needs-update', () => this.onChange());
-    tiles.addEventListener('tiles-load-end', () => { this.#ended ||= this.#loaded.size > 0; this.onChange(); });
+    tiles.addEventListener('load-error', ({ tile, error }) => {
+      this.#settled = !tile; // Without a root there is nothing to wait for.
+      this.onError(error.message);
+      this.onChange();
+    });
+    tiles.addEventListener('needs-update', () => { this.#settled = false; this.onChange(); });
+    tiles.addEventListener('update-after', () => this.#settle());
     tiles.addEventListener('load-model', ({ scene, tile }) => this.#enter(scene as THREE.Object3D, tile, dim));
     tiles.addEventListener('dispose-model', ({ tile }) => this.#leave(tile));
     tiles.addEventListener('tile-visibility-change', () => { this.onTiles(); this.onChange(); });
   }
 
   /** True while something is being loaded, also before anything was asked for. */
-  get busy(): boolean { return !this.#ended || this.#tiles.loadProgress < 1; }
-  #ended = false;
+  get busy(): boolean { return !this.#settled; }
+  #settled = false;
+
+  /**
+   * After tiles were chosen for the camera: all is there once none of them is on its way. The library's own word for it will
+   * not do: in `tiles-load-end` and `loadProgress` tiles do not count between the head of an answer and its last byte.
+   */
+  #settle() {
+    const { queued, downloading, parsing } = (this.#tiles as unknown as Inside).stats, before = this.#settled;
+    this.#settled = queued + downloading + parsing === 0 && !this.#tiles.processNodeQueue.running;
+    if (this.#settled && !before) this.onChange();
+  }
 
   /** Number of tiles that are shown. */
   get shown(): number { return [...this.#tiles.visibleTiles].filter(tile => this.#loaded.has(tile)).length; }
@@ -144,7 +176,6 @@ export class TownTiles {
       const ball = new THREE.Sphere();
       if (this.#tiles.getBoundingSphere(ball)) this.box.setFromCenterAndSize(ball.center.applyMatrix4(group.matrixWorld), new THREE.Vector3().setScalar(ball.radius * 2));
     }
-    this.#ended = !root || contentsOf(root).length === 0; // A town without houses has nothing to load.
     const tiles = (root ? contentsOf(root) : []).flatMap(tile => boxOf(tile)?.applyMatrix4(up) ?? []);
     const to = (point: THREE.Vector3) => (a: THREE.Box3, b: THREE.Box3) => a.distanceToPoint(point) - b.distanceToPoint(point);
     const first = tiles.sort(to(this.box.getCenter(new THREE.Vector3())))[0]?.getCenter(new THREE.Vector3());
@@ -161,15 +192,19 @@ export class TownTiles {
       node.castShadow = node.receiveShadow = true;
       for (const material of [node.material].flat() as THREE.Material[]) dim(material);
     });
-    this.#loaded.set(tile, { scene, metadata, textures: holdTextures(scene), rows: null });
+    this.#loaded.set(tile, { scene, metadata, rows: null });
     this.onChange();
   }
 
   #leave(tile: Tile) {
-    const loaded = this.#loaded.get(tile);
-    if (loaded) releaseTextures(loaded.textures);
+    const user = this.#users.get(tile);
+    if (user) releaseTextures(user);
+    this.#users.delete(tile);
     this.#loaded.delete(tile);
   }
+
+  /** The number of images that the page's tiles use. */
+  get textures(): number { return texturesInUse(); }
 
   /** The feature that a ray meets first. */
   hit(ray: THREE.Raycaster): TileHit | null {
@@ -206,8 +241,7 @@ export class TownTiles {
     this.onRoot = this.onChange = this.onTiles = this.onError = () => {};
     this.group.removeFromParent();
     this.#tiles.dispose();
-    for (const tile of [...this.#loaded.keys()]) this.#leave(tile);
-    sweepTextures();
+    for (const tile of [...this.#users.keys()]) this.#leave(tile);
   }
 }
 

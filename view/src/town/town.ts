@@ -50,7 +50,7 @@ export class Town {
   }
 
   /** True while it is being built or loaded. */
-  get busy(): boolean { return this.progress !== null || this.#next !== null || !this.tiles || this.tiles.busy; }
+  get busy(): boolean { return this.progress !== null || this.#next !== null || (this.tiles?.busy ?? this.#root !== ''); }
 
   /** The bounds of the town. */
   get box(): THREE.Box3 | null { return this.tiles && !this.tiles.box.isEmpty() ? this.tiles.box : null; }
@@ -105,7 +105,8 @@ export class Town {
   /** Shows the next tiles once they are all there, so that the ones before do not vanish first. */
   #change(now = false) {
     const { viewport } = this.#app, next = this.#next;
-    if (!next || next.box.isEmpty() || !now && next.busy) return;
+    if (!next || !now && next.busy) return;
+    if (next.box.isEmpty()) return this.#drop(next);
     const first = !this.tiles;
     this.tiles?.dispose();
     this.tiles = next;
@@ -115,6 +116,14 @@ export class Town {
     if (first) this.#app.look('above');
     this.#app.emit('town');
     this.#later();
+  }
+
+  /** Gives up tiles whose root cannot be loaded; the ones before stay, and the next state asks again. */
+  #drop(next: TownTiles) {
+    next.dispose();
+    this.#next = null;
+    this.#root = '';
+    this.#app.emit('town');
   }
 
   /** What preset views show: the town, or the part in the middle of a large one. */

@@ -142,7 +142,7 @@ async function fromDist(page: Page, own: string) {
     const name = new URL(route.request().url()).pathname.slice(1) || 'index.html';
     const body = gunzipSync(new Uint8Array(readFileSync(join(here, `../../dist/${name}.gz`))));
     // Names of chunks change with their content; the program in hand serves the one of its own page.
-    const like = name.startsWith('chunk-') ? new URL('/view.js', own).href : route.request().url();
+    const like = /-[A-Z0-9]{8}\.js$/.test(name) ? new URL('/view.js', own).href : route.request().url();
     const { 'content-type': type, 'content-security-policy': policy } = (await route.fetch({ url: like })).headers();
     if (!type || !policy) throw new Error(`${name} is new: build hsd with it`);
     await route.fulfill({ body: Buffer.from(new Uint8Array(body)), headers: { 'content-type': type, 'content-security-policy': policy } });

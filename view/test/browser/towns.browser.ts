@@ -16,14 +16,13 @@ const KNOWN = 'tiles versions at 1.1 or higher have limited support';
 
 let preview: Preview, page: Page;
 
-/** Waits until a town is built and some of it is shown; nearer levels may still be loading on a slow machine. */
+/** Waits until a town is shown with all its levels. */
 async function shown(page: Page) {
   const ready = () => page.evaluate(() => {
-    const { state, tiles, progress } = hsd.app.town;
-    return state?.whole === true && progress === null && tiles !== null && tiles.shown > 0;
+    const { state, tiles, busy } = hsd.app.town;
+    return state?.whole === true && !busy && tiles!.shown > 0;
   });
-  await until(ready, 'the town is shown', 60_000);
-  await until(() => page.evaluate(() => !hsd.app.town.busy), 'all is loaded', 15_000).catch(() => {});
+  await until(ready, 'the town is shown', 120_000);
   await page.evaluate(() => hsd.settled());
 }
 

@@ -1,0 +1,125 @@
+// What stands in a walker's way: the surfaces near a place. A body is a round post that reaches from a step above the ground
+// to the eyes; surfaces are cut at these heights and seen from above, and the post is pushed out of what it touches.
+//
+// Points are in the page's frame: x east, z south, y up, metres.
+
+/** Half the width of a body. */
+export const RADIUS = 0.3;
+
+/** What is no higher than this is stepped on. */
+const STEP = 0.4;
+
+/** Height of a body. */
+const HEIGHT = 1.6;
+
+/** Longest way at once: a body never jumps over a wall. */
+const STRIDE = 0.15;
+
+/** Upward part of the normal of a surface on which one can stand. */
+const WALKABLE = 0.6;
+
+export type Spot = [x: number, z: number];
+
+export class Obstacles {
+  /** Corners of triangles, nine numbers each. */
+  readonly #triangles: Float32Array;
+  /** The height of the plane below all. */
+  readonly #level: number;
+
+  constructor(triangles: Float32Array, level: number) {
+    this.#triangles = triangles;
+    this.#level = level;
+  }
+
+  /** The highest surface above or below a spot. */
+  top(spot: Spot): number { return this.#height(spot, Infinity, 0); }
+
+  /** The surface on which one stands at a spot, coming from a ground. */
+  ground(spot: Spot, from: number): number { return this.#height(spot, from + STEP, WALKABLE); }
+
+  #height([x, z]: Spot, most: number, least: number): number {
+    const t = this.#triangles;
+    let found = this.#level;
+    for (let i = 0; i < t.length; i += 9) {
+      const [ax, ay, az, bx, by, bz, cx, cy, cz] = [t[i]!, t[i + 1]!, t[i + 2]!, t[i + 3]!, t[i + 4]!, t[i + 5]!, t[i + 6]!, t[i + 7]!, t[i + 8]!];
+      if (Math.min(ax, bx, cx) > x || Math.max(ax, bx, cx) < x || Math.min(az, bz, cz) > z || Math.max(az, bz, cz) < z) continue;
+      const area = (bx - ax) * (cz - az) - (cx - ax) * (bz - az);
+      if (Math.abs(area) < 1e-9) continue;
+      const u = ((bx - x) * (cz - z) - (cx - x) * (bz - z)) / area, v = ((cx - x) * (az - z) - (ax - x) * (cz - z)) / area;
+      if (u < 0 || v < 0 || u + v > 1) continue;
+      const y = u * ay + v * by + (1 - u - v) * cy;
+      if (y <= found || y > most) continue;
+      const across = Math.hypot((by - ay) * (cz - az) - (cy - ay) * (bz - az), (bx - ax) * (cy - ay) - (cx - ax) * (by - ay));
+      if (Math.abs(area) >= least * Math.hypot(area, across)) found = y;
+    }
+    return found;
+  }
+
+  /** What a body that stands on a ground at a spot is nearest to: how far it is, and where; far if there is nothing within `reach`. */
+  nearest([x, z]: Spot, ground: number, reach = RADIUS): { far: number; at: Spot } {
+    const t = this.#triangles, low = ground + STEP, high = ground + HEIGHT;
+    let far = Infinity, at: Spot = [x, z];
+    for (let i = 0; i < t.length; i += 9) {
+      if (Math.min(t[i]!, t[i + 3]!, t[i + 6]!) > x + reach || Math.max(t[i]!, t[i + 3]!, t[i + 6]!) < x - reach) continue;
+      if (Math.min(t[i + 2]!, t[i + 5]!, t[i + 8]!) > z + reach || Math.max(t[i + 2]!, t[i + 5]!, t[i + 8]!) < z - reach) continue;
+      if (Math.min(t[i + 1]!, t[i + 4]!, t[i + 7]!) > high || Math.max(t[i + 1]!, t[i + 4]!, t[i + 7]!) < low) continue;
+      const found = nearestOf(cut(cut([...t.subarray(i, i + 9)], low, 1), high, -1), [x, z]);
+      if (found && found.far < far) ({ far, at } = found);
+    }
+    return far <= reach ? { far, at } : { far: Infinity, at };
+  }
+
+  /** Walks a way from a spot, along what stands in it; returns where it ends, and the ground there. */
+  walk(from: Spot, ground: number, way: Spot): { spot: Spot; ground: number } {
+    const strides = Math.ceil(Math.hypot(...way) / STRIDE);
+    let spot = from;
+    for (let i = 0; i < strides; i++) {
+      const next = this.#stride(spot, ground, [spot[0] + way[0] / strides, spot[1] + way[1] / strides]);
+      if (!next) break;
+      ground = this.ground(spot = next, ground);
+    }
+    return { spot, ground };
+  }
+
+  /** Where a body comes to that wants to a spot; null if it stays. */
+  #stride(from: Spot, ground: number, to: Spot): Spot | null {
+    // Who already touches something, since a nearer level of detail has come, may go away from it.
+    const least = Math.min(RADIUS, this.nearest(from, ground).far) - 1e-4;
+    let [x, z] = to;
+    for (let push = 0; push < 4; push++) {
+      const { far, at } = this.nearest([x, z], this.ground([x, z], ground));
+      if (far >= least) return [x, z];
+      if (far < 1e-6) return null;
+      x += (x - at[0]) / far * (RADIUS - far);
+      z += (z - at[1]) / far * (RADIUS - far);
+    }
+    return null;
+  }
+}
+
+/** The part of a polygon above a height, or below it. */
+function cut(polygon: number[], height: number, side: 1 | -1): number[] {
+  const kept: number[] = [], last = polygon.length - 3;
+  for (let i = 0, before = last; i <= last; before = i, i += 3) {
+    const one = side * (polygon[before + 1]! - height), two = side * (polygon[i + 1]! - height);
+    if (one >= 0 !== two >= 0) for (let k = 0; k < 3; k++) kept.push(polygon[before + k]! + (polygon[i + k]! - polygon[before + k]!) * one / (one - two));
+    if (two >= 0) kept.push(polygon[i]!, polygon[i + 1]!, polygon[i + 2]!);
+  }
+  return kept;
+}
+
+/** The point of a polygon, seen from above, that is nearest to a spot; null if there is no polygon. */
+function nearestOf(polygon: number[], [x, z]: Spot): { far: number; at: Spot } | null {
+  let found: { far: number; at: Spot } | null = null, lefts = 0, rights = 0;
+  const last = polygon.length - 3;
+  for (let i = 0, before = last; i <= last; before = i, i += 3) {
+    const ax = polygon[before]!, az = polygon[before + 2]!, dx = polygon[i]! - ax, dz = polygon[i + 2]! - az, long = dx * dx + dz * dz;
+    const along = long > 0 ? Math.min(1, Math.max(0, ((x - ax) * dx + (z - az) * dz) / long)) : 0;
+    const at: Spot = [ax + dx * along, az + dz * along], far = Math.hypot(x - at[0], z - at[1]);
+    if (!found || far < found.far) found = { far, at };
+    const side = dx * (z - az) - dz * (x - ax);
+    if (side > 0) lefts++; else if (side < 0) rights++;
+  }
+  const within = (lefts === 0) !== (rights === 0) && Math.max(lefts, rights) >= 3;
+  return found && within ? { far: 0, at: [x, z] } : found;
+}

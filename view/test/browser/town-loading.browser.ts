@@ -1,0 +1,110 @@
+// Tiles of towns that come slowly, that change while they are loaded, or that miss an image: the page always comes to rest.
+
+import assert from 'node:assert/strict';
+import { cpSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import type { Page } from 'playwright-core';
+import { EXAMPLES, Preview, until } from './preview.ts';
+
+const TOWN = 'town/block.hsd';
+
+/** Bodies of answers come long after their heads. */
+const SLOW_BODIES = `
+  const own = Response.prototype.arrayBuffer;
+  Response.prototype.arrayBuffer = async function () { await new Promise(done => setTimeout(done, 400)); return own.call(this); };`;
+
+/** Remembers the images that are drawn, and says which of them were closed before. */
+const WATCHED_IMAGES = `
+  const closed = new WeakSet(), close = ImageBitmap.prototype.close;
+  globalThis.closedImages = [];
+  ImageBitmap.prototype.close = function () { closed.add(this); close.call(this); };
+  for (const name of ['texImage2D', 'texSubImage2D']) {
+    const draw = WebGL2RenderingContext.prototype[name];
+    WebGL2RenderingContext.prototype[name] = function (...all) {
+      if (all.some(one => one instanceof ImageBitmap && closed.has(one))) globalThis.closedImages.push(name);
+      return draw.apply(this, all);
+    };
+  }`;
+
+let preview: Preview;
+
+const atRest = (page: Page, ms = 60_000) => until(() => page.evaluate(() => hsd.app.town.state?.whole === true && !hsd.app.town.busy), 'all tiles are loaded', ms);
+const shownTiles = (page: Page) => page.evaluate(() => hsd.app.town.tiles!.shown);
+
+before(async () => {
+  preview = await Preview.of([]);
+  cpSync(join(EXAMPLES, 'towns'), join(preview.folder, 'town'), { recursive: true });
+});
+after(async () => { await preview?.close(); });
+
+test('bodies that come long after their heads are waited for, and no longer', async () => {
+  preview.script = SLOW_BODIES;
+  const page = await preview.open(`?file=${TOWN}`);
+  await atRest(page);
+  assert.ok(await shownTiles(page) > 0, 'tiles are shown');
+  const text = preview.read(TOWN);
+  preview.write(TOWN, text.replace('<Place type="kura" on="centre"/>', '<Skip because="no store"/>'));
+  await until(() => page.evaluate(() => hsd.app.town.state?.skipped === 2), 'it is built again');
+  await atRest(page);
+  assert.ok(await shownTiles(page) > 0, 'the next tiles are shown');
+  preview.write(TOWN, text);
+  await until(() => page.evaluate(() => hsd.app.town.state?.skipped === 1), 'it is as before');
+  await page.context().close();
+});
+
+test('many quick saves end with the last town, and no texture of the ones before is kept or closed while it is drawn', async () => {
+  preview.script = WATCHED_IMAGES;
+  const page = await preview.open(`?file=${TOWN}`), text = preview.read(TOWN);
+  await atRest(page);
+  const before = await page.evaluate(() => hsd.app.town.tiles!.textures);
+  assert.ok(before > 3, `${before} textures`);
+  for (let round = 0; round < 3; round++) {
+    for (let n = 0; n < 12; n++) {
+      preview.write(TOWN, n === 11 ? text : text.replace('seed="7"', `seed="${n}"`));
+      await new Promise(done => setTimeout(done, [30, 90, 260, 700, 1500][(n * 7 + round) % 5]));
+    }
+    await until(() => page.evaluate(() => hsd.app.town.state?.skipped === 1 && hsd.app.town.progress === null), 'the last save is built', 60_000);
+    await atRest(page);
+    await page.evaluate(() => hsd.settled());
+    assert.ok(await shownTiles(page) > 0, 'tiles are shown');
+    await until(() => page.evaluate(before => hsd.app.town.tiles!.textures === before, before), 'the textures are those of one town');
+  }
+  assert.deepEqual(await page.evaluate(() => (globalThis as unknown as { closedImages: string[] }).closedImages), []);
+  await page.context().close();
+});
+
+test('a tile whose image cannot be loaded is shown, and the image is asked for again by the next town', async () => {
+  preview.script = '';
+  const page = await preview.open(`?file=house.hsd`, {}, false);
+  let missed = '', again = 0;
+  await page.route('**/textures/*', route => {
+    missed ||= route.request().url();
+    if (route.request().url() !== missed) return route.continue();
+    return ++again === 1 ? route.fulfill({ status: 404 }) : route.continue();
+  });
+  await page.goto(`${preview.url}?file=${TOWN}`);
+  await until(() => page.evaluate(() => globalThis.hsd !== undefined), 'the page is there');
+  await atRest(page);
+  assert.ok(await shownTiles(page) > 0, 'tiles are shown');
+  assert.ok(missed, 'an image is missed');
+  preview.write(TOWN, preview.read(TOWN).replace('<Place type="kura" on="centre"/>', '<Skip because="no store"/>'));
+  await until(() => page.evaluate(() => hsd.app.town.state?.skipped === 2), 'it is built again');
+  await atRest(page);
+  assert.ok(again > 1, 'it is asked for again');
+  preview.consoleMessages.splice(0, Infinity, ...preview.consoleMessages.filter(text => !text.includes("Couldn't load texture")));
+  await page.context().close();
+});
+
+test('a camera that looks away from the town waits for nothing', async () => {
+  const page = await preview.open(`?file=${TOWN}`);
+  await atRest(page);
+  await page.evaluate(() => { hsd.camera = [0, 400, 0, 0, 800, 1]; });
+  preview.write(TOWN, preview.read(TOWN).replace('no store', 'no store at all'));
+  const root = await page.evaluate(() => hsd.app.town.state!.tileset);
+  await until(() => page.evaluate(root => hsd.app.town.state!.tileset !== root || hsd.app.town.progress === null, root), 'it is built again');
+  await atRest(page);
+  await page.context().close();
+});
+
+test('nothing went wrong', () => preview.assertClean());
