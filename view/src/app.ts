@@ -17,14 +17,15 @@ import { fetchPalette, fetchServerInfo, fetchState, listen, openInEditor, source
 import { Viewport } from './scene/viewport.ts';
 import { EYE_HEIGHT, frameBox, type View } from './scene/views.ts';
 import { Town } from './town/town.ts';
+import { Walk } from './walk/walk.ts';
 import { translations, strings } from './ui/strings.ts';
 
 /**
  * `files`: the file list changed. `state`: a file was compiled. `model`: the model was replaced. `select`, `cursor`: the
  * highlighted parts changed. `shown`: visibility changed. `visited`: the camera went to a named view, or left it.
- * `town`: the town, its selected feature or the progress of its build changed.
+ * `town`: the town, its selected feature or the progress of its build changed. `walk`: a walk began or ended.
  */
-export type AppEvent = 'files' | 'state' | 'model' | 'select' | 'cursor' | 'shown' | 'visited' | 'connection' | 'reload' | 'town';
+export type AppEvent = 'files' | 'state' | 'model' | 'select' | 'cursor' | 'shown' | 'visited' | 'connection' | 'reload' | 'town' | 'walk';
 
 /** A byte range in a source file. */
 export interface SourceLocation {
@@ -67,6 +68,7 @@ export class App {
   readonly selected: Highlight;
   readonly pointed: Highlight;
   readonly town: Town;
+  readonly walk: Walk;
   /** Announces a text in the live region. */
   announce: (text: string) => void = () => {};
   /** Sets the sun to a date and hour; null for the usual afternoon. */
@@ -82,12 +84,13 @@ export class App {
   constructor(canvas: HTMLCanvasElement) {
     this.viewport = new Viewport(canvas);
     this.section = new Section(this.viewport);
-    this.measure = new Measure(this.viewport);
+    this.measure = new Measure(this.viewport, () => this.meshes());
     this.turntable = new Turntable(this.viewport);
     this.mirrors = createMirrors(this.viewport);
     this.pointed = new Highlight(this.viewport, 'cursor', 0x2f6f9f);
     this.selected = new Highlight(this.viewport, 'selection', 0xc8431f);
     this.town = new Town(this);
+    this.walk = new Walk(this);
     this.viewport.controls.addEventListener('change', () => { if (!this.movingToView) { this.#framed = null; this.#visits(null); } });
     // A preset view still shows all of it when the panel opens or the window turns.
     this.viewport.onResized.push(() => { if (this.#framed) this.look(this.#framed.view, this.#framed.part); });
@@ -115,6 +118,7 @@ export class App {
     this.state = this.model = this.#framed = null;
     this.hidden.clear();
     this.viewport.show(buildModel(new THREE.Group())); // The previous file's model must not stay under the new file's name.
+    this.walk.leave();
     this.town.apply(file, null);
     this.measure.clear();
     this.select(null);
@@ -211,6 +215,12 @@ export class App {
     this.selected.set(this.model, part === null ? [] : [part]);
     this.emit('select');
     if (part !== null) this.announce(strings.selected + this.describe(part));
+  }
+
+  /** What is drawn of the model, or of the tiles of the town. */
+  *meshes(): Iterable<THREE.Mesh> {
+    if (this.town.tiles) yield* this.town.tiles.meshes();
+    else for (const { mesh } of this.viewport.model?.chunks ?? []) if (mesh.visible) yield mesh;
   }
 
   /** A short description of a part. */
@@ -354,6 +364,7 @@ export class App {
 
   /** Restores the settings that the page opened with. */
   reset() {
+    this.walk.leave();
     this.resetting = true;
     this.hidden.clear();
     this.turntable.set(false);

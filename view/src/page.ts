@@ -22,6 +22,7 @@ import { PlanView } from './plan/plan-view.ts';
 import { SourcePane } from './ui/source-pane.ts';
 import { toolbar } from './ui/toolbar.ts';
 import { strings } from './ui/strings.ts';
+import { walkPad } from './walk/pad.ts';
 
 export interface Page {
   app: App;
@@ -40,7 +41,7 @@ export function page(): Page {
   const main = h('main', { class: 'panes' }, model);
   document.body.append(main); // Element sizes are known from here on.
   const app = new App(canvas);
-  model.append(app.measure.labels);
+  model.append(app.measure.labels, walkPad(app));
   const plan = new PlanView(app), text = new SourcePane(app);
   const draw = new DrawTool(app, plan);
   main.prepend(text.element);

@@ -39,6 +39,9 @@ export function scriptInterface({ app, plan, draw }: Page) {
     pick: (x: number, y: number) => hitAt(app, x, y)?.part ?? null,
     /** The point of the model at a position of the canvas, metres. */
     hit: (x: number, y: number) => hitAt(app, x, y)?.point.toArray() ?? null,
+    /** The first point of the town's tiles in a direction, metres. */
+    surface: (from: number[], way: number[]) =>
+      app.town.tiles?.pointAt(new THREE.Raycaster(new THREE.Vector3().fromArray(from), new THREE.Vector3().fromArray(way)))?.toArray() ?? null,
     /** Where the centre of a part is drawn, CSS pixels of the canvas. */
     positionOf(part: number) {
       const { x, y } = app.model!.parts[part]!.box.getCenter(viewport.camera.position.clone()).project(viewport.camera);

@@ -32,11 +32,12 @@ export function attachInput(app: App, cross: HTMLElement) {
   const { viewport, measure } = app, { canvas } = viewport;
   let down: { x: number; y: number } | null = null;
   const choose = (x: number, y: number) => {
-    if (app.town.state) return app.town.pick(rayAt(app, x, y));
-    const found = hitAt(app, x, y);
+    const ray = app.town.state && rayAt(app, x, y), found = ray ? null : hitAt(app, x, y);
     if (measure.on) {
-      if (found) measure.add(found);
-    } else app.select(found?.part ?? null);
+      const point = ray ? app.town.surfaceAt(ray) : found?.point;
+      if (point) measure.add(point);
+    } else if (ray) app.town.pick(ray);
+    else app.select(found?.part ?? null);
   };
   canvas.addEventListener('pointerdown', ({ offsetX: x, offsetY: y, button }) => {
     app.turntable.on && app.turntable.set(false);
@@ -53,7 +54,8 @@ export function attachInput(app: App, cross: HTMLElement) {
   });
   canvas.addEventListener('keydown', event => {
     cross.hidden = false;
-    if (event.key === 'Enter') choose(canvas.clientWidth / 2, canvas.clientHeight / 2);
+    if (app.walk.handleKey(event)) { /* It goes there, or ends the walk. */ }
+    else if (event.key === 'Enter') choose(canvas.clientWidth / 2, canvas.clientHeight / 2);
     else if (event.key === 'Escape') { app.select(null); app.town.clearSelection(); }
     else if (event.key === 'Backspace' && measure.on) measure.undo();
     else if (event.key === 'Home') app.look('front');

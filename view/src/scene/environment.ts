@@ -62,6 +62,9 @@ export class Environment {
     this.#ground.scale.setScalar(Math.max(60, reach * 14));
   }
 
+  /** The height of the ground, metres. */
+  get level(): number { return this.#ground.position.y; }
+
   /** Adjusts the shadows to what lies within a reach of a place, metres. */
   shade(middle: THREE.Vector3, reach: number) {
     const { sun } = this, { camera } = sun.shadow;

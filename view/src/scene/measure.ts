@@ -3,7 +3,7 @@
 import * as THREE from 'three';
 import { h } from '../ui/dom.ts';
 import { formatLength } from '../ui/lengths.ts';
-import type { Hit } from '../model/parts.ts';
+import { trianglesIn } from '../walk/surfaces.ts';
 import type { Viewport } from './viewport.ts';
 
 /** Snap radius, CSS pixels. */
@@ -16,6 +16,7 @@ export class Measure {
   /** Called when the chain changes. */
   changed: () => void = () => {};
   #viewport: Viewport;
+  #meshes: () => Iterable<THREE.Mesh>;
   #line = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: INK, depthTest: false, toneMapped: false }));
   #dots = new THREE.Points(new THREE.BufferGeometry(), new THREE.PointsMaterial({
     color: INK, size: 8, sizeAttenuation: false, depthTest: false, toneMapped: false,
@@ -23,8 +24,9 @@ export class Measure {
   /** Labels over the canvas; the panel lists the same lengths as text. */
   readonly labels = h('div', { class: 'labels', 'aria-hidden': 'true' });
 
-  constructor(viewport: Viewport) {
+  constructor(viewport: Viewport, meshes: () => Iterable<THREE.Mesh>) {
     this.#viewport = viewport;
+    this.#meshes = meshes;
     this.#line.frustumCulled = this.#dots.frustumCulled = false;
     this.#line.renderOrder = this.#dots.renderOrder = 10;
     viewport.marks.add(this.#line, this.#dots);
@@ -32,21 +34,18 @@ export class Measure {
   }
 
   /** Adds a point on a surface, snapped to the nearest vertex within the radius. */
-  add({ point }: Pick<Hit, 'point'>) {
-    const { camera, canvas, model } = this.#viewport;
+  add(point: THREE.Vector3) {
+    const { camera, canvas } = this.#viewport;
     // Size of a pixel at the point's distance.
     const pixel = 2 * Math.tan(camera.fov / 2 * Math.PI / 180) * camera.position.distanceTo(point) / canvas.clientHeight;
     const round = new THREE.Sphere(point, SNAP * pixel), vertex = new THREE.Vector3();
     let best = point, least = SNAP;
     const there = this.#pixels(point);
-    for (const { mesh, box } of model?.chunks ?? []) {
-      if (!mesh.visible || !box.intersectsSphere(round)) continue;
-      const position = mesh.geometry.getAttribute('position');
-      for (let i = 0; i < position.count; i++) {
-        if (!round.containsPoint(vertex.fromBufferAttribute(position, i))) continue;
-        const far = this.#pixels(vertex).distanceTo(there);
-        if (far < least) { least = far; best = vertex.clone(); }
-      }
+    const corners = trianglesIn(round.getBoundingBox(new THREE.Box3()), this.#meshes());
+    for (let i = 0; i < corners.length; i += 3) {
+      if (!round.containsPoint(vertex.fromArray(corners, i))) continue;
+      const far = this.#pixels(vertex).distanceTo(there);
+      if (far < least) { least = far; best = vertex.clone(); }
     }
     this.points.push(best.clone());
     this.#draw();

@@ -219,10 +219,18 @@ export class TownTiles {
     return null;
   }
 
-  /** The height of the surface above or below a place, if something is loaded there. */
-  heightAt(east: number, north: number): number | null {
-    const ray = new THREE.Raycaster(new THREE.Vector3(east, 1e4, -north), new THREE.Vector3(0, -1, 0));
-    return ray.intersectObject(this.#tiles.group, true)[0]?.point.y ?? null;
+  /** The point that a ray meets first. */
+  pointAt(ray: THREE.Raycaster): THREE.Vector3 | null {
+    return ray.intersectObject(this.#tiles.group, true).find(({ object }) => object instanceof THREE.Mesh)?.point ?? null;
+  }
+
+  /** What is drawn of the tiles that are shown. */
+  *meshes(): Iterable<THREE.Mesh> {
+    for (const tile of this.#tiles.visibleTiles) {
+      const meshes: THREE.Mesh[] = [];
+      this.#loaded.get(tile)?.scene.traverse(node => { if (node instanceof THREE.Mesh) meshes.push(node); });
+      yield* meshes;
+    }
   }
 
   /** The triangles of a feature in the tiles that are shown; null if it is in none of them. */

@@ -96,7 +96,7 @@ export class Town {
     this.#next?.dispose();
     const tiles = this.#next = new TownTiles(root, viewport.camera, viewport.renderer, material => viewport.dim(material));
     tiles.onChange = () => { this.#change(); viewport.draw(); };
-    tiles.onTiles = () => this.#later();
+    tiles.onTiles = () => { this.#app.walk.forget(); this.#later(); };
     tiles.onError = message => this.#app.announce(strings.failed + message);
     tiles.onRoot = () => { if (!this.tiles) this.#change(true); };
     viewport.draw();
@@ -166,6 +166,12 @@ export class Town {
     const found = this.tiles?.hit(ray);
     if (!found) return this.clearSelection();
     void this.choose(found.feature.layer, found.feature.key, found.feature);
+  }
+
+  /** The point of a house, or else of the ground, that a ray meets first. */
+  surfaceAt(ray: THREE.Raycaster): THREE.Vector3 | null {
+    const { level } = this.#app.viewport.environment, ground = new THREE.Plane(new THREE.Vector3(0, 1, 0), -level);
+    return this.tiles?.pointAt(ray) ?? ray.ray.intersectPlane(ground, new THREE.Vector3());
   }
 
   clearSelection() {

@@ -34,6 +34,11 @@ export function toolbar(app: App, { panes, panel, changed }: Panes): HTMLElement
     panelSwitch.setAttribute('aria-pressed', `${!panel.hidden}`);
     changed();
   };
+  const walk = toggleButton(strings.walk, on => {
+    if (!on) return app.walk.leave();
+    if (app.walk.start()) app.viewport.canvas.focus();
+  }, 'walk');
+  app.on('walk', () => walk.setAttribute('aria-pressed', `${app.walk.on}`));
   app.on('shown', () => turn.setAttribute('aria-pressed', `${app.turntable.on}`));
   const turn = toggleButton(strings.turntable, on => {
     app.turntable.set(on);
@@ -47,7 +52,7 @@ export function toolbar(app: App, { panes, panel, changed }: Panes): HTMLElement
   const bar = h('div', { class: 'toolbar', role: 'toolbar', 'aria-label': strings.tools },
     h('h1', { class: 'brand' }, h('b', {}, 'hsd'), ' ', h('span', { class: 'title' })),
     h('div', { class: 'group', role: 'group', 'aria-label': strings.show }, ...switches.map(({ button }) => button)),
-    h('div', { class: 'group', role: 'group', 'aria-label': strings.views }, views, turn,
+    h('div', { class: 'group', role: 'group', 'aria-label': strings.views }, views, turn, walk,
       button(strings.reset, () => app.reset(), { 'data-do': 'reset' }),
       button(strings.screenshot, () => void screenshot(app), { title: strings.screenshotHelp, 'data-do': 'screenshot' })),
     panelSwitch);

@@ -20,15 +20,35 @@ const WALKABLE = 0.6;
 
 export type Spot = [x: number, z: number];
 
+/** Side of the squares by which surfaces are found. */
+const SQUARE = 1.5;
+
+const NONE: readonly number[] = [];
+
 export class Obstacles {
   /** Corners of triangles, nine numbers each. */
   readonly #triangles: Float32Array;
+  /** Where in them the triangles over each square begin. */
+  readonly #squares = new Map<number, number[]>();
   /** The height of the plane below all. */
   readonly #level: number;
 
-  constructor(triangles: Float32Array, level: number) {
+  /** Takes the triangles within a reach of a place: corners, nine numbers each. */
+  constructor(triangles: Float32Array, [x, z]: Spot, reach: number, level: number) {
     this.#triangles = triangles;
     this.#level = level;
+    const side = (middle: number, a: number, b: number, c: number) => [
+      Math.floor(Math.max(middle - reach, Math.min(a, b, c)) / SQUARE), Math.floor(Math.min(middle + reach, Math.max(a, b, c)) / SQUARE),
+    ] as const;
+    for (let i = 0; i < triangles.length; i += 9) {
+      const [west, east] = side(x, triangles[i]!, triangles[i + 3]!, triangles[i + 6]!), [north, south] = side(z, triangles[i + 2]!, triangles[i + 5]!, triangles[i + 8]!);
+      for (let column = west; column <= east; column++) {
+        for (let row = north; row <= south; row++) {
+          const square = this.#squares.get(squareOf(column, row));
+          if (square) square.push(i); else this.#squares.set(squareOf(column, row), [i]);
+        }
+      }
+    }
   }
 
   /** The highest surface above or below a spot. */
@@ -40,7 +60,7 @@ export class Obstacles {
   #height([x, z]: Spot, most: number, least: number): number {
     const t = this.#triangles;
     let found = this.#level;
-    for (let i = 0; i < t.length; i += 9) {
+    for (const i of this.#squares.get(squareOf(Math.floor(x / SQUARE), Math.floor(z / SQUARE))) ?? NONE) {
       const [ax, ay, az, bx, by, bz, cx, cy, cz] = [t[i]!, t[i + 1]!, t[i + 2]!, t[i + 3]!, t[i + 4]!, t[i + 5]!, t[i + 6]!, t[i + 7]!, t[i + 8]!];
       if (Math.min(ax, bx, cx) > x || Math.max(ax, bx, cx) < x || Math.min(az, bz, cz) > z || Math.max(az, bz, cz) < z) continue;
       const area = (bx - ax) * (cz - az) - (cx - ax) * (bz - az);
@@ -59,12 +79,16 @@ export class Obstacles {
   nearest([x, z]: Spot, ground: number, reach = RADIUS): { far: number; at: Spot } {
     const t = this.#triangles, low = ground + STEP, high = ground + HEIGHT;
     let far = Infinity, at: Spot = [x, z];
-    for (let i = 0; i < t.length; i += 9) {
-      if (Math.min(t[i]!, t[i + 3]!, t[i + 6]!) > x + reach || Math.max(t[i]!, t[i + 3]!, t[i + 6]!) < x - reach) continue;
-      if (Math.min(t[i + 2]!, t[i + 5]!, t[i + 8]!) > z + reach || Math.max(t[i + 2]!, t[i + 5]!, t[i + 8]!) < z - reach) continue;
-      if (Math.min(t[i + 1]!, t[i + 4]!, t[i + 7]!) > high || Math.max(t[i + 1]!, t[i + 4]!, t[i + 7]!) < low) continue;
-      const found = nearestOf(cut(cut([...t.subarray(i, i + 9)], low, 1), high, -1), [x, z]);
-      if (found && found.far < far) ({ far, at } = found);
+    for (let column = Math.floor((x - reach) / SQUARE); column * SQUARE <= x + reach; column++) {
+      for (let row = Math.floor((z - reach) / SQUARE); row * SQUARE <= z + reach; row++) {
+        for (const i of this.#squares.get(squareOf(column, row)) ?? NONE) {
+          if (Math.min(t[i]!, t[i + 3]!, t[i + 6]!) > x + reach || Math.max(t[i]!, t[i + 3]!, t[i + 6]!) < x - reach) continue;
+          if (Math.min(t[i + 2]!, t[i + 5]!, t[i + 8]!) > z + reach || Math.max(t[i + 2]!, t[i + 5]!, t[i + 8]!) < z - reach) continue;
+          if (Math.min(t[i + 1]!, t[i + 4]!, t[i + 7]!) > high || Math.max(t[i + 1]!, t[i + 4]!, t[i + 7]!) < low) continue;
+          const found = nearestOf(cut(cut([...t.subarray(i, i + 9)], low, 1), high, -1), [x, z]);
+          if (found && found.far < far) ({ far, at } = found);
+        }
+      }
     }
     return far <= reach ? { far, at } : { far: Infinity, at };
   }
@@ -96,6 +120,9 @@ export class Obstacles {
     return null;
   }
 }
+
+/** The number of a square. */
+const squareOf = (column: number, row: number) => column * 2 ** 24 + row;
 
 /** The part of a polygon above a height, or below it. */
 function cut(polygon: number[], height: number, side: 1 | -1): number[] {

@@ -1,0 +1,243 @@
+// Walking: the camera is at the eyes of someone who stands on the ground and goes where nothing is in the way.
+
+import * as THREE from 'three';
+import type { App } from '../app.ts';
+import { strings } from '../ui/strings.ts';
+import { Obstacles, type Spot } from './obstacles.ts';
+import { FARTHEST, SEARCHED, startNear } from './start.ts';
+import { trianglesIn } from './surfaces.ts';
+
+/** Height of the eyes above the ground, metres. */
+export const EYES = 1.5;
+
+/** Metres a second; with Shift. */
+const SPEED = 1.8, FAST = 6;
+
+/** Radians a second. */
+const TURN = 1.4, TILT = 0.9;
+
+/** How far eyes look up and down, radians. */
+const STEEPEST = 1.2;
+
+/** Vertical angle of view, degrees: a street is wider than a house on a table. */
+const FOV = 60;
+
+/** How far around a place its surfaces are gathered, and how far one may walk before it is done again, metres. */
+const REACH = 12, MARGIN = 8;
+
+/** Surfaces so far above the ground do not matter to a walker, metres. */
+const OVERHEAD = 4;
+
+/** Farther down and up than anything. */
+const BEYOND = 1e5;
+
+/** Metres a second at which eyes rise and sink at steps. */
+const RISE = 3;
+
+/** How long a press of a button without a pointer lasts, seconds. */
+const NUDGE = 0.45;
+
+/** A camera no higher than this above the ground is one from which a walk begins, metres. */
+const LOW = 4;
+
+/** Radians a pixel by which a drag turns the eyes. */
+const DRAG = 0.004;
+
+export const WAYS = ['ahead', 'back', 'left', 'right', 'turn-left', 'turn-right', 'up', 'down'] as const;
+export type Way = (typeof WAYS)[number];
+
+const KEYS: Record<string, Way> = {
+  KeyW: 'ahead', ArrowUp: 'ahead', KeyS: 'back', ArrowDown: 'back', KeyA: 'left', KeyD: 'right',
+  ArrowLeft: 'turn-left', ArrowRight: 'turn-right', PageUp: 'up', PageDown: 'down',
+};
+
+export class Walk {
+  on = false;
+  #app: App;
+  #held = new Set<Way>();
+  #fast = false;
+  #obstacles: Obstacles | null = null;
+  /** Where surfaces were gathered. */
+  #middle: Spot = [0, 0];
+  #spot: Spot = [0, 0];
+  #ground = 0;
+  #eyes = 0;
+  /** Clockwise from north, radians. */
+  #heading = 0;
+  #tilt = 0;
+  #last = 0;
+  #moving = false;
+  /** True while the camera is moved from here. */
+  #own = false;
+  #ended = new AbortController();
+
+  constructor(app: App) {
+    this.#app = app;
+    // Whatever else moves the camera ends the walk.
+    app.viewport.controls.addEventListener('change', () => { if (this.on && !this.#own) this.leave(); });
+  }
+
+  /** Where one stands: x, height of the ground, z; metres. */
+  get place(): [number, number, number] { return [this.#spot[0], this.#ground, this.#spot[1]]; }
+
+  #gather([x, z]: Spot, reach: number, low: number, high: number): Obstacles {
+    const box = new THREE.Box3(new THREE.Vector3(x - reach, low, z - reach), new THREE.Vector3(x + reach, high, z + reach));
+    return new Obstacles(trianglesIn(box, this.#app.meshes()), [x, z], reach, this.#app.viewport.environment.level);
+  }
+
+  /** Begins near what is looked at, or before the selected house; false if there is no room. */
+  start(): boolean {
+    const { viewport: { camera, controls, environment, canvas }, town, turntable } = this.#app;
+    if (this.on) return true;
+    turntable.set(false);
+    if (town.selected) town.standBefore();
+    const low = camera.position.y < environment.level + LOW, { x, z } = low ? camera.position : controls.target;
+    const ahead = camera.getWorldDirection(new THREE.Vector3()), facing = Math.atan2(ahead.x, -ahead.z);
+    const start = startNear(this.#gather([x, z], SEARCHED + FARTHEST, -BEYOND, BEYOND), [x, z], facing);
+    if (!start) {
+      this.#app.announce(strings.noRoomToWalk);
+      return false;
+    }
+    this.on = true;
+    // Who stands on the street already goes on to look at the same front.
+    [this.#spot, this.#ground, this.#heading] = [start.spot, start.ground, low ? facing : start.heading];
+    this.#eyes = start.ground + EYES;
+    this.#tilt = 0;
+    this.#obstacles = null;
+    controls.enabled = false;
+    this.#ended = new AbortController();
+    this.#listen(canvas, this.#ended.signal);
+    canvas.setAttribute('aria-label', strings.walkCanvas);
+    this.#look(FOV);
+    this.#app.announce(strings.walking);
+    this.#app.emit('walk');
+    return true;
+  }
+
+  /** Ends the walk; the camera stays where it is. */
+  leave() {
+    if (!this.on) return;
+    const { viewport } = this.#app, { canvas, controls } = viewport;
+    this.on = false;
+    this.#ended.abort();
+    this.#held.clear();
+    this.#obstacles = null;
+    controls.enabled = true;
+    canvas.setAttribute('aria-label', strings.canvas);
+    viewport.setFieldOfView(null);
+    viewport.draw();
+    this.#app.announce(strings.walked);
+    this.#app.emit('walk');
+  }
+
+  /** Forgets the surfaces nearby, since others are shown. */
+  forget() { this.#obstacles = null; }
+
+  /** Goes or turns as long as it is held. */
+  hold(way: Way, held: boolean) {
+    if (held) this.#held.add(way); else this.#held.delete(way);
+    if (held) this.#begin();
+  }
+
+  /** Goes or turns for a moment. */
+  nudge(way: Way) {
+    if (!this.on) return;
+    const before = this.#held;
+    this.#held = new Set([way]);
+    this.#step(NUDGE);
+    this.#held = before;
+    this.#begin(); // Eyes settle.
+  }
+
+  /** Handles a key on the canvas; returns false if it has no meaning here. */
+  handleKey(event: KeyboardEvent): boolean {
+    if (!this.on || event.ctrlKey || event.metaKey || event.altKey) return false;
+    this.#fast = event.shiftKey;
+    const way = KEYS[event.code];
+    if (way) this.hold(way, true);
+    else if (event.key === 'Escape') this.leave();
+    else return false;
+    return true;
+  }
+
+  #listen(canvas: HTMLCanvasElement, signal: AbortSignal) {
+    let from: { x: number; y: number } | null = null;
+    window.addEventListener('keyup', event => {
+      this.#fast = event.shiftKey;
+      const way = KEYS[event.code];
+      if (way) this.hold(way, false);
+    }, { signal });
+    canvas.addEventListener('blur', () => this.#held.clear(), { signal });
+    canvas.addEventListener('pointerdown', ({ clientX: x, clientY: y, isPrimary, pointerId }) => {
+      if (!isPrimary) return;
+      from = { x, y };
+      canvas.setPointerCapture(pointerId);
+    }, { signal });
+    canvas.addEventListener('pointermove', ({ clientX: x, clientY: y, isPrimary }) => {
+      if (!from || !isPrimary) return;
+      // The picture follows the finger.
+      this.#turn((from.x - x) * DRAG, (y - from.y) * DRAG);
+      from = { x, y };
+      this.#look();
+    }, { signal });
+    for (const end of ['pointerup', 'pointercancel'] as const) canvas.addEventListener(end, () => { from = null; }, { signal });
+  }
+
+  #turn(right: number, up: number) {
+    this.#heading += right;
+    this.#tilt = THREE.MathUtils.clamp(this.#tilt + up, -STEEPEST, STEEPEST);
+  }
+
+  #begin() {
+    if (this.#moving || !this.on) return;
+    this.#moving = true;
+    this.#last = performance.now();
+    requestAnimationFrame(this.#move);
+  }
+
+  #move = (now: number) => {
+    const seconds = THREE.MathUtils.clamp((now - this.#last) / 1000, 0, 0.25);
+    this.#last = Math.max(now, this.#last);
+    this.#moving = false;
+    if (!this.on) return;
+    if (this.#step(seconds)) this.#begin();
+  };
+
+  /** Goes and turns as what is held says; returns true if there is more to come. */
+  #step(seconds: number): boolean {
+    const held = (way: Way) => Number(this.#held.has(way));
+    this.#turn((held('turn-right') - held('turn-left')) * TURN * seconds, (held('up') - held('down')) * TILT * seconds);
+    const far = (this.#fast ? FAST : SPEED) * seconds, ahead = held('ahead') - held('back'), right = held('right') - held('left');
+    if (ahead || right) {
+      const turn = this.#heading + Math.atan2(right, ahead);
+      this.#walk([Math.sin(turn) * far, -Math.cos(turn) * far]);
+    }
+    const rise = this.#ground + EYES - this.#eyes;
+    this.#eyes += THREE.MathUtils.clamp(rise, -RISE * seconds, RISE * seconds);
+    this.#look();
+    return this.#held.size > 0 || Math.abs(rise) > 1e-3;
+  }
+
+  #walk(way: Spot) {
+    const [x, z] = this.#spot;
+    if (!this.#obstacles || Math.hypot(x - this.#middle[0], z - this.#middle[1]) > MARGIN) {
+      this.#obstacles = this.#gather(this.#middle = [x, z], REACH, -BEYOND, this.#ground + OVERHEAD);
+    }
+    const { spot, ground } = this.#obstacles.walk(this.#spot, this.#ground, way);
+    this.#spot = spot;
+    this.#ground = ground;
+  }
+
+  /** Puts the camera to the eyes. */
+  #look(fov?: number) {
+    const { viewport } = this.#app, { camera, controls } = viewport, level = Math.cos(this.#tilt);
+    const ahead = new THREE.Vector3(Math.sin(this.#heading) * level, Math.sin(this.#tilt), -Math.cos(this.#heading) * level);
+    this.#own = true;
+    if (fov) viewport.setFieldOfView(fov);
+    camera.position.set(this.#spot[0], this.#eyes, this.#spot[1]);
+    controls.target.copy(camera.position).addScaledVector(ahead, 6);
+    camera.lookAt(controls.target);
+    controls.dispatchEvent({ type: 'change' });
+    this.#own = false;
+  }
+}
