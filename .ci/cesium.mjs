@@ -14,7 +14,7 @@ const contents = tile => [tile.content?.uri, ...(tile.children ?? []).flatMap(co
 let bad = 0;
 for (const town of towns) {
   const { root } = JSON.parse(await readFile(join(town, 'tileset.json'), 'utf8')), wanted = contents(root);
-  bad += await withPage({ script: 'cesium_page.mjs', town, width: 320, height: 240 }, async (page, problems) => {
+  bad += await withPage({ script: 'cesium_page.mjs', town, width: 160, height: 120 }, async (page, problems) => {
     const asked = new Set(), foreign = [];
     page.on('request', request => {
       const url = new URL(request.url());

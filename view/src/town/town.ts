@@ -64,6 +64,7 @@ export class Town {
     const root = state?.tileset ? townFiles(state.id) + state.tileset : '';
     if (root && root !== this.#root) void this.#load(root);
     this.#root = root;
+    if (state) void import('./tiles.ts'); // While the first tiles are built.
     if (state) void this.#loadSkipped(state);
     const { selected } = this;
     if (state && selected) void this.choose(selected.layer, selected.key);
