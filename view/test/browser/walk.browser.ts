@@ -14,7 +14,11 @@ const EYES = 1.5;
 
 let preview: Preview, page: Page;
 
-const atRest = (page: Page) => until(() => page.evaluate(() => hsd.app.town.state?.whole === true && !hsd.app.town.busy), 'all tiles are loaded', 120_000);
+/** Waits until the tiles for the camera are there. */
+async function atRest(page: Page) {
+  await page.evaluate(() => hsd.settled());
+  await until(() => page.evaluate(() => hsd.app.town.state?.whole === true && !hsd.app.town.busy), 'all tiles are loaded', 120_000);
+}
 const camera = (page: Page) => page.evaluate(() => hsd.camera);
 const walks = (page: Page) => page.evaluate(() => hsd.app.walk.on);
 const place = (page: Page) => page.evaluate(() => hsd.app.walk.place);
@@ -67,7 +71,7 @@ test('W and the arrow keys go and turn, at the height of eyes', async () => {
   assert.ok(Math.abs(y! - ground - EYES) < 0.05, `eyes at ${y} over ${ground}`);
 });
 
-test('no house is walked into: from before a front, ahead leads to the wall and no farther', async () => {
+test('no house is walked into: from before a front, ahead leads to its wall and no farther', async () => {
   await page.evaluate(() => hsd.app.town.goTo('houses', 's1'));
   assert.equal(await walks(page), false, 'who looks from elsewhere walks no more');
   await does(page, 'walk').click();
@@ -79,15 +83,13 @@ test('no house is walked into: from before a front, ahead leads to the wall and 
   const off = ([x, , z]: [number, number, number]) => (x - front.x) * Math.sin(front.facing) - (z - front.z) * Math.cos(front.facing);
   assert.ok(off(before) > 3, `it begins ${off(before)} m before the front`);
   let last = before;
-  await page.keyboard.down('Shift');
   await hold(page, 'KeyW', async () => {
     const frames = await page.evaluate(() => hsd.stats.frames);
     await until(() => page.evaluate(frames => hsd.stats.frames > frames + 3, frames), 'frames are drawn');
-    const now = await place(page), still = Math.hypot(now[0] - last[0], now[2] - last[2]) < 0.01;
+    const now = await place(page), stopped = off(now) > off(last) - 0.02; // It may go on along the front.
     last = now;
-    return still;
-  }, 'it stops');
-  await page.keyboard.up('Shift');
+    return stopped;
+  }, 'it comes no nearer');
   assert.ok(off(last) > -0.6 && off(last) < 2.5, `it stops ${off(last)} m before the front`);
 });
 
