@@ -6,7 +6,7 @@ use hsd::ast::town::Tiles;
 use hsd::driver::Options;
 use hsd::glam::{DVec3, dvec3};
 use hsd::tiles::TileStore;
-use hsd::tiles::run::{TileJob, TiledTown, run};
+use hsd::tiles::run::{Reach, TileJob, TiledTown, run};
 use hsd::town::{self, TownInput};
 use hsd::{Diagnostics, FileId, FolderWorld, Source};
 use serde_json::Value;
@@ -67,7 +67,12 @@ impl Built {
     }
 }
 
-pub(crate) fn build(
+pub(crate) fn build(text: &str, folder: &Path, store: &Memory, threads: usize) -> io::Result<Built> {
+    build_within(Reach::All, text, folder, store, threads)
+}
+
+fn build_within(
+    reach: Reach,
     text: &str,
     folder: &Path,
     store: &Memory,
@@ -96,6 +101,7 @@ pub(crate) fn build(
         written: &[],
         year: Some("1928"),
         division: &division,
+        reach,
         threads,
     };
     let town = run(job, store, &|_| {}, &mut out)?;
@@ -393,6 +399,41 @@ fn a_run_that_was_interrupted_goes_on() {
         kept += again.town.kept;
     }
     assert!(kept > 0, "some tiles were there already");
+}
+
+#[test]
+fn the_middle_comes_first_and_is_a_part_of_the_whole() {
+    let folder = map(4);
+    let text = text(RULES, "<Tiles size=\"20\" detail=\"0\"/>");
+    let whole = build(&text, folder.path(), &Memory::default(), 1).expect("nothing fails");
+    let store = Memory::default();
+    let middle = build_within(Reach::Middle(9), &text, folder.path(), &store, 2);
+    let middle = middle.expect("nothing fails");
+    assert!(middle.town.ledger.report.features >= 9);
+    assert!(middle.town.tiles.len() * 2 < whole.town.tiles.len());
+    assert!(
+        middle
+            .files
+            .iter()
+            .all(|(name, bytes)| whole.files[name] == *bytes)
+    );
+    // Cells of 20 m by the names of their tiles; the houses reach as far as those of all.
+    let cell = |tile: &str| -> [f64; 2] {
+        let (east, north) = tile.split_once('_').expect("is a cell");
+        [east, north].map(|n| n.parse::<f64>().expect("is a number"))
+    };
+    let cells = |town: &TiledTown| town.tiles.iter().map(|t| cell(&t.tile)).collect::<Vec<_>>();
+    let (all, first) = (cells(&whole.town), cells(&middle.town));
+    let of = |k: usize, f: fn(f64, f64) -> f64| all.iter().map(|c| c[k]).reduce(f).expect("some");
+    let centre = [0, 1].map(|k| (of(k, f64::min) + of(k, f64::max)) / 2.0);
+    let away = |c: &[f64; 2]| (c[0] - centre[0]).hypot(c[1] - centre[1]);
+    let farthest = first.iter().map(away).fold(0.0, f64::max);
+    let left = all.iter().filter(|c| !first.contains(c));
+    assert!(left.map(away).all(|far| far >= farthest));
+    // The rest follows, and nothing tells that it came later.
+    let rest = build(&text, folder.path(), &store, 2).expect("nothing fails");
+    assert_eq!(rest.town.kept, middle.town.tiles.len());
+    assert!(rest.all() == whole.all());
 }
 
 /// All files below a folder.

@@ -67,6 +67,38 @@ pub fn tiles(plan: &Plan, division: &Tiles) -> Vec<Tile> {
     all.into_iter().map(made).collect()
 }
 
+/// Which tiles of a town are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reach {
+    /// All of them.
+    All,
+    /// Those in the middle, nearest first, until they have so many features.
+    Middle(usize),
+}
+
+impl Reach {
+    /// Keeps the tiles within reach, in their order.
+    pub fn of(self, mut tiles: Vec<Tile>) -> Vec<Tile> {
+        let Reach::Middle(wanted) = self else {
+            return tiles;
+        };
+        let (low, high) = tiles.iter().fold(
+            (DVec3::INFINITY, DVec3::NEG_INFINITY),
+            |(low, high), tile| (low.min(tile.centre), high.max(tile.centre)),
+        );
+        let away = |tile: &Tile| tile.centre.distance_squared((low + high) / 2.0);
+        tiles.sort_by(|a, b| away(a).total_cmp(&away(b)).then_with(|| a.key.cmp(&b.key)));
+        let mut features = 0;
+        let enough = tiles.iter().position(|tile| {
+            features += tile.lots.len();
+            features >= wanted
+        });
+        tiles.truncate(enough.map_or(tiles.len(), |last| last + 1));
+        tiles.sort_by(|a, b| a.key.cmp(&b.key));
+        tiles
+    }
+}
+
 fn key(plan: &Plan, id: LotId, division: &Tiles) -> TileKey {
     let lot = plan.lot(id);
     match &division.by {

@@ -3,6 +3,7 @@
 use super::TileStore;
 use super::input::{TileSalt, evaluate};
 use super::make::{MadeTile, make, picture_hash};
+pub use super::mesh::Reach;
 use super::mesh::{Tile, tiles};
 use super::piece;
 use super::record::{TileRecord, record_file};
@@ -42,6 +43,8 @@ pub struct TileJob<'a> {
     pub year: Option<&'a str>,
     /// How it is divided, and the levels of detail.
     pub division: &'a Tiles,
+    /// Which of its tiles are made.
+    pub reach: Reach,
     /// The number of threads.
     pub threads: usize,
 }
@@ -82,6 +85,7 @@ impl<'a> TileParts<'a> {
             written: &self.written,
             year: self.year.as_deref(),
             division,
+            reach: Reach::All,
             threads: rayon::current_num_threads(),
         }
     }
@@ -126,6 +130,7 @@ pub fn run(
     let tiles = tiles(job.plan, job.division);
     let pieces = terrain::cells(job.plan, job.division);
     let levels: Vec<Detail> = levels(job.division);
+    let tiles = job.reach.of(tiles);
     let maker = Maker {
         job,
         store,

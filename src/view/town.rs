@@ -1,6 +1,6 @@
 //! Towns in the preview: their tiles are built into a temporary folder, behind the page, and again at every save. Tiles whose
-//! houses are the same are kept. The first pass makes the farthest level only, so that there is something to see soon; the
-//! second makes the nearer ones.
+//! houses are the same are kept. The first pass makes the farthest level only, and of a large town the middle before the rest,
+//! so that there is something to see soon; the last makes the nearer levels.
 //!
 //! | file | purpose |
 //! |---|---|
@@ -19,7 +19,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::driver::{self, Options};
 use crate::parse::outline;
 use crate::source::{FileId, Limits, Source, World};
-use crate::tiles::run::{self, TileParts, TiledTown};
+use crate::tiles::run::{self, Reach, TileJob, TileParts, TiledTown};
 use crate::town::{self, KeptMaps, Plan, TownInput};
 use scratch::Scratch;
 use serde::Serialize;
@@ -35,6 +35,9 @@ use std::time::{Duration, Instant, SystemTime};
 /// The number of features up to which the preview makes all levels of detail; larger towns have the two farthest, since
 /// full detail takes about a megabyte a house.
 const FULL: usize = 400;
+
+/// The number of features in the middle of a town that are shown before the rest.
+const MIDDLE: usize = 300;
 
 /// How often the page hears of progress.
 const OFTEN: Duration = Duration::from_millis(120);
@@ -264,13 +267,19 @@ impl Build<'_> {
         // What is whole on the page already is not replaced by less.
         let was_whole = |built: &Arc<BuiltTown>| built.shown.whole && built.shown.tileset.is_some();
         let is_first = !lock(&self.slot.built).as_ref().is_some_and(was_whole);
-        let far = (is_first && all.len() > 1).then_some(("far", first));
-        for (phase, detail) in far.into_iter().chain([("near", all)]) {
+        let large = plan.lots().len() >= 2 * MIDDLE;
+        let middle = (is_first && large).then(|| ("far", first.clone(), Reach::Middle(MIDDLE)));
+        let far = (is_first && all.len() > 1).then_some(("far", first, Reach::All));
+        let last = [("near", all, Reach::All)];
+        for (phase, detail, reach) in middle.into_iter().chain(far).chain(last) {
             let division = Tiles {
                 detail,
                 ..plan.town.tiles.clone()
             };
-            let job = parts.job(input, &plan, &read.catalog, &division);
+            let job = TileJob {
+                reach,
+                ..parts.job(input, &plan, &read.catalog, &division)
+            };
             let mut found = out.clone();
             let progress = Throttled::new(self, phase, plan.lots().len());
             let store = scratch.store(self.stops);
@@ -278,8 +287,14 @@ impl Build<'_> {
             if self.stops.load(Ordering::Relaxed) {
                 return Ok(());
             }
+            let mut made = made?;
+            if reach != Reach::All {
+                // What concerns all features can only be told of all.
+                found = out.clone();
+                made.ledger.report.features = plan.lots().len();
+            }
             let included = read.included.clone();
-            self.publish(made?, (found, included), phase == "near", scratch)?;
+            self.publish(made, (found, included), phase == "near", scratch)?;
         }
         Ok(())
     }

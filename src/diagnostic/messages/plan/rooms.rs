@@ -36,7 +36,7 @@ pub(crate) fn outside(at: Span, [low, high]: [DVec2; 2]) -> Diagnostic {
         "この位置は階の壁の外です"
     );
     let [a, b, c, d] = [low.x, high.x, low.y, high.y].map(|n| (n * 100.0).round() / 100.0);
-    Diagnostic::error(440, at, message).help(text!([a, b, c, d]
+    Diagnostic::warning(440, at, message).help(text!([a, b, c, d]
         "`at` counts units to the left of the house's origin, then units back: the walls stand between {a} and {b}, and between {c} and {d}; courtyards are outside too",
         "`at` は原点から左へのユニット数、奥へのユニット数です。壁は左へ {a} から {b}、奥へ {c} から {d} の範囲にあります。中庭も外です"
     ))
@@ -49,7 +49,7 @@ pub(crate) fn on_a_wall(at: Span) -> Diagnostic {
         "a wall stands at this place, so it is in no room",
         "この位置には壁があり、どの部屋にも入りません"
     );
-    Diagnostic::error(441, at, message).help(text!(
+    Diagnostic::warning(441, at, message).help(text!(
         "move it to the middle of the room, such as by half a unit",
         "半ユニットほどずらし、部屋の中ほどに置いてください"
     ))
@@ -63,7 +63,7 @@ pub(crate) fn one_area(second: Span, first: Span, names: [Option<&str>; 2]) -> D
         "no wall divides {two} from {one}: they are one area",
         "{one}と{two}の間に壁がなく、ひとつの範囲になっています"
     );
-    Diagnostic::error(442, second, message)
+    Diagnostic::warning(442, second, message)
         .help(text!(
             "write the wall between them, from wall to wall: `<Loop inner=\"yes\" start=\"...\"><Row>...</Row></Loop>`; an opening in it may be a void",
             "間の壁を、壁から壁まで `<Loop inner=\"yes\" start=\"...\"><Row>...</Row></Loop>` と書いてください。開口は空白のコードでかまいません"
@@ -105,7 +105,7 @@ pub(crate) fn too_many_walls(room: Span, walls: usize, most: usize) -> Diagnosti
         "this storey has {walls} walls; rooms are worked out among at most {most}",
         "この階の壁は{walls}枚です。部屋を割り出せるのは{most}枚までです"
     );
-    Diagnostic::error(445, room, message).help(text!(
+    Diagnostic::warning(445, room, message).help(text!(
         "write parts that stand in line as one row, or divide the house",
         "一直線に並ぶ部材をひとつの行に書くか、建物を分けてください"
     ))
