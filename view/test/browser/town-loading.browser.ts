@@ -107,4 +107,36 @@ test('a camera that looks away from the town waits for nothing', async () => {
   await page.context().close();
 });
 
+test('of a large town the middle is shown before the rest is built', async () => {
+  const square = (x: number, y: number) => [[x, y], [x + 8, y], [x + 8, y + 12], [x, y + 12], [x, y]];
+  const houses = Array.from({ length: 720 }, (_, i) => ({
+    type: 'Feature', properties: { key: `h${i}` }, geometry: { type: 'Polygon', coordinates: [square(i % 60 * 20, Math.floor(i / 60) * 100 + 10)] },
+  }));
+  const roads = Array.from({ length: 12 }, (_, i) => ({
+    type: 'Feature', properties: { highway: 'residential' }, geometry: { type: 'LineString', coordinates: [[-20, i * 100], [1220, i * 100]] },
+  }));
+  for (const [name, features] of [['houses', houses], ['roads', roads]] as const) preview.write(`large/${name}.geojson`, JSON.stringify({ type: 'FeatureCollection', features }));
+  preview.write('large/large.hsd', '<Town seed="1">\n<Layer name="houses" src="houses.geojson" crs="local" key="key"/>\n<Layer name="roads" src="roads.geojson" crs="local"/>\n'
+    + '<for each="houses"><Place type="so-nikai"/></for>\n<Tiles size="100"/>\n</Town>\n');
+  preview.script = `globalThis.seen = [];
+    setInterval(() => {
+      const { state, tiles } = globalThis.hsd?.app.town ?? {}, last = globalThis.seen.at(-1);
+      if (!state?.tileset) return;
+      const now = { tileset: state.tileset, features: state.features, built: state.built, whole: state.whole, shown: 0, size: 0 };
+      const one = last?.tileset === state.tileset ? last : (globalThis.seen.push(now), now);
+      one.shown = Math.max(one.shown, tiles?.shown ?? 0);
+      if (tiles && !tiles.box.isEmpty()) one.size = tiles.box.max.x - tiles.box.min.x;
+    }, 5);`;
+  const page = await preview.open('?file=large/large.hsd');
+  await atRest(page, 200_000);
+  const seen = await page.evaluate(() => (globalThis as unknown as { seen: { features: number; built: number; whole: boolean; shown: number; size: number }[] }).seen);
+  const [first] = seen, last = seen.at(-1)!;
+  assert.ok(seen.length >= 3, JSON.stringify(seen));
+  assert.ok(first!.built >= 300 && first!.built < 450, `${first!.built} houses first`);
+  assert.ok(first!.shown > 0 && !first!.whole, 'they are shown');
+  assert.ok(first!.size < 0.8 * last.size, `${first!.size} m of ${last.size} m`);
+  assert.deepEqual([first!.features, last.features, last.built, last.whole], [720, 720, 720, true]);
+  await page.context().close();
+});
+
 test('nothing went wrong', () => preview.assertClean());
