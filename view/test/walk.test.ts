@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import * as THREE from 'three';
 import { Obstacles, RADIUS, type Spot } from '../src/walk/obstacles.ts';
 import { startNear } from '../src/walk/start.ts';
-import { trianglesIn } from '../src/walk/surfaces.ts';
+import { nearestCorner, trianglesIn } from '../src/walk/surfaces.ts';
 
 const EVERYWHERE = new THREE.Box3(new THREE.Vector3(-100, -100, -100), new THREE.Vector3(100, 100, 100));
 
@@ -99,6 +99,13 @@ test('instances and packed corners count like others', () => {
   packed.position.set(3, 0, 0);
   packed.updateMatrixWorld();
   near(among([packed]).walk([0, 0], 0, [9, 0]).spot[0], 2 - RADIUS);
+});
+
+test('the nearest corner of what is drawn is found from far away', () => {
+  const meshes = boxes([200, 0, 0, 210, 6, 10], [300, 0, 0, 310, 6, 10]);
+  const { x, z } = nearestCorner(new THREE.Vector3(0, 0, 40), meshes)!;
+  assert.deepEqual([x, z], [200, 10]);
+  assert.equal(nearestCorner(new THREE.Vector3(), []), null);
 });
 
 test('a walk begins outside, where a way leads somewhere, and looks along it', () => {

@@ -51,6 +51,9 @@ export class Obstacles {
     }
   }
 
+  /** True if there is nothing but the plane. */
+  get none(): boolean { return this.#triangles.length === 0; }
+
   /** The highest surface above or below a spot. */
   top(spot: Spot): number { return this.#height(spot, Infinity, 0); }
 

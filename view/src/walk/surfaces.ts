@@ -17,6 +17,21 @@ function cornersOf(geometry: THREE.BufferGeometry): ArrayLike<number> {
   return plain;
 }
 
+/** The corner of what is drawn that is nearest to a place, seen from above; null if nothing is drawn. */
+export function nearestCorner(place: THREE.Vector3, meshes: Iterable<THREE.Mesh>): THREE.Vector3 | null {
+  const found = new THREE.Vector3(), one = new THREE.Vector3();
+  let least = Infinity;
+  for (const { geometry, matrixWorld } of meshes) {
+    const at = cornersOf(geometry);
+    for (let i = 0; i < at.length; i += 3) {
+      one.set(at[i]!, at[i + 1]!, at[i + 2]!).applyMatrix4(matrixWorld);
+      const far = Math.hypot(one.x - place.x, one.z - place.z);
+      if (far < least) { least = far; found.copy(one); }
+    }
+  }
+  return least < Infinity ? found : null;
+}
+
 /** The triangles that touch a box: nine numbers each. */
 export function trianglesIn(box: THREE.Box3, meshes: Iterable<THREE.Mesh>): Float32Array {
   const found: number[] = [], place = new THREE.Matrix4(), one = new THREE.Vector3();

@@ -5,7 +5,7 @@ import type { App } from '../app.ts';
 import { strings } from '../ui/strings.ts';
 import { Obstacles, type Spot } from './obstacles.ts';
 import { FARTHEST, SEARCHED, startNear } from './start.ts';
-import { trianglesIn } from './surfaces.ts';
+import { nearestCorner, trianglesIn } from './surfaces.ts';
 
 /** Height of the eyes above the ground, metres. */
 export const EYES = 1.5;
@@ -85,15 +85,22 @@ export class Walk {
     return new Obstacles(trianglesIn(box, this.#app.meshes()), [x, z], reach, this.#app.viewport.environment.level);
   }
 
+  /** What matters to where a walk begins. */
+  #around(spot: Spot): Obstacles { return this.#gather(spot, SEARCHED + FARTHEST, -BEYOND, BEYOND); }
+
   /** Begins near what is looked at, or before the selected house; false if there is no room. */
   start(): boolean {
     const { viewport: { camera, controls, environment, canvas }, town, turntable } = this.#app;
     if (this.on) return true;
     turntable.set(false);
     if (town.selected) town.standBefore();
-    const low = camera.position.y < environment.level + LOW, { x, z } = low ? camera.position : controls.target;
+    const low = camera.position.y < environment.level + LOW, place = low ? camera.position : controls.target;
     const ahead = camera.getWorldDirection(new THREE.Vector3()), facing = Math.atan2(ahead.x, -ahead.z);
-    const start = startNear(this.#gather([x, z], SEARCHED + FARTHEST, -BEYOND, BEYOND), [x, z], facing);
+    let spot: Spot = [place.x, place.z], around = this.#around(spot);
+    // Among houses rather than on open land.
+    const house = !low && around.none && nearestCorner(place, this.#app.meshes());
+    if (house) around = this.#around(spot = [house.x, house.z]);
+    const start = startNear(around, spot, facing);
     if (!start) {
       this.#app.announce(strings.noRoomToWalk);
       return false;
