@@ -28,6 +28,9 @@ const REACH = 12, MARGIN = 8;
 /** Surfaces so far above the ground do not matter to a walker, metres. */
 const OVERHEAD = 4;
 
+/** How long the first step lasts, and at most one on a slow machine, seconds. */
+const FIRST = 1 / 60, LONGEST = 1;
+
 /** Farther down and up than anything. */
 const BEYOND = 1e5;
 
@@ -65,7 +68,8 @@ export class Walk {
   /** Clockwise from north, radians. */
   #heading = 0;
   #tilt = 0;
-  #last = 0;
+  /** When the last step was made; null if there was none. */
+  #last: number | null = null;
   #moving = false;
   /** True while the camera is moved from here. */
   #own = false;
@@ -198,16 +202,15 @@ export class Walk {
   #begin() {
     if (this.#moving || !this.on) return;
     this.#moving = true;
-    this.#last = performance.now();
+    this.#last = null;
     requestAnimationFrame(this.#move);
   }
 
   #move = (now: number) => {
-    const seconds = THREE.MathUtils.clamp((now - this.#last) / 1000, 0, 0.25);
-    this.#last = Math.max(now, this.#last);
-    this.#moving = false;
-    if (!this.on) return;
-    if (this.#step(seconds)) this.#begin();
+    const seconds = this.#last === null ? FIRST : THREE.MathUtils.clamp((now - this.#last) / 1000, 0, LONGEST);
+    this.#last = now;
+    this.#moving = this.on && this.#step(seconds);
+    if (this.#moving) requestAnimationFrame(this.#move);
   };
 
   /** Goes and turns as what is held says; returns true if there is more to come. */
