@@ -71,6 +71,8 @@ test('many quick saves end with the last town, and no texture of the ones before
     await until(() => page.evaluate(before => hsd.app.town.tiles!.textures === before, before), 'the textures are those of one town');
   }
   assert.deepEqual(await page.evaluate(() => (globalThis as unknown as { closedImages: string[] }).closedImages), []);
+  // The files of a town are there until two more are built: a page may ask for one that is gone, and gets the next.
+  preview.consoleMessages.splice(0, Infinity, ...preview.consoleMessages.filter(text => !/Failed to load (tileset .* with status|model with error code) 404|Failed to load tile at url/.test(text)));
   await page.context().close();
 });
 
