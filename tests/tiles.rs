@@ -67,7 +67,12 @@ impl Built {
     }
 }
 
-pub(crate) fn build(text: &str, folder: &Path, store: &Memory, threads: usize) -> io::Result<Built> {
+pub(crate) fn build(
+    text: &str,
+    folder: &Path,
+    store: &Memory,
+    threads: usize,
+) -> io::Result<Built> {
     build_within(Reach::All, text, folder, store, threads)
 }
 

@@ -23,6 +23,11 @@ impl Look {
         Look::new(DVec3::X, DVec3::Y, scale)
     }
 
+    /// Returns true if it looks down.
+    pub(super) fn is_down(&self) -> bool {
+        self.way.z < -0.5
+    }
+
     /// Looks at the front.
     pub(super) fn front(scale: f64) -> Look {
         Look::new(DVec3::X, DVec3::Z, scale)

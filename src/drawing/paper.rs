@@ -115,7 +115,7 @@ impl Role {
             Role::Wall => 0.45,
             Role::Timber => 0.72,
             Role::Roof => 0.85,
-            Role::Floor => 0.93,
+            Role::Floor | Role::Mat => 0.93,
             _ => 1.0,
         }
     }

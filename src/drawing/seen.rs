@@ -4,8 +4,8 @@
 //! paper, where something covers the rest.
 
 use crate::drawing::look::Look;
-use crate::drawing::paper::Bounds;
-use crate::drawing::subject::Subject;
+use crate::drawing::paper::{Bounds, Role};
+use crate::drawing::subject::{Body, Subject};
 use crate::drawing::{edges, merge};
 use glam::{DVec2, DVec3, dvec2};
 
@@ -170,7 +170,9 @@ impl<'s> Depths<'s> {
     /// Returns all visible edges, each stretch once.
     pub(super) fn lines(&self) -> Vec<[DVec2; 2]> {
         let mut found = vec![];
-        for body in &self.subject.bodies {
+        // A plan draws mats as their edges alone.
+        let drawn = |body: &&Body| body.role != Role::Mat || !self.look.is_down();
+        for body in self.subject.bodies.iter().filter(drawn) {
             for edge in edges::edges(body, &self.look) {
                 self.visible(edge, &mut found);
             }

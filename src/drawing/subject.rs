@@ -118,18 +118,11 @@ impl<'b> Subject<'b> {
             let (Some(place), Some(mesh)) = (place, node.mesh) else {
                 continue;
             };
-            // Mats lie in rooms; a plan has them as lines.
-            let above = node
-                .parent
-                .map(|parent| scene.nodes[parent.0 as usize].kind);
-            if node.kind == Kind::Room && above == Some(Kind::Room) {
-                continue;
-            }
             let shape = welded
                 .entry(mesh.0)
                 .or_insert_with(|| Body::welded(&scene.meshes[mesh.0 as usize]));
             bodies.push(Body {
-                role: role(node, catalog),
+                role: role(node, scene, catalog),
                 code: node.code.map(|c| c.as_str().to_owned()),
                 points: shape.points.iter().map(|p| place.point(*p)).collect(),
                 triangles: shape.triangles.clone(),
@@ -218,8 +211,11 @@ impl Body {
 }
 
 /// The role of a node's body where it is cut.
-fn role(node: &Node, catalog: &Catalog) -> Role {
+fn role(node: &Node, scene: &Scene, catalog: &Catalog) -> Role {
+    let above = node.parent.map(|p| scene.nodes[p.0 as usize].kind);
     match node.kind {
+        // Mats lie in rooms.
+        Kind::Room if above == Some(Kind::Room) => Role::Mat,
         Kind::Part => {
             let code = node.code.as_deref().unwrap_or_default();
             let part = catalog.parts().iter().find(|p| p.code() == code);

@@ -4,7 +4,7 @@ use super::TileStore;
 use super::input::{TileSalt, evaluate};
 use super::make::{MadeTile, make, picture_hash};
 pub use super::mesh::Reach;
-use super::mesh::{Tile, tiles};
+use super::mesh::{Tile, TileKey, tiles};
 use super::piece;
 use super::record::{TileRecord, record_file};
 use super::terrain::{self, Cell, Patch};
@@ -128,9 +128,13 @@ pub fn run(
     out: &mut Diagnostics,
 ) -> io::Result<TiledTown> {
     let tiles = tiles(job.plan, job.division);
-    let pieces = terrain::cells(job.plan, job.division);
     let levels: Vec<Detail> = levels(job.division);
     let tiles = job.reach.of(tiles);
+    let mut pieces = terrain::cells(job.plan, job.division);
+    if job.reach != Reach::All {
+        let near = |cell: &Cell| tiles.iter().any(|t| t.key == TileKey::Cell(cell.0, cell.1));
+        pieces.retain(near);
+    }
     let maker = Maker {
         job,
         store,

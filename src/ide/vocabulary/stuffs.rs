@@ -15,6 +15,10 @@ pub(in crate::ide) const STUFFS: &Table = &[
     ("cotton", noun("cotton", "木綿")),
     ("cedar or hinoki", noun("cedar or hinoki", "杉または檜")),
     ("wooden frame, paper", noun("wooden frame, paper", "木枠、紙")),
+    (
+        "paper on a wooden frame, lacquered edges",
+        noun("paper on a wooden frame, lacquered edges", "木枠に紙、塗縁"),
+    ),
     ("wood, glass", noun("wood, glass", "木、ガラス")),
     ("plaster on bars wound with rope", noun("plaster on bars wound with rope", "縄を巻いた格子に漆喰")),
     ("lime plaster on clay", noun("lime plaster on clay", "土壁に漆喰")),

@@ -57,7 +57,8 @@ export class Environment {
     const ball = box.getBoundingSphere(new THREE.Sphere());
     const reach = Math.max(1, ball.radius * 1.15);
     this.shade(ball.center, reach);
-    const level = Math.min(0, box.min.y) - 0.003;
+    // A town on high ground stands on its lowest place.
+    const level = (box.min.y > 2 ? box.min.y : Math.min(0, box.min.y)) - 0.003;
     this.#ground.position.set(ball.center.x, level, ball.center.z);
     this.#ground.scale.setScalar(Math.max(60, reach * 14));
   }
