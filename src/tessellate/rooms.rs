@@ -123,7 +123,7 @@ impl Walker<'_> {
 fn mat_body(length: f64, width: f64) -> Bodies {
     let mut bodies = Bodies::default();
     let (x, y) = (length / 2.0, width / 2.0);
-    let (rush, cloth) = (SurfaceId::named("tatami"), SurfaceId::named("boards_dark"));
+    let (rush, cloth) = (SurfaceId::named("tatami"), SurfaceId::named("indigo"));
     for (finish, low, high) in [
         (cloth, -y, -y + CLOTH),
         (rush, -y + CLOTH, y - CLOTH),
