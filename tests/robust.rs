@@ -219,7 +219,8 @@ fn a_file_beyond_the_limit_is_refused() {
 /// Far longer than any example, so they are compared with a quarter of themselves.
 #[test]
 fn more_than_can_be_roofed_is_told() {
-    let inputs: [(&str, fn(usize) -> Vec<u8>); 2] = [("comb", comb), ("pile", pile_of_roofs)];
+    type Make = fn(usize) -> Vec<u8>;
+    let inputs: [(&str, Make); 2] = [("comb", comb), ("pile", pile_of_roofs)];
     assert_none(&on_all_processors(inputs.len(), |index| {
         let (name, make) = inputs[index];
         let bytes = make(20_000);
