@@ -3,7 +3,7 @@
 //!
 //! - [`around`]: outlines at a margin outside the walls;
 //! - [`platform`], [`plinth`], [`veranda`], [`brackets`], [`beams`], [`finial`]: one kind of fitting each;
-//! - [`rooms`]: the areas between walls ([`areas`]) and the mats in them ([`mats`]);
+//! - [`mod@rooms`]: the areas between walls ([`areas`]) and the mats in them ([`mats`]);
 //! - [`undersides`]: the undersides of the roofs over brackets.
 
 mod areas;
