@@ -241,3 +241,18 @@ fn a_model_may_be_cut_open_at_any_storey() {
     }
     assert_eq!(nodes(Shown::Storeys(2)), roofless);
 }
+
+#[test]
+fn walls_like_a_grid_are_refused_before_they_have_many_areas() {
+    let mut walls = String::new();
+    for i in 1..200 {
+        let at = f64::from(i) / 34.0;
+        let _ = write!(
+            walls,
+            r#"<Loop inner="yes" start="0 {at}"><Row><repeat num="6"><Part code="KTU"/></repeat></Row></Loop>
+               <Loop inner="yes" start="{at} 0"><Row turn="R"/><Row><repeat num="6"><Part code="KTU"/></repeat></Row></Loop>"#
+        );
+    }
+    let run = house(&format!(r#"{walls}<Room at="5.99 5.99"/>"#));
+    assert_eq!(told(&run), [445]);
+}

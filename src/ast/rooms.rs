@@ -12,17 +12,17 @@ pub struct Room {
     pub name: Option<Spanned<String>>,
     /// A point in it (a, b) in U, author frame.
     pub at: Spanned<(f64, f64)>,
-    /// What one walks on.
+    /// Its floor.
     pub floor: Flooring,
     /// How its mats lie, if it has any.
     pub mats: MatOrder,
-    /// What hangs above it.
+    /// Its ceiling.
     pub ceiling: RoomCeiling,
     /// From the floor to the ceiling, shaku; `None` = up to the next storey.
     pub height: Option<f64>,
 }
 
-/// What one walks on.
+/// The floor of a room.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub enum Flooring {
     /// Mats (畳).
@@ -59,7 +59,7 @@ impl MatOrder {
         [("festive", MatOrder::Festive), ("rows", MatOrder::Rows)];
 }
 
-/// What hangs above a room.
+/// The ceiling of a room.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub enum RoomCeiling {
     /// Boards on battens (棹縁天井).

@@ -18,13 +18,14 @@ pub struct Room {
     pub level: usize,
     /// A point in it, U.
     pub at: DVec2,
-    /// What one walks on.
+    /// Its floor.
     pub floor: Flooring,
-    /// What hangs above it.
+    /// Its ceiling.
     pub ceiling: RoomCeiling,
     /// From the floor to the ceiling, metres; `None` = up to the next storey.
     pub height: Option<f64>,
-    /// Corners of its outline, then of what stands free in it, U: interior on the right of the walk, then on its left.
+    /// Corners of its outline, then of each opening in it (courtyards, rooms that stand free in it), U. Counter-clockwise in
+    /// (a, b), openings clockwise.
     pub area: Vec<Vec<DVec2>>,
     /// Its mats.
     #[serde(skip_serializing_if = "Vec::is_empty")]

@@ -7,71 +7,84 @@
 
 use crate::geometry::{SAME, STEPS, area2, holds, steps};
 use glam::{DVec2, dvec2};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 
 /// A corner in steps.
 type Corner = (i64, i64);
 
-/// The largest number of walls of a storey whose areas are searched: each is compared with all others.
-pub(super) const MOST_WALLS: usize = 1_000;
+/// The most walls of a storey, and pieces of them, whose areas are searched: each wall is compared with all others, and walls
+/// that cross like a grid have as many areas as crossings.
+pub(super) const MOST: usize = 2_000;
 
 /// Areas of a storey.
 pub(super) struct Areas {
     corners: Vec<Corner>,
-    /// Ends of half of each wall: its start and its end. The other direction of half `h` is `h ^ 1`.
+    /// The pieces of walls, each once in either direction: its start and its end. The other direction of half `h` is `h ^ 1`.
     halves: Vec<(usize, usize)>,
+    /// The pieces of each wall in their order: how far each reaches along it, and one of its halves.
+    pieces: Vec<Vec<(i128, usize)>>,
     /// The walk that each half belongs to.
     walk_of: Vec<usize>,
-    /// Walks: halves in their order.
     walks: Vec<Walk>,
+    /// For each walk round walls from outside the area in which they stand.
+    around: Vec<Option<usize>>,
 }
 
 struct Walk {
     points: Vec<DVec2>,
     /// Twice its area; positive round an area.
     area2: f64,
+    /// The walls that it follows stand together under this number.
+    group: usize,
 }
 
 impl Areas {
-    /// Divides the plane by walls, each given by its ends in U.
-    pub(super) fn new(walls: &[(DVec2, DVec2)]) -> Areas {
+    /// Divides the plane by walls, each given by its ends in U; `None` if they are too many.
+    pub(super) fn new(walls: &[(DVec2, DVec2)]) -> Option<Areas> {
+        if walls.len() > MOST {
+            return None;
+        }
         let place = |p: DVec2| (steps(p.x), steps(p.y));
-        let walls: Vec<(Corner, Corner)> = walls
-            .iter()
-            .map(|(p, q)| (place(*p), place(*q)))
-            .filter(|(p, q)| p != q)
-            .collect();
-        let mut corners: Vec<Corner> = vec![];
+        let walls = walls.iter().map(|(p, q)| (place(*p), place(*q)));
+        let walls: Vec<(Corner, Corner)> = walls.collect();
+        let mut areas = Areas {
+            corners: vec![],
+            halves: vec![],
+            pieces: vec![],
+            walk_of: vec![],
+            walks: vec![],
+            around: vec![],
+        };
         let mut known: HashMap<Corner, usize> = HashMap::new();
-        let mut edges: BTreeMap<(usize, usize), ()> = BTreeMap::new();
+        let mut halves: HashMap<(usize, usize), usize> = HashMap::new();
         for wall in &walls {
             let mut cuts = vec![wall.0, wall.1];
             cuts.extend(walls.iter().flat_map(|other| meetings(*wall, *other)));
             cuts.sort_by_key(|p| along(*wall, *p));
             cuts.dedup();
-            let ends: Vec<usize> = cuts
-                .into_iter()
-                .map(|p| {
+            let mut pieces = vec![];
+            for pair in cuts.windows(2) {
+                let ends = [pair[0], pair[1]].map(|p| {
                     *known.entry(p).or_insert_with(|| {
-                        corners.push(p);
-                        corners.len() - 1
+                        areas.corners.push(p);
+                        areas.corners.len() - 1
                     })
-                })
-                .collect();
-            for pair in ends.windows(2).filter(|pair| pair[0] != pair[1]) {
-                edges.insert((pair[0].min(pair[1]), pair[0].max(pair[1])), ());
+                });
+                let [p, q] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+                let half = *halves.entry((p, q)).or_insert_with(|| {
+                    areas.halves.extend([(p, q), (q, p)]);
+                    areas.halves.len() - 2
+                });
+                pieces.push((along(*wall, pair[1]), half));
+            }
+            areas.pieces.push(pieces);
+            if areas.halves.len() > 2 * MOST {
+                return None;
             }
         }
-        let halves: Vec<(usize, usize)> =
-            edges.keys().flat_map(|&(p, q)| [(p, q), (q, p)]).collect();
-        let mut areas = Areas {
-            corners,
-            halves,
-            walk_of: vec![],
-            walks: vec![],
-        };
         areas.follow();
-        areas
+        areas.around = (0..areas.walks.len()).map(|w| areas.enclosing(w)).collect();
+        Some(areas)
     }
 
     /// Finds the walks.
@@ -99,6 +112,7 @@ impl Areas {
             let list = &leaving[self.halves[half].1];
             list[(place[half ^ 1] + list.len() - 1) % list.len()]
         };
+        let groups = self.groups();
         self.walk_of = vec![usize::MAX; self.halves.len()];
         for first in 0..self.halves.len() {
             if self.walk_of[first] != usize::MAX {
@@ -111,7 +125,12 @@ impl Areas {
                 half = next(half);
             }
             let area2 = area2(&points);
-            self.walks.push(Walk { points, area2 });
+            let group = groups[self.halves[first].0];
+            self.walks.push(Walk {
+                points,
+                area2,
+                group,
+            });
         }
     }
 
@@ -155,52 +174,68 @@ impl Areas {
     pub(super) fn area(&self, walk: usize) -> Vec<Vec<DVec2>> {
         let outer = corners(&self.walks[walk].points);
         let mut all = vec![outer];
-        for (number, other) in self.walks.iter().enumerate() {
-            let Some(p) = other.points.first().filter(|_| other.area2 < -SAME) else {
-                continue;
-            };
-            // Walls of the same walk touch it; those inside another area belong to that one.
-            let own = self.walks[walk].points.contains(p);
-            if number != walk && !own && self.around_free(*p, number) == Some(walk) {
-                all.push(corners(&other.points));
-            }
-        }
+        let free = self.walks.iter().zip(&self.around);
+        let own = free.filter(|(other, around)| other.area2 < -SAME && **around == Some(walk));
+        all.extend(own.map(|(other, _)| corners(&other.points)));
         all.retain(|ring| ring.len() > 2);
         all
     }
 
-    /// The area in which walls stand free, given one of their corners and the walk round them from outside.
-    fn around_free(&self, p: DVec2, outside: usize) -> Option<usize> {
-        let group = |w: &Walk| {
-            w.points
-                .iter()
-                .any(|q| self.walks[outside].points.contains(q))
-        };
+    /// Returns the least area that holds the walls of a walk but is bounded by others.
+    fn enclosing(&self, walk: usize) -> Option<usize> {
+        let Walk {
+            points,
+            area2,
+            group,
+        } = &self.walks[walk];
+        let first = points.first().filter(|_| *area2 <= SAME)?;
         let round = self.walks.iter().enumerate();
-        let holding = round.filter(|(_, w)| w.area2 > SAME && !group(w) && holds(&w.points, p));
+        let other = round.filter(|(_, w)| w.area2 > SAME && w.group != *group);
+        let holding = other.filter(|(_, w)| holds(&w.points, *first));
         let least = holding.min_by(|(_, v), (_, w)| v.area2.total_cmp(&w.area2));
         least.map(|(number, _)| number)
     }
 
-    /// Returns what lies on both sides of the wall at a point; `None` if there is none.
-    pub(super) fn at_wall(&self, p: DVec2) -> Option<[usize; 2]> {
-        let p = (steps(p.x), steps(p.y));
-        let corner = |i: usize| self.corners[i];
-        let found = (0..self.halves.len()).find(|&half| {
-            let (u, v) = self.halves[half];
-            lies_on((corner(u), corner(v)), p)
-        })?;
-        Some([found, found ^ 1].map(|half| self.inside(self.walk_of[half])))
+    /// Returns a number for each corner; those of walls that stand together have the same.
+    fn groups(&self) -> Vec<usize> {
+        let mut beside: Vec<Vec<usize>> = vec![vec![]; self.corners.len()];
+        for (from, to) in &self.halves {
+            beside[*from].push(*to);
+        }
+        let mut groups = vec![usize::MAX; self.corners.len()];
+        for first in 0..groups.len() {
+            let mut next = vec![first];
+            while let Some(corner) = next.pop() {
+                if groups[corner] == usize::MAX {
+                    groups[corner] = first;
+                    next.extend(&beside[corner]);
+                }
+            }
+        }
+        groups
     }
 
-    /// Returns the area that a walk bounds: itself, or for one round free walls the area in which they stand. Outside of
-    /// everything it is [`Areas::OUTSIDE`].
+    /// Returns the areas on both sides of a wall, given by its number, at a point on it; `None` if it has no length.
+    pub(super) fn beside(
+        &self,
+        wall: usize,
+        (from, to): (DVec2, DVec2),
+        p: DVec2,
+    ) -> Option<[usize; 2]> {
+        let place = |p: DVec2| (steps(p.x), steps(p.y));
+        let far = along((place(from), place(to)), place(p));
+        let pieces = &self.pieces[wall];
+        let (_, half) = pieces.get(pieces.partition_point(|(end, _)| *end < far))?;
+        Some([*half, half ^ 1].map(|half| self.inside(self.walk_of[half])))
+    }
+
+    /// Returns the area that a walk bounds: itself, or for one round walls from outside the area in which they stand. Outside
+    /// of everything it is [`Areas::OUTSIDE`].
     fn inside(&self, walk: usize) -> usize {
         if self.walks[walk].area2 > SAME {
             return walk;
         }
-        let first = self.walks[walk].points[0];
-        self.around_free(first, walk).unwrap_or(Areas::OUTSIDE)
+        self.around[walk].unwrap_or(Areas::OUTSIDE)
     }
 
     /// The place outside of all walls.

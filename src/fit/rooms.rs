@@ -6,7 +6,7 @@ use crate::building::{House, Room, Storey};
 use crate::catalog::{Catalog, Opening};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::plan::rooms as say;
-use crate::fit::areas::{Areas, MOST_WALLS};
+use crate::fit::areas::{Areas, MOST};
 use crate::fit::mats;
 use crate::geometry::{SAME, SHAKU, holds};
 use crate::program::{Content, Unit};
@@ -32,11 +32,10 @@ fn rooms_of(storey: &Storey, level: usize, catalog: &Catalog, out: &mut Diagnost
     };
     let walls = storey.rings.iter().flat_map(|ring| &ring.walls);
     let walls: Vec<(DVec2, DVec2)> = walls.map(|wall| (wall.from, wall.to)).collect();
-    if walls.len() > MOST_WALLS {
-        out.push(say::too_many_walls(first, walls.len(), MOST_WALLS));
+    let Some(areas) = Areas::new(&walls) else {
+        out.push(say::too_many_walls(first, MOST));
         return vec![];
-    }
-    let areas = Areas::new(&walls);
+    };
     let taken = taken(storey, &areas, bounds, out);
     let mut named: Vec<(usize, &ast::Room)> = taken.iter().map(|(w, r)| (*w, *r)).collect();
     named.sort_by_key(|(_, room)| room.span.start);
@@ -226,18 +225,17 @@ fn reached(areas: &Areas, storey: &Storey, catalog: &Catalog) -> BTreeSet<usize>
         Areas::OUTSIDE => true,
         walk => !areas.point_in(walk).is_some_and(|p| is_inside(storey, p)),
     };
-    for ring in &storey.rings {
-        for wall in &ring.walls {
-            let mut at = wall.from;
-            for unit in &wall.units {
-                let middle = at + wall.direction * (unit.width / 2.0);
-                at += wall.direction * unit.width;
-                if unit.width < SAME || !is_way(unit, catalog) {
-                    continue;
-                }
-                let Some([one, other]) = areas.at_wall(middle) else {
-                    continue;
-                };
+    let walls = storey.rings.iter().flat_map(|ring| &ring.walls);
+    for (number, wall) in walls.enumerate() {
+        let mut at = wall.from;
+        for unit in &wall.units {
+            let middle = at + wall.direction * (unit.width / 2.0);
+            at += wall.direction * unit.width;
+            if unit.width < SAME || !is_way(unit, catalog) {
+                continue;
+            }
+            let ends = (wall.from, wall.to);
+            if let Some([one, other]) = areas.beside(number, ends, middle) {
                 ways.entry(one).or_default().push(other);
                 ways.entry(other).or_default().push(one);
             }

@@ -100,10 +100,10 @@ pub(crate) fn other_count(name: Span, called: f64, laid: f64) -> Diagnostic {
 
 /// More walls than are divided into rooms.
 #[cold]
-pub(crate) fn too_many_walls(room: Span, walls: usize, most: usize) -> Diagnostic {
-    let message = text!([walls, most]
-        "this storey has {walls} walls; rooms are worked out among at most {most}",
-        "この階の壁は{walls}枚です。部屋を割り出せるのは{most}枚までです"
+pub(crate) fn too_many_walls(room: Span, most: usize) -> Diagnostic {
+    let message = text!([most]
+        "the walls of this storey have more than {most} pieces between the points where they meet, too many to work out rooms",
+        "この階の壁は、交わる点で分けると{most}枚を超えるため、部屋を割り出せません"
     );
     Diagnostic::warning(445, room, message).help(text!(
         "write parts that stand in line as one row, or divide the house",
