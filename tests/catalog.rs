@@ -137,9 +137,10 @@ fn shared_data_sheet_agrees() {
     let sheet = std::fs::read_to_string(sheet).expect("the sheet is there");
     let catalog = hsd::parse::builtin();
     let mut rows = 0;
-    for (row, part) in sheet.lines().skip(1).zip(catalog.parts()) {
+    for row in sheet.lines().skip(1) {
         let fields = fields(row);
-        assert_eq!(fields[0], part.code());
+        let part = catalog.parts().iter().find(|p| p.code() == fields[0]);
+        let part = part.unwrap_or_else(|| panic!("a part for {row}"));
         if !CORRECTED.contains(&part.code()) {
             assert_eq!(fields[1], &*part.ja);
             assert_eq!(fields[2], &*part.romaji);
