@@ -6,6 +6,7 @@
 
 mod era;
 mod fittings;
+mod fixtures;
 mod frame;
 mod monuments;
 mod outline;
@@ -23,6 +24,7 @@ pub use era::Era;
 pub use fittings::{
     Brackets, Finial, FinialKind, Fittings, Order, Paint, Platform, Posts, Rail, Side, Veranda,
 };
+pub use fixtures::{Fixture, FixtureKind};
 pub use frame::{Anchor, Frame, PlacedBy, Placement};
 pub use monuments::{Gate, Given, Hall, Measures, Monument, Pagoda, Pair};
 pub use outline::{Hole, On, Outline, OutlinePart, Points, SidePart, SideWall, Stand, Walls};
@@ -220,6 +222,9 @@ pub struct Storey {
     /// Its rooms, in the order of the file.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub rooms: Vec<Room>,
+    /// What is built into them, in the order of the file.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub fixtures: Vec<Fixture>,
     /// `random` and `replace` directly in the storey: edits of all its rows.
     pub edits: Vec<Edit>,
 }

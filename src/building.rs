@@ -8,6 +8,7 @@
 //! y north, z up, before azimuth and origin; x = -a * unit, y = b * unit.
 
 mod attic;
+mod fixture;
 mod room;
 mod trim;
 pub mod fittings;
@@ -15,6 +16,7 @@ mod surface;
 
 pub use crate::building::trim::Trim;
 pub use attic::{Attic, Verge};
+pub use fixture::{Fixture, OUTWARD};
 pub use room::{Mat, Room};
 pub(crate) use surface::meeting;
 pub use surface::{Beside, EdgeKind, RoofEdge, RoofFacet, RoofSurface};
@@ -54,6 +56,9 @@ pub struct Built {
     /// Its rooms, storey by storey.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub rooms: Vec<Room>,
+    /// What is built into its rooms, storey by storey.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub fixtures: Vec<Fixture>,
 }
 
 fn shared<S: Serializer>(roofs: &Arc<HouseRoofs>, serializer: S) -> Result<S::Ok, S::Error> {
@@ -147,6 +152,9 @@ pub struct Storey {
     /// Its rooms, as written.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub rooms: Vec<ast::Room>,
+    /// What is built into them, as written.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub fixtures: Vec<ast::Fixture>,
 }
 
 impl Storey {

@@ -3,7 +3,8 @@
 //!
 //! - [`around`]: outlines at a margin outside the walls;
 //! - [`platform`], [`plinth`], [`veranda`], [`brackets`], [`beams`], [`finial`]: one kind of fitting each;
-//! - [`mod@rooms`]: the areas between walls ([`areas`]) and the mats in them ([`mats`]);
+//! - [`mod@rooms`]: the areas between walls ([`areas`], [`plan`]), the mats in them ([`mats`], [`names`]), what is built into
+//!   them ([`fixtures`]), and where one gets to ([`ways`]);
 //! - [`undersides`]: the undersides of the roofs over brackets.
 
 mod areas;
@@ -11,15 +12,19 @@ mod around;
 mod beams;
 mod brackets;
 mod finial;
+mod fixtures;
 mod mats;
+mod names;
+mod plan;
 mod platform;
 mod plinth;
 mod rooms;
 mod undersides;
 mod veranda;
+mod ways;
 
 use crate::building::fittings::{Fitting, FittingKind, Veranda};
-use crate::building::{House, HouseRoofs, Ring, Room, Storey, Wall};
+use crate::building::{Fixture, House, HouseRoofs, Ring, Room, Storey, Wall};
 use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::fittings as say;
@@ -83,8 +88,8 @@ pub fn house(
     made
 }
 
-/// Works out the rooms of one house.
-pub fn rooms(house: &House, catalog: &Catalog, out: &mut Diagnostics) -> Vec<Room> {
+/// Works out the rooms of one house and what is built into them.
+pub fn rooms(house: &House, catalog: &Catalog, out: &mut Diagnostics) -> (Vec<Room>, Vec<Fixture>) {
     rooms::rooms(house, catalog, out)
 }
 

@@ -54,6 +54,7 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
             order: storey.order,
             rings,
             rooms: storey.rooms,
+            fixtures: storey.fixtures,
         });
         if !parapet {
             z = top;

@@ -2,8 +2,8 @@
 //! every unit knows its part and width. `expand` makes it, `lower` follows it.
 
 use crate::ast::{
-    Anchor, Era, Finial, Order, PlacedBy, Platform, Purpose, Rare, RoofLine, RoofMethod, RoofMode,
-    RoofStyle, Room, StoreyKind, Usual, Variant,
+    Anchor, Era, Finial, Fixture, Order, PlacedBy, Platform, Purpose, Rare, RoofLine, RoofMethod,
+    RoofMode, RoofStyle, Room, StoreyKind, Usual, Variant,
 };
 use crate::catalog::PartId;
 use crate::source::{Span, Spanned};
@@ -139,6 +139,9 @@ pub struct Storey {
     /// Its rooms.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub rooms: Vec<Room>,
+    /// What is built into them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub fixtures: Vec<Fixture>,
 }
 
 /// A walk.

@@ -53,6 +53,7 @@ pub fn roof(shell: Shell, out: &mut Diagnostics) -> Building {
             roofs,
             fittings: vec![],
             rooms: vec![],
+            fixtures: vec![],
         }
     };
     Building {

@@ -232,6 +232,8 @@ pub enum Kind {
     Member,
     /// The floor and ceiling of a room.
     Room,
+    /// What is built into a room.
+    Fixture,
     /// A roof.
     Roof,
     /// A stone platform.
@@ -257,6 +259,7 @@ impl Kind {
             Kind::Post => "post",
             Kind::Member => "member",
             Kind::Room => "room",
+            Kind::Fixture => "fixture",
             Kind::Roof => "roof",
             Kind::Platform => "platform",
             Kind::Veranda => "veranda",

@@ -11,6 +11,7 @@ mod budget;
 mod trim;
 mod wall;
 mod fittings;
+mod fixtures;
 mod rooms;
 mod hasher;
 mod lean;
@@ -24,7 +25,7 @@ mod weather;
 
 use crate::ast::StoreyKind;
 use crate::building::fittings::{Fitting, FittingKind};
-use crate::building::{Building, Built, Ceiling, House, Ring, Room, Soffit, Storey};
+use crate::building::{Building, Built, Ceiling, Fixture, House, Ring, Room, Soffit, Storey};
 use crate::catalog::Catalog;
 use crate::geometry::{Heading, SAME};
 use crate::scene::{Detail, Kind, Node, NodeId, Scene, Shown};
@@ -38,6 +39,7 @@ pub use assembly::{GroundMesh, HouseDrafts, SceneBuilder, ground};
 use budget::Budget;
 use compact_str::{CompactString, format_compact};
 use fittings::FittingMeshes;
+use fixtures::FixtureMeshes;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use rayon::prelude::*;
 use rooms::MatMeshes;
@@ -130,6 +132,7 @@ impl<'c> Tessellator<'c> {
             roofs: Roofs::default(),
             fitting_meshes: FittingMeshes::default(),
             rooms: Rooms::default(),
+            fixtures: FixtureMeshes::default(),
             mats: MatMeshes::default(),
             aged: None,
             air: None,
@@ -170,6 +173,7 @@ struct Walker<'a> {
     roofs: Roofs<'a>,
     fitting_meshes: FittingMeshes<'a>,
     rooms: Rooms,
+    fixtures: FixtureMeshes,
     mats: MatMeshes,
     nodes: Vec<Node>,
     /// The house in the making.
@@ -195,7 +199,19 @@ struct Level<'a> {
     node: NodeId,
 }
 
+/// What the author has written into a storey.
+struct Inside<'a> {
+    rooms: Vec<&'a Room>,
+    fixtures: Vec<&'a Fixture>,
+}
+
 impl Level<'_> {
+    /// True if a roof slopes over it, so that no ceiling hangs at its top.
+    fn is_under_a_slope(&self) -> bool {
+        let mut ceilings = self.ceilings.iter();
+        ceilings.any(|c| c.storey == self.storey.number)
+    }
+
     /// True if posts, plates and other framing are visible.
     fn framed(&self) -> bool {
         self.storey.kind == StoreyKind::Storey
@@ -282,8 +298,11 @@ impl<'a> Walker<'a> {
         for (i, (storey, standing)) in
             standing_storeys.filter(|(_, (s, _))| whole.has_storey(s.number))
         {
-            let rooms: Vec<&Room> = built.rooms.iter().filter(|r| r.level == i).collect();
-            self.storey((root, house), storey, &roofs.ceilings, standing, &rooms);
+            let inside = Inside {
+                rooms: built.rooms.iter().filter(|r| r.level == i).collect(),
+                fixtures: built.fixtures.iter().filter(|f| f.level == i).collect(),
+            };
+            self.storey((root, house), storey, &roofs.ceilings, standing, &inside);
             if self.is_full() {
                 return;
             }
@@ -316,7 +335,7 @@ impl<'a> Walker<'a> {
         storey: &Storey,
         ceilings: &[Ceiling],
         standing: &OnceCell<WallIndex>,
-        rooms: &[&Room],
+        inside: &Inside<'_>,
     ) {
         let word = match storey.kind {
             StoreyKind::Storey => "storey",
@@ -351,10 +370,11 @@ impl<'a> Walker<'a> {
         for (_, lines) in &rings {
             self.ring(level, lines);
         }
-        match rooms {
-            [] => self.interior(level, &rings),
-            rooms => self.rooms(level, rooms),
+        match inside.rooms.is_empty() {
+            true => self.interior(level, &rings),
+            false => self.rooms(level, &inside.rooms),
         }
+        self.fixtures(level, &inside.fixtures);
     }
 
     /// The posts of a storey without its walls: what an open hall is from afar.

@@ -85,6 +85,7 @@ fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
             order: hsd::ast::Order::default(),
             loops,
             rooms: vec![],
+            fixtures: vec![],
         }
     });
     let house = House {

@@ -27,6 +27,7 @@ mod draws;
 mod examples;
 mod expand;
 mod figure4_pictures;
+mod fixtures;
 mod fmt;
 mod ide;
 mod joined;

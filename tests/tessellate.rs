@@ -106,6 +106,7 @@ fn storey(number: u32, z0: f64, height: f64, walls: Vec<Wall>) -> Storey {
             walls,
         }],
         rooms: vec![],
+        fixtures: vec![],
     }
 }
 
@@ -133,6 +134,7 @@ fn building(storeys: Vec<Storey>) -> Building {
             roofs: Arc::new(HouseRoofs::default()),
             fittings: vec![],
             rooms: vec![],
+            fixtures: vec![],
         }],
         images: vec![],
     }

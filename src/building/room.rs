@@ -27,6 +27,12 @@ pub struct Room {
     /// Corners of its outline, then of each opening in it (courtyards, rooms that stand free in it), U. Counter-clockwise in
     /// (a, b), openings clockwise.
     pub area: Vec<Vec<DVec2>>,
+    /// The pieces of its floor, each as an area, where stairs come up through it; `None` = all of its area.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub floors: Option<Vec<Vec<Vec<DVec2>>>>,
+    /// The pieces of its ceiling where stairs lead up through it; `None` = all of its area.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ceilings: Option<Vec<Vec<Vec<DVec2>>>>,
     /// Its mats.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub mats: Vec<Mat>,
@@ -50,6 +56,11 @@ impl Mat {
         (size.x - size.y).abs() < 0.5
     }
 
+    /// Returns what it counts for; half a mat counts as half.
+    pub fn count(&self) -> f64 {
+        if self.is_half() { 0.5 } else { 1.0 }
+    }
+
     /// Returns true if its long sides run along a.
     pub fn runs_along_a(&self) -> bool {
         let size = self.high - self.low;
@@ -66,7 +77,6 @@ impl Room {
 
     /// Returns the number of its mats; half a mat counts as half.
     pub fn mat_count(&self) -> f64 {
-        let count = |mat: &Mat| if mat.is_half() { 0.5 } else { 1.0 };
-        self.mats.iter().map(count).sum()
+        self.mats.iter().map(Mat::count).sum()
     }
 }

@@ -225,7 +225,7 @@ fn role(node: &Node, scene: &Scene, catalog: &Catalog) -> Role {
         Kind::Post => Role::Post,
         Kind::Roof => Role::Roof,
         Kind::Platform | Kind::Veranda | Kind::Room | Kind::Ground => Role::Floor,
-        Kind::Member | Kind::Bracket | Kind::Finial => Role::Timber,
+        Kind::Member | Kind::Fixture | Kind::Bracket | Kind::Finial => Role::Timber,
     }
 }
 

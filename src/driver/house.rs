@@ -82,12 +82,13 @@ pub(super) fn finish(
     let house = lower::house(house, out);
     let mut roofs = roof::house(&house, cache, out);
     let fittings = fit::house(&house, &mut roofs, catalog, out);
-    let rooms = fit::rooms(&house, catalog, out);
+    let (rooms, fixtures) = fit::rooms(&house, catalog, out);
     Built {
         house,
         roofs,
         fittings,
         rooms,
+        fixtures,
     }
 }
 

@@ -78,6 +78,7 @@ impl Pass<'_, '_> {
             order: Order::default(),
             loops: vec![ring(structure, &mut walls, index)],
             rooms: vec![],
+            fixtures: vec![],
         };
         levels.iter().enumerate().map(storey).collect()
     }

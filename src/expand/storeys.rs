@@ -73,6 +73,7 @@ impl Pass<'_, '_> {
             order: storey.order.clone(),
             loops: Vec::with_capacity(storey.loops.len()),
             rooms: storey.rooms.clone(),
+            fixtures: storey.fixtures.clone(),
         };
         for (index, walk) in storey.loops.iter().enumerate() {
             let lines = self.walk(walk, place.at(index as u64));

@@ -2,69 +2,139 @@
 
 use crate::ast;
 use crate::ast::Flooring;
-use crate::building::{House, Room, Storey};
-use crate::catalog::{Catalog, Opening};
+use crate::building::{Fixture, House, Mat, Room, Storey};
+use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::plan::rooms as say;
-use crate::fit::areas::{Areas, MOST};
-use crate::fit::mats;
-use crate::geometry::{SAME, SHAKU, holds};
-use crate::program::{Content, Unit};
+use crate::fit::areas::MOST;
+use crate::fit::plan::{NoPlan, Plan, Rest};
+use crate::fit::{fixtures, mats, names, ways};
+use crate::geometry::{SAME, SHAKU};
 use glam::{DVec2, dvec2};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Works out the rooms of a house.
-pub(super) fn rooms(house: &House, catalog: &Catalog, out: &mut Diagnostics) -> Vec<Room> {
-    let mut made = vec![];
-    for (level, storey) in house.storeys.iter().enumerate() {
-        if !storey.rooms.is_empty() {
-            made.extend(rooms_of(storey, level, catalog, out));
-        }
+/// Works out the rooms of a house and what is built into them.
+pub(super) fn rooms(
+    house: &House,
+    catalog: &Catalog,
+    out: &mut Diagnostics,
+) -> (Vec<Room>, Vec<Fixture>) {
+    let (mut rooms, mut fixtures): (Vec<Room>, Vec<Fixture>) = (vec![], vec![]);
+    let has_rooms = |s: &Storey| !s.rooms.is_empty() || !s.fixtures.is_empty();
+    if !house.storeys.iter().any(has_rooms) {
+        return (rooms, fixtures);
     }
-    made
+    let storeys = house.storeys.iter().enumerate();
+    let plans = storeys.map(|(level, storey)| plan(storey, level, out));
+    let plans: Vec<Plan<'_>> = plans.flatten().filter(Plan::is_storey).collect();
+    let mut reached = BTreeSet::new();
+    for (i, plan) in plans.iter().enumerate() {
+        let number = plan.storey.number;
+        let above = plans.get(i + 1).filter(|p| p.storey.number == number + 1);
+        let below = i.checked_sub(1).map(|i| &plans[i]);
+        let below = below.filter(|p| p.storey.number + 1 == number);
+        let lower = |f: &&Fixture| below.is_some_and(|p| p.level == f.level) && f.kind.climbs();
+        let openings: Vec<&Fixture> = fixtures.iter().filter(lower).collect();
+        if !has_rooms(plan.storey) && openings.is_empty() {
+            reached.clear();
+            continue;
+        }
+        let taken = taken(plan, out);
+        let height = |walk: usize| taken.get(&walk).and_then(|room| room.height);
+        let height = |walk: usize| lower_than_storey(height(walk), plan.storey);
+        let own = fixtures::placed(plan, above, &openings, house.unit, height, out);
+        rooms.extend(rooms_of(plan, &taken, &own, &openings, out));
+        reached = match below {
+            Some(below) => {
+                let stairs = openings.iter().copied();
+                ways::from_stairs(plan, stairs, (below, &reached), catalog)
+            }
+            None => ways::from_outside(plan, catalog),
+        };
+        if number > 1 && openings.is_empty() && !taken.is_empty() {
+            out.push(say::no_stairs(plan.storey.rooms[0].span, number));
+        } else {
+            unreached(&taken, &reached, out);
+        }
+        fixtures.extend(own);
+    }
+    (rooms, fixtures)
 }
 
-fn rooms_of(storey: &Storey, level: usize, catalog: &Catalog, out: &mut Diagnostics) -> Vec<Room> {
-    let first = storey.rooms[0].span;
-    let Some(bounds) = bounds(storey) else {
-        out.push(say::not_closed(first));
-        return vec![];
+/// Returns the plan of a storey; that it has none is told where it has rooms.
+fn plan<'h>(storey: &'h Storey, level: usize, out: &mut Diagnostics) -> Option<Plan<'h>> {
+    let rooms = storey.rooms.iter().map(|r| r.span);
+    let mut first = rooms.chain(storey.fixtures.iter().map(|f| f.span));
+    match (Plan::of(storey, level), first.next()) {
+        (Ok(plan), _) => Some(plan),
+        (Err(_), None) => None,
+        (Err(why), Some(first)) => {
+            out.push(match why {
+                NoPlan::Open => say::not_closed(first),
+                NoPlan::Crowded => say::too_many_walls(first, MOST),
+            });
+            None
+        }
+    }
+}
+
+/// Returns the rooms of a storey: those that are written, then boards for what is left, so that no floor has a hole.
+fn rooms_of(
+    plan: &Plan<'_>,
+    taken: &BTreeMap<usize, &ast::Room>,
+    own: &[Fixture],
+    openings: &[&Fixture],
+    out: &mut Diagnostics,
+) -> Vec<Room> {
+    let storey = plan.storey;
+    let standing = plan.without(own.iter().chain(openings.iter().copied()).collect());
+    let floor = plan.without(openings.to_vec());
+    let ceiling = plan.without(own.iter().filter(|f| f.kind.climbs()).collect());
+    let pieces = |rest: &Option<Rest<'_, '_, '_>>, walk: usize| {
+        let rest = rest.as_ref().filter(|rest| !rest.is_whole(walk));
+        rest.map(|rest| rest.pieces(walk))
     };
-    let walls = storey.rings.iter().flat_map(|ring| &ring.walls);
-    let walls: Vec<(DVec2, DVec2)> = walls.map(|wall| (wall.from, wall.to)).collect();
-    let Some(areas) = Areas::new(&walls) else {
-        out.push(say::too_many_walls(first, MOST));
-        return vec![];
-    };
-    let taken = taken(storey, &areas, bounds, out);
     let mut named: Vec<(usize, &ast::Room)> = taken.iter().map(|(w, r)| (*w, *r)).collect();
     named.sort_by_key(|(_, room)| room.span.start);
     let mut made = vec![];
-    for (walk, room) in &named {
-        made.push(built(room, storey, level, areas.area(*walk), out));
+    for (walk, room) in named {
+        let area = plan.areas.area(walk);
+        let free = pieces(&standing, walk).map(|free| free.concat());
+        let mats = mats_of(room, free.as_ref().unwrap_or(&area), out);
+        let mut room = written(room, plan, area, mats);
+        (room.floors, room.ceilings) = (pieces(&floor, walk), pieces(&ceiling, walk));
+        made.push(room);
     }
-    // What is left has boards, so that no floor has a hole.
-    for walk in areas.walks().filter(|walk| !taken.contains_key(walk)) {
-        let point = areas.point_in(walk).filter(|p| is_inside(storey, *p));
-        made.extend(point.map(|at| rest(storey, level, at, areas.area(walk))));
-    }
-    if storey.number == 1 && !named.is_empty() {
-        let reached = reached(&areas, storey, catalog);
-        for (_, room) in named.iter().filter(|(walk, _)| !reached.contains(walk)) {
-            let name = room.name.as_ref().map(|n| n.value.as_str());
-            out.push(say::no_way_in(room.span, name));
-        }
+    for walk in plan.areas.walks().filter(|walk| !taken.contains_key(walk)) {
+        let point = plan.areas.point_in(walk).filter(|p| plan.holds(*p));
+        let Some(at) = point else { continue };
+        let mut room = rest(storey, plan.level, at, plan.areas.area(walk));
+        (room.floors, room.ceilings) = (pieces(&floor, walk), pieces(&ceiling, walk));
+        made.push(room);
     }
     made
 }
 
-/// Returns the rooms of a storey by the walks round them.
-fn taken<'s>(
-    storey: &'s Storey,
-    areas: &Areas,
-    bounds: [DVec2; 2],
+/// Tells of written rooms that nobody can enter.
+fn unreached(
+    taken: &BTreeMap<usize, &ast::Room>,
+    reached: &BTreeSet<usize>,
     out: &mut Diagnostics,
-) -> BTreeMap<usize, &'s ast::Room> {
+) {
+    let mut left: Vec<_> = taken
+        .iter()
+        .filter(|(walk, _)| !reached.contains(walk))
+        .collect();
+    left.sort_by_key(|(_, room)| room.span.start);
+    for (_, room) in left {
+        let name = room.name.as_ref().map(|n| n.value.as_str());
+        out.push(say::no_way_in(room.span, name));
+    }
+}
+
+/// Returns the rooms of a storey by the walks round them.
+fn taken<'s>(plan: &Plan<'s>, out: &mut Diagnostics) -> BTreeMap<usize, &'s ast::Room> {
+    let (storey, areas) = (plan.storey, &plan.areas);
     let mut taken: BTreeMap<usize, &ast::Room> = BTreeMap::new();
     for room in &storey.rooms {
         let at = dvec2(room.at.value.0, room.at.value.1);
@@ -72,8 +142,8 @@ fn taken<'s>(
             out.push(say::on_a_wall(room.at.span));
             continue;
         }
-        let Some(walk) = areas.around(at).filter(|_| is_inside(storey, at)) else {
-            out.push(say::outside(room.at.span, bounds));
+        let Some(walk) = areas.around(at).filter(|_| plan.holds(at)) else {
+            out.push(say::outside(room.at.span, plan.bounds));
             continue;
         };
         if let Some(first) = taken.get(&walk) {
@@ -98,195 +168,52 @@ fn rest(storey: &Storey, level: usize, at: DVec2, area: Vec<Vec<DVec2>>) -> Room
         ceiling: ast::RoomCeiling::Battens,
         height: None,
         area,
+        floors: None,
+        ceilings: None,
         mats: vec![],
     }
 }
 
-/// Returns true for a point within the outer walls and in no courtyard.
-fn is_inside(storey: &Storey, p: DVec2) -> bool {
-    let closed = storey.rings.iter().filter(|r| r.closed && !r.inner);
-    let around = closed.filter(|r| holds(&r.corners(), p));
-    let (mut solid, mut court) = (false, false);
-    for ring in around {
-        (solid, court) = (solid || !ring.hole, court || ring.hole);
+/// Lays the mats of a room; a name that says another number is told.
+fn mats_of(room: &ast::Room, free: &[Vec<DVec2>], out: &mut Diagnostics) -> Vec<Mat> {
+    if room.floor != Flooring::Tatami {
+        return vec![];
     }
-    solid && !court
-}
-
-/// Returns the bounds of the outer walls, U; none where they, or those of a courtyard, do not close.
-fn bounds(storey: &Storey) -> Option<[DVec2; 2]> {
-    let rings = || storey.rings.iter().filter(|r| !r.inner);
-    let corners = rings().flat_map(|r| &r.walls).map(|w| w.from);
-    let around = corners.fold(None, |around: Option<[DVec2; 2]>, p| {
-        let [low, high] = around.unwrap_or([p, p]);
-        Some([low.min(p), high.max(p)])
-    });
-    around.filter(|_| rings().all(|r| r.closed))
-}
-
-fn built(
-    room: &ast::Room,
-    storey: &Storey,
-    level: usize,
-    area: Vec<Vec<DVec2>>,
-    out: &mut Diagnostics,
-) -> Room {
-    let mats = match room.floor {
-        Flooring::Tatami => mats::lay(&area, room.mats),
-        Flooring::Boards | Flooring::Earth => Some(vec![]),
-    };
-    if mats.is_none() {
+    let Some(mats) = mats::lay(free, room.mats) else {
         out.push(say::too_large_for_mats(room.span, mats::MOST_CELLS / 2));
+        return vec![];
+    };
+    let laid: f64 = mats.iter().map(Mat::count).sum();
+    let name = room.name.as_ref();
+    let called = name.and_then(|n| Some((n, names::called(&n.value)?)));
+    if let Some((name, called)) = called
+        && (laid - called).abs() > 0.25
+    {
+        out.push(say::other_count(name.span, called, laid));
     }
-    let height = room.height.map(|h| h * SHAKU);
-    let made = Room {
+    mats
+}
+
+fn written(room: &ast::Room, plan: &Plan<'_>, area: Vec<Vec<DVec2>>, mats: Vec<Mat>) -> Room {
+    let name = room.name.as_ref();
+    Room {
         span: room.span,
-        name: room
-            .name
-            .as_ref()
-            .map_or(String::new(), |n| n.value.clone()),
-        storey: storey.number,
-        level,
+        name: name.map_or(String::new(), |n| n.value.clone()),
+        storey: plan.storey.number,
+        level: plan.level,
         at: dvec2(room.at.value.0, room.at.value.1),
         floor: room.floor,
         ceiling: room.ceiling,
-        height: height.filter(|h| *h < storey.z1 - storey.z0 - SAME),
+        height: lower_than_storey(room.height, plan.storey),
         area,
-        mats: mats.unwrap_or_default(),
-    };
-    let called = room
-        .name
-        .as_ref()
-        .and_then(|n| Some((n, called(&n.value)?)));
-    if let Some((name, called)) = called
-        && room.floor == Flooring::Tatami
-        && (made.mat_count() - called).abs() > 0.25
-    {
-        out.push(say::other_count(name.span, called, made.mat_count()));
-    }
-    made
-}
-
-/// Returns the number of mats in a name: 八畳, 四畳半, 8 mats.
-fn called(name: &str) -> Option<f64> {
-    let at = ["畳", "帖", "mat", "-mat", "jo"]
-        .iter()
-        .find_map(|word| name.find(word))?;
-    let half = name[at..].chars().nth(1) == Some('半');
-    let digit = |c: char| match c {
-        '0'..='9' | '.' => Some(c),
-        '０'..='９' => char::from_digit(u32::from(c) - u32::from('０'), 10),
-        _ => None,
-    };
-    let before = name[..at].trim_end_matches([' ', '\u{3000}', '-']);
-    let tail = |is: &dyn Fn(char) -> bool| {
-        let start = before
-            .char_indices()
-            .rev()
-            .take_while(|(_, c)| is(*c))
-            .last();
-        start.map(|(i, _)| &before[i..])
-    };
-    let number = match tail(&|c| digit(c).is_some()) {
-        Some(text) => text
-            .chars()
-            .filter_map(digit)
-            .collect::<String>()
-            .parse()
-            .ok()?,
-        None => kanji(tail(&|c| KANJI.contains(c) || c == '十')?)?,
-    };
-    Some(number + if half { 0.5 } else { 0.0 })
-}
-
-const KANJI: &str = "一二三四五六七八九";
-
-/// Returns a number below a hundred that is written in kanji.
-fn kanji(text: &str) -> Option<f64> {
-    let digit = |c: char| KANJI.chars().position(|k| k == c).map(|i| i as f64 + 1.0);
-    let one = |text: &str, empty: f64| {
-        let mut chars = text.chars();
-        match (chars.next(), chars.next()) {
-            (None, _) => Some(empty),
-            (Some(c), None) => digit(c),
-            _ => None,
-        }
-    };
-    match text.split_once('十') {
-        Some((tens, ones)) => Some(one(tens, 1.0)? * 10.0 + one(ones, 0.0)?),
-        None => one(text, 0.0),
+        floors: None,
+        ceilings: None,
+        mats,
     }
 }
 
-/// Returns the areas of a ground storey that one can walk into from outside, courtyards included.
-fn reached(areas: &Areas, storey: &Storey, catalog: &Catalog) -> BTreeSet<usize> {
-    let mut ways: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    let outdoors = |walk: usize| match walk {
-        Areas::OUTSIDE => true,
-        walk => !areas.point_in(walk).is_some_and(|p| is_inside(storey, p)),
-    };
-    let walls = storey.rings.iter().flat_map(|ring| &ring.walls);
-    for (number, wall) in walls.enumerate() {
-        let mut at = wall.from;
-        for unit in &wall.units {
-            let middle = at + wall.direction * (unit.width / 2.0);
-            at += wall.direction * unit.width;
-            if unit.width < SAME || !is_way(unit, catalog) {
-                continue;
-            }
-            let ends = (wall.from, wall.to);
-            if let Some([one, other]) = areas.beside(number, ends, middle) {
-                ways.entry(one).or_default().push(other);
-                ways.entry(other).or_default().push(one);
-            }
-        }
-    }
-    let mut reached: BTreeSet<usize> = BTreeSet::new();
-    let mut next: Vec<usize> = ways
-        .keys()
-        .copied()
-        .filter(|walk| outdoors(*walk))
-        .collect();
-    while let Some(walk) = next.pop() {
-        if reached.insert(walk) {
-            next.extend(ways.get(&walk).into_iter().flatten());
-        }
-    }
-    reached
-}
-
-/// Returns true if one can walk through a unit.
-fn is_way(unit: &Unit, catalog: &Catalog) -> bool {
-    match &unit.content {
-        Content::Void => true,
-        Content::Part(id) => {
-            let part = catalog.part(*id);
-            part.is_open() || part.opening() == Some(Opening::Door)
-        }
-        Content::Picture(_) => false,
-        Content::Split(split) => split.lower.iter().any(|unit| is_way(unit, catalog)),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::called;
-
-    #[test]
-    fn names_tell_the_number_of_mats() {
-        for (name, mats) in [
-            ("八畳", Some(8.0)),
-            ("四畳半", Some(4.5)),
-            ("座敷(十二畳)", Some(12.0)),
-            ("二十一畳の間", Some(21.0)),
-            ("６畳", Some(6.0)),
-            ("4.5 mats", Some(4.5)),
-            ("8-mat room", Some(8.0)),
-            ("座敷", None),
-            ("matsu", None),
-            ("畳", None),
-        ] {
-            assert_eq!(called(name), mats, "{name}");
-        }
-    }
+/// Returns the height of a ceiling in metres; `None` = that of the storey.
+fn lower_than_storey(shaku: Option<f64>, storey: &Storey) -> Option<f64> {
+    let height = shaku.map(|h| h * SHAKU);
+    height.filter(|h| *h < storey.z1 - storey.z0 - SAME)
 }

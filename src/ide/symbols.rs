@@ -267,8 +267,8 @@ impl KnownName<'_> {
             "let" => (SymbolKind::Value, said("name"), detail("value")),
             "PartDef" => (SymbolKind::Part, said("code"), detail("ja")),
             "include" => (SymbolKind::File, said("href"), String::new()),
-            "Platform" | "Posts" | "Veranda" | "Brackets" | "Finial" | "Pagoda" | "Gate"
-            | "Hall" | "Shrine" => (SymbolKind::Fitting, None, detail("kind")),
+            "Fixture" | "Platform" | "Posts" | "Veranda" | "Brackets" | "Finial" | "Pagoda"
+            | "Gate" | "Hall" | "Shrine" => (SymbolKind::Fitting, None, detail("kind")),
             _ => return None,
         };
         Some(symbol(element, kind, name, detail))

@@ -166,6 +166,7 @@ pub(super) const ERAS: &Table = &meanings::nouns(&meanings::ERAS);
 const PAINTS: &Table = &meanings::nouns(&meanings::PAINTS);
 const RAILS: &Table = &meanings::nouns(&meanings::RAILS);
 const FINIALS: &Table = &meanings::nouns(&meanings::FINIALS);
+const FIXTURES: &Table = &meanings::nouns(&meanings::FIXTURES);
 const SIDES: &Table = &meanings::nouns(&meanings::SIDES);
 const STOREYS: &Table = &[
     (
@@ -219,6 +220,7 @@ pub(super) fn table(element: &str, attribute: &str) -> &'static Table {
     match (element, attribute) {
         ("Storey" | "Floor", "kind") => STOREYS,
         ("Finial", "kind") => FINIALS,
+        ("Fixture", "kind") => FIXTURES,
         (_, "kind") => COVERINGS,
         (_, "shape") => ROOF_SHAPES,
         (_, "ridge") => DIRECTIONS,
@@ -228,7 +230,7 @@ pub(super) fn table(element: &str, attribute: &str) -> &'static Table {
         (_, "era") => ERAS,
         (_, "paint") => PAINTS,
         (_, "rail") => RAILS,
-        (_, "stairs") => SIDES,
+        (_, "stairs" | "faces") => SIDES,
         (_, "turn") => TURNS,
         ("Structure", "order") => ORDERS,
         ("Facade", "reflection") => REFLECTIONS,

@@ -129,6 +129,20 @@ pub(crate) const CEILINGS: [Meaning; 3] = [
     means("none", "none up to the roof", "吹き抜け", &["吹抜", "fukinuke", "open", "無し", "なし"]),
 ];
 
+/// What is built into rooms.
+#[rustfmt::skip]
+pub(crate) const FIXTURES: [Meaning; 9] = [
+    means("tokonoma", "an alcove with a scroll", "床の間", &["床", "toko", "alcove"]),
+    means("chigaidana", "staggered shelves", "違い棚", &["違棚", "棚", "床脇", "tokowaki", "shelves"]),
+    means("butsudan", "the household altar", "仏壇", &["仏間", "altar"]),
+    means("oshi-ire", "a closet", "押入", &["押入れ", "押し入れ", "oshiire", "closet", "cupboard"]),
+    means("stairs", "open stairs", "階段", &["梯子段", "段", "kaidan", "hashigo", "stair", "ladder"]),
+    means("hako-kaidan", "stairs of chests", "箱階段", &["箪笥階段", "hakokaidan", "kaidan-dansu", "chest stairs"]),
+    means("kamado", "a row of clay stoves", "竈", &["かまど", "おくどさん", "へっつい", "竃", "kudo", "hettsui", "stove", "hearth"]),
+    means("well", "a well", "井戸", &["井筒", "ido"]),
+    means("sink", "a sink with its water jar", "流し", &["走り", "走り元", "水屋", "nagashi", "hashiri"]),
+];
+
 /// The colours of timber.
 #[rustfmt::skip]
 pub(crate) const PAINTS: [Meaning; 6] = [
@@ -230,6 +244,7 @@ const TABLES: &[&[Meaning]] = &[
     &FLOORS,
     &MATS,
     &CEILINGS,
+    &FIXTURES,
     &PAINTS,
     &FINIALS,
     &ERAS,

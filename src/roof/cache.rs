@@ -353,6 +353,7 @@ impl Words {
             order: _,
             rings,
             rooms: _,
+            fixtures: _,
         } = storey;
         self.0
             .extend([u64::from(*number), *kind as u64, rings.len() as u64]);

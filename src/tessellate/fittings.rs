@@ -3,7 +3,7 @@
 
 mod brackets;
 mod finial;
-mod lathe;
+pub(super) mod lathe;
 mod platform;
 mod shrine;
 mod sorin;

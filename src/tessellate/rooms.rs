@@ -48,25 +48,21 @@ impl Walker<'_> {
 
     fn chamber(&mut self, level: Level<'_>, room: &Room) {
         let mut bodies = Bodies::default();
-        let outline = outline(level, room);
         let floor = SurfaceId::named(match room.floor {
             Flooring::Earth => "earth",
             Flooring::Boards | Flooring::Tatami => "boards",
         });
         let foot = if level.grounded() { GROUND } else { BOARDS };
-        slab(&mut bodies, floor, &outline, foot, UNDER);
+        for piece in pieces(level, room, room.floors.as_ref()) {
+            slab(&mut bodies, floor, &piece, foot, floor_top(level));
+        }
         // None that would stick out of a lean-to.
-        let sloping = level
-            .ceilings
-            .iter()
-            .any(|c| c.storey == level.storey.number);
         let seen = self.shown.has_ceiling(level.storey.number, self.storeys);
-        if seen && (!sloping || room.height.is_some()) {
-            let whole = level.height.min(level.storey.wall_height());
-            let top = room
-                .height
-                .map_or(whole + CEILING.0, |height| height.min(whole + CEILING.0));
-            ceiling(&mut bodies, room.ceiling, (&outline, level.house.unit), top);
+        if seen && (!level.is_under_a_slope() || room.height.is_some()) {
+            let top = ceiling_height(level, room.height);
+            for piece in pieces(level, room, room.ceilings.as_ref()) {
+                ceiling(&mut bodies, room.ceiling, (&piece, level.house.unit), top);
+            }
         }
         let name = match room.name.as_str() {
             "" => "room".into(),
@@ -110,7 +106,7 @@ impl Walker<'_> {
                 mesh
             }
         };
-        let at = dvec3(-middle.x, middle.y, UNDER);
+        let at = dvec3(-middle.x, middle.y, floor_top(level));
         let node = self.node(Some(room), Kind::Room, format_compact!("mat {number}"), at);
         node.mesh = Some(mesh);
         if !along_a {
@@ -150,18 +146,40 @@ fn mat_body(length: f64, width: f64) -> Bodies {
     bodies
 }
 
-/// The outline of a room in the house's frame, counter-clockwise, then what stands free in it, clockwise.
-fn outline(level: Level<'_>, room: &Room) -> Vec<Vec<DVec2>> {
+/// Returns the top of the boards: a hair below the thresholds on the ground, above the tops of the walls below upstairs.
+pub(super) fn floor_top(level: Level<'_>) -> f64 {
+    if level.storey.number == 1 {
+        UNDER
+    } else {
+        -UNDER
+    }
+}
+
+/// Returns how far a ceiling hangs above the floor: that of a room, or below the next storey; metres.
+pub(super) fn ceiling_height(level: Level<'_>, room: Option<f64>) -> f64 {
+    let whole = level.height.min(level.storey.wall_height()) + CEILING.0;
+    room.map_or(whole, |height| height.min(whole))
+}
+
+/// Returns the pieces of a floor or a ceiling, or the room's whole area where there are none, in the house's frame: each
+/// counter-clockwise, then what stands free in it, clockwise.
+fn pieces(
+    level: Level<'_>,
+    room: &Room,
+    pieces: Option<&Vec<Vec<Vec<DVec2>>>>,
+) -> Vec<Vec<Vec<DVec2>>> {
     let place = |p: &DVec2| level.house.place(*p, 0.0).truncate();
     // The house frame is the author's as in a mirror.
-    let rings = room.area.iter();
-    rings
-        .map(|ring| ring.iter().rev().map(place).collect())
-        .collect()
+    let turned = |ring: &Vec<DVec2>| ring.iter().rev().map(place).collect();
+    let outline = |area: &Vec<Vec<DVec2>>| area.iter().map(turned).collect();
+    match pieces {
+        None => vec![outline(&room.area)],
+        Some(pieces) => pieces.iter().map(outline).collect(),
+    }
 }
 
 /// Adds a floor or a ceiling between two heights.
-fn slab(bodies: &mut Bodies, finish: SurfaceId, area: &[Vec<DVec2>], lo: f64, hi: f64) {
+pub(super) fn slab(bodies: &mut Bodies, finish: SurfaceId, area: &[Vec<DVec2>], lo: f64, hi: f64) {
     let Some((outer, holes)) = area.split_first() else {
         return;
     };

@@ -137,6 +137,7 @@ fn regions_are_written_as_documented() {
             }),
             fittings: vec![],
             rooms: vec![],
+            fixtures: vec![],
         }],
         images: vec![],
     };

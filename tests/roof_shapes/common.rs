@@ -85,6 +85,7 @@ pub fn house(storeys: Vec<Vec<Ring>>) -> House {
         order: Order::default(),
         rings,
         rooms: vec![],
+        fixtures: vec![],
     });
     House {
         span: Span::default(),

@@ -1,6 +1,7 @@
 //! Messages about walls, outlines and storeys (HSD04xx).
 
 mod meeting;
+pub(crate) mod fixtures;
 pub(crate) mod rooms;
 
 pub(crate) use meeting::{Meeting, walls_meet};

@@ -109,6 +109,7 @@ impl<'c> Draft<'c> {
             order: level.order.clone(),
             loops: vec![walk],
             rooms: vec![],
+            fixtures: vec![],
         });
     }
 

@@ -2,7 +2,9 @@
 
 pub(super) mod town;
 
-use crate::ast::{Era, FinialKind, Flooring, MatOrder, Paint, Purpose, RoofMethod, RoomCeiling};
+use crate::ast::{
+    Era, FinialKind, FixtureKind, Flooring, MatOrder, Paint, Purpose, RoofMethod, RoomCeiling,
+};
 use crate::parse::schema::kinds::Kind::{
     Choice, Choices, Either, Number, Numbers, Pair, Point, Points, Positions, Spot, Text, Whole,
     WholePair, YesNo,
@@ -287,6 +289,13 @@ pub(super) const ROOM: &[AttributeSchema] = &[
     may("mats", Choice(&words(&MatOrder::ALL)), "festive", "how mats lie: no four corners meeting, or in rows", "畳の敷き方。四隅が一点に集まらない祝儀敷きか、そろえて並べる不祝儀敷き"),
     may("ceiling", Choice(&words(&RoomCeiling::ALL)), "battens", "boards on battens, the joists of the floor above, or none up to the roof", "天井。棹縁天井、上の床の根太が見える天井、無し(吹き抜け)"),
     may("height", SIZE, "", "from the floor to the ceiling, shaku; up to the next storey without", "床から天井まで(尺)。無ければ上の階まで").shaku(),
+];
+#[rustfmt::skip]
+pub(super) const FIXTURE: &[AttributeSchema] = &[
+    must("kind", Choice(&words(&FixtureKind::ALL)), "tokonoma, chigaidana (shelves), butsudan (altar), oshi-ire (closet), stairs, hako-kaidan (stairs of chests), kamado (stove), well, sink", "tokonoma 床の間、chigaidana 違い棚、butsudan 仏壇、oshi-ire 押入、stairs 階段、hako-kaidan 箱階段、kamado 竈、well 井戸、sink 流し"),
+    must("at", PLACE, "its least corner, units to the left and back from the house's origin", "角のうち原点に近い方。原点から左へ、奥へ(ユニット)").units(),
+    may("size", Pair(0.25, 60.0), "", "along the front of the house, then back, units; usual for its kind without", "間口の向き、奥行の向きの大きさ(ユニット)。無ければ種類ごとの標準").units(),
+    may("faces", Choice(&words(&vocabulary::SIDES)), "F", "the side its front is on, that of stairs' first step", "正面の側。階段は一段目の側"),
 ];
 #[rustfmt::skip]
 pub(super) const BRACKETS: &[AttributeSchema] = &[

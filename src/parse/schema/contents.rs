@@ -128,6 +128,7 @@ pub(in crate::parse) static STOREY: Content = repeating(
         Tag::Posts,
         Tag::Veranda,
         Tag::Room,
+        Tag::Fixture,
         Tag::Brackets,
     ],
 );

@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 const AXIS: f64 = 1e-4;
 
 /// Number of sides of round bodies at a detail.
-pub(super) fn sides(detail: Detail) -> usize {
+pub(in crate::tessellate) fn sides(detail: Detail) -> usize {
     match detail {
         Detail::Body => 6,
         Detail::Flat => 8,
@@ -22,7 +22,7 @@ pub(super) fn sides(detail: Detail) -> usize {
 /// Revolves a profile of (radius, height) around the vertical axis through `at`. The profile runs upwards along the
 /// outside, from axis to axis, or back to its start if it bounds a ring. Neighbouring faces at a small angle share
 /// their normals.
-pub(super) fn turned(
+pub(in crate::tessellate) fn turned(
     bodies: &mut Bodies,
     finish: SurfaceId,
     at: DVec3,

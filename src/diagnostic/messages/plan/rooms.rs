@@ -1,4 +1,4 @@
-//! Messages about rooms (HSD0440 to 0446).
+//! Messages about rooms (HSD0440 to 0446 and 0452).
 
 use crate::diagnostic::messages::words::quote;
 use crate::diagnostic::{Diagnostic, Text};
@@ -121,5 +121,19 @@ pub(crate) fn too_large_for_mats(room: Span, most: usize) -> Diagnostic {
     Diagnostic::warning(446, room, message).help(text!(
         "check its walls; lengths are in units of 3 shaku",
         "壁を確かめてください。長さは 3 尺のユニットで数えます"
+    ))
+}
+
+/// Rooms of an upper storey without stairs.
+#[cold]
+pub(crate) fn no_stairs(first: Span, storey: u32) -> Diagnostic {
+    let below = storey - 1;
+    let message = text!([storey]
+        "no stairs lead up to storey {storey}, so nobody can enter its rooms",
+        "{storey}階へ上がる階段がなく、部屋に入れません"
+    );
+    Diagnostic::warning(452, first, message).help(text!([below]
+        "write stairs into storey {below}: `<Fixture kind=\"stairs\" at=\"...\"/>`",
+        "{below}階に階段を `<Fixture kind=\"stairs\" at=\"...\"/>` と書いてください"
     ))
 }

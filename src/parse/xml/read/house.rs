@@ -153,6 +153,7 @@ impl<'t> Reader<'t, '_> {
             };
             match schema.tag {
                 Tag::Loop => storey.loops.push(self.walk(schema, child)),
+                Tag::Fixture => storey.fixtures.extend(self.fixture(schema, child)),
                 Tag::Room => storey.rooms.extend(self.room(schema, child)),
                 Tag::Walls => self.only_walls(schema, child, element, &mut storey),
                 Tag::Random => {
