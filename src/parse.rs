@@ -25,6 +25,7 @@ mod reporter;
 pub mod legacy;
 pub mod names;
 pub mod outline;
+pub mod over;
 pub mod syntax;
 mod values;
 pub mod xml;

@@ -16,6 +16,22 @@ fn mix(mut z: u64) -> u64 {
     z ^ (z >> 31)
 }
 
+/// Undoes [`mix`].
+fn unmixed(mut z: u64) -> u64 {
+    z = z ^ (z >> 31) ^ (z >> 62);
+    z = z.wrapping_mul(inverse(0x94D0_49BB_1331_11EB));
+    z = z ^ (z >> 27) ^ (z >> 54);
+    z = z.wrapping_mul(inverse(0xBF58_476D_1CE4_E5B9));
+    z ^ (z >> 30) ^ (z >> 60)
+}
+
+/// Returns the number that undoes a multiplication by an odd one. Each round doubles the bits that are right.
+fn inverse(odd: u64) -> u64 {
+    (0..6).fold(odd, |near, _| {
+        near.wrapping_mul(2u64.wrapping_sub(odd.wrapping_mul(near)))
+    })
+}
+
 fn fnv(text: &str) -> u64 {
     text.bytes().fold(0xCBF2_9CE4_8422_2325, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3)
@@ -36,6 +52,15 @@ impl Place {
     /// Returns the place of a name within this one; it never equals that of a number.
     pub fn named(self, name: &str) -> Place {
         self.at(u64::MAX).at(fnv(name))
+    }
+
+    /// Returns the seed whose root has this place under a name: what is drawn there is drawn here.
+    pub fn seed_under(self, name: &str) -> u64 {
+        // Each step of a place can be undone.
+        let before =
+            |place: u64, n: u64| (unmixed(place) ^ mix(n.wrapping_add(STEP))).rotate_right(23);
+        let root = before(before(self.0, fnv(name)), u64::MAX);
+        unmixed(root).wrapping_sub(STEP)
     }
 
     /// Returns the random number of this place, uniform in 0 <= share < 1.
@@ -72,6 +97,15 @@ mod tests {
     }
 
     const FOREVER: u64 = 2_266_374_785_538_885_389;
+
+    #[test]
+    fn a_place_has_a_seed_under_any_name() {
+        for n in [0, 1, 7, u64::MAX] {
+            let place = Place::seed(n).named("so-nikai");
+            let seed = place.seed_under("houses 12");
+            assert_eq!(Place::seed(seed).named("houses 12"), place);
+        }
+    }
 
     #[test]
     fn draws_are_even_and_weights_count() {

@@ -6,9 +6,10 @@
 //! | streets and outlines are indexed | `plan`, `street`, `grid` |
 //! | a feature knows its fields, measures and neighbours | `site`, `neighbour` |
 //! | its front is found, by the rule of the contract or the published one | `frontage`, `site/published` |
-//! | a house is put on it: a rectangle, or its walls | `plot`, `over` |
+//! | a house is put on it: a rectangle, or its walls | `plot` |
 //! | houses are put behind it | `rear` |
 //! | the rules of the town file make the houses | `run` |
+//! | a house is written as a text, if asked for | `text` |
 //! | every decision is recorded | `decision`, `stream` |
 //! | or nothing is made, and what an editor asks for is kept | `check`, `layer/kept` |
 //!
@@ -20,7 +21,6 @@ pub mod frontage;
 pub mod grid;
 pub mod layer;
 pub mod neighbour;
-pub mod over;
 pub mod plan;
 pub mod plot;
 pub mod rear;
@@ -30,6 +30,7 @@ pub mod site;
 pub mod stream;
 pub mod street;
 pub mod table;
+mod text;
 
 pub use check::{FieldFacts, LayerFacts, TownFacts, adopt, check};
 pub use decision::TownReport;

@@ -82,6 +82,7 @@ fn stand<T>(text: &str, folder: &Path, look: impl FnOnce(&Plan) -> T) -> (Standi
         world: &world,
         options: &options,
         kept: None,
+        texts: false,
     };
     let plan = run::plan(input, &town, &mut out)
         .unwrap_or_else(|| panic!("{:?}", out.iter().collect::<Vec<_>>()));

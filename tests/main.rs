@@ -77,6 +77,7 @@ mod tessellate;
 mod textures;
 mod tiles;
 mod town_types;
+mod town_texts;
 mod towns;
 mod tutorial;
 mod twins;

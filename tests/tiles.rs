@@ -95,6 +95,7 @@ fn build_within(
         world: &world,
         options: &options,
         kept: None,
+        texts: false,
     };
     let plan = town::run::plan(input, &written, &mut out).expect("its maps are read");
     let division: Tiles = written.tiles.clone();

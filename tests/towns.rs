@@ -44,6 +44,7 @@ pub(crate) fn in_folder(text: &str, folder: &Path, look: impl FnOnce(&Plan)) -> 
         world: &world,
         options: &options,
         kept: None,
+        texts: false,
     };
     let plan = written.and_then(|town| run::plan(input, &town, &mut out));
     let mut built = Built {
@@ -339,6 +340,7 @@ fn a_misspelt_field_of_a_where_names_the_nearest_one() {
         world: &world,
         options: &options,
         kept: None,
+        texts: false,
     };
     hsd::town::check(input, &mut vec![], &|| true, &mut out);
     let list = out.into_sorted();

@@ -270,6 +270,22 @@ pub struct SiteWalls {
     pub neighbour: Vec<u32>,
 }
 
+/// A house as a text: a `Place` of its type, or its own definition and a `Place` for that.
+#[derive(Clone, Debug)]
+pub struct HouseText {
+    /// With its type, if that is the same house.
+    pub placed: Option<String>,
+    /// With a definition; empty if that cannot be.
+    pub own: String,
+}
+
+impl HouseText {
+    /// Returns the shorter one that is the house.
+    pub fn text(&self) -> &str {
+        self.placed.as_deref().unwrap_or(&self.own)
+    }
+}
+
 /// A house behind the house of a lot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RearHouse {
@@ -345,6 +361,8 @@ pub enum Made {
         evidence: String,
         /// The houses, in the frame of the town.
         houses: Vec<House>,
+        /// The element of each house with all expressions computed, if asked for.
+        written: Vec<String>,
         /// The parameters of the type and their values.
         parameters: Vec<(String, Value)>,
         /// Where they stand.

@@ -101,6 +101,16 @@ pub struct Parameter {
 impl Parameter {
     /// Returns true if this value is allowed.
     pub fn admits(&self, value: &Value) -> bool {
+        self.admits_by(self.step, value)
+    }
+
+    /// Returns true if a `Place` may give this value: a length of a map is no whole number of steps.
+    pub fn admits_in_place(&self, value: &Value) -> bool {
+        let metres = self.unit.as_deref() == Some("m");
+        self.admits_by(self.step.filter(|_| !metres), value)
+    }
+
+    fn admits_by(&self, step: Option<f64>, value: &Value) -> bool {
         if !self.choices.is_empty() {
             return self.choices.contains(value);
         }
@@ -111,7 +121,7 @@ impl Parameter {
         let Value::Number(number) = *value else {
             return like_default && self.min.is_none() && self.max.is_none();
         };
-        let on_step = self.step.is_none_or(|step| {
+        let on_step = step.is_none_or(|step| {
             let steps = (number - self.min.unwrap_or(0.0)) / step;
             (steps - steps.round()).abs() < 1e-9
         });

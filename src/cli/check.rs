@@ -55,6 +55,7 @@ impl Check {
                 world: &world,
                 options: &options,
                 kept: None,
+                texts: false,
             };
             let town = town::check(input, &mut checked.included, &|| true, &mut out);
             houses += town.map_or(0, |town| town.houses);

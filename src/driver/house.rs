@@ -158,6 +158,8 @@ pub struct FeatureHouse {
     pub name: String,
     /// What stands in its place if it has errors.
     pub plain: Option<Box<ast::House>>,
+    /// Its text, if it was asked for.
+    pub text: Option<ast::town::HouseText>,
 }
 
 /// The feature on which a house stands, its name, and what stands in its place if it has errors.

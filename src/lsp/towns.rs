@@ -135,6 +135,7 @@ fn check(job: TownJob, stops: &AtomicBool) -> Option<TownDone> {
         world: &world,
         options: &options,
         kept: Some(&job.maps),
+        texts: false,
     };
     let (mut included, mut out) = (job.included, Diagnostics::new());
     let goes_on = || !stops.load(Ordering::Relaxed);

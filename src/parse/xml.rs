@@ -19,10 +19,12 @@ mod suggest;
 mod town;
 mod tree;
 mod trees;
+mod written;
 
 pub(super) use outline::outline;
 pub use town::{FeatureMade, FeatureOf, MissingFields, RuleMade, features};
 pub use trees::Trees;
+pub use written::escaped;
 
 use super::ReadContext;
 use crate::ast::Document;

@@ -7,10 +7,10 @@ pub use maps::plan;
 
 use super::decision::{Outcome, Record};
 use super::layer::KeptMaps;
-use super::over;
 use super::plan::{LotId, Plan};
 use super::rear::RearDecision;
 use super::site::LotSite;
+use super::text;
 use crate::ast::town::{Made, Stood};
 use crate::ast::{House, Item, Outline, Stand, Storey};
 use crate::diagnostic::messages::town as say;
@@ -18,6 +18,7 @@ use crate::diagnostic::{Diagnostics, Origin};
 use crate::driver::{FeatureHouse, Options};
 use crate::parse;
 use crate::parse::Values;
+use crate::parse::over;
 use crate::parse::xml::{self, FeatureMade, FeatureOf, MissingFields, Trees};
 use crate::source::{Source, SourceCache, Spanned, World};
 use crate::templates::{EXAMPLES, TYPES};
@@ -38,6 +39,8 @@ pub struct TownInput<'a> {
     pub options: &'a Options,
     /// Maps that were read before.
     pub kept: Option<&'a KeptMaps>,
+    /// True if the houses are wanted as texts.
+    pub texts: bool,
 }
 
 /// What is made of a chunk of features.
@@ -136,13 +139,29 @@ fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
         .collect();
     let mut found = Diagnostics::new();
     let mut trees = Trees::default();
-    let (made, missing) = xml::features(input.source, setting, &mut trees, &features, &mut found);
+    let (made, missing) = xml::features(
+        input.source,
+        setting,
+        &mut trees,
+        (&features, input.texts),
+        &mut found,
+    );
     drop(trees);
     let (mut houses, mut records) = (vec![], vec![]);
     for ((made, site), id) in made.into_iter().zip(&sites).zip(lots) {
-        records.extend(record(plan, *id, site, made, &mut houses, &mut found));
+        records.extend(record(
+            (plan, input),
+            *id,
+            site,
+            made,
+            &mut houses,
+            &mut found,
+        ));
     }
     drop(features);
+    if input.texts {
+        text::check(&mut houses, limits);
+    }
     drop(sites);
     Chunk {
         houses,
@@ -156,7 +175,7 @@ fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
 
 /// Turns what the rules made of a feature into houses, and records it: the feature, then what stands behind its house.
 fn record(
-    plan: &Plan,
+    (plan, input): (&Plan, TownInput<'_>),
     id: LotId,
     site: &LotSite<'_>,
     made: FeatureMade,
@@ -196,14 +215,14 @@ fn record(
         };
         let Some(unit) = unit else {
             let ring = lot.shape.ring();
-            enter(made.made, rule, &mut record, (ring, &layer), houses);
+            enter(made.made, rule, &mut record, (ring, &layer, input), houses);
             continue;
         };
         let key = part_key(&lot.key, unit);
         if let Some(part) = parts.iter_mut().find(|part| *part.key == *key) {
             let corners = part.corners();
             let ring = corners.as_ref().map(|c| &c[..]);
-            enter(made.made, rule, part, (ring, &layer), &mut behind);
+            enter(made.made, rule, part, (ring, &layer, input), &mut behind);
         }
     }
     houses.append(&mut behind);
@@ -216,7 +235,7 @@ fn enter(
     made: Made,
     rule: usize,
     record: &mut Record,
-    (ring, layer): (Option<&[DVec2]>, &Arc<str>),
+    (ring, layer, input): (Option<&[DVec2]>, &Arc<str>, TownInput<'_>),
     houses: &mut Vec<FeatureHouse>,
 ) {
     record.rule = rule;
@@ -230,24 +249,37 @@ fn enter(
             stood,
             span,
             unit: _,
+            written,
         } => {
             record.span = Some(span);
             record.outcome = Outcome::Built;
             record.kind = kind;
             record.evidence = evidence;
-            record.parameters = parameters;
+            let mut written = written.iter();
             for house in own {
                 record.houses += 1;
+                let plain = plain(&house, &stood, ring);
+                let house = over_outline(house, &stood);
+                let name = name(layer, &record.key, record.houses);
+                let told = text::Told {
+                    kind: &record.kind,
+                    parameters: &parameters,
+                    stood: &stood,
+                    written: written.next(),
+                    seed: input.options.expand.seed,
+                };
                 houses.push(FeatureHouse {
-                    plain: plain(&house, &stood, ring),
-                    house: over_outline(house, &stood),
+                    text: input.texts.then(|| text::write(&house, &name, &told)),
+                    plain,
+                    house,
                     origin: Origin::Feature {
                         layer: layer.clone(),
                         key: (&*record.key).into(),
                     },
-                    name: name(layer, &record.key, record.houses),
+                    name,
                 });
             }
+            record.parameters = parameters;
         }
     }
 }
@@ -279,9 +311,7 @@ fn over_outline(mut house: House, stood: &Stood) -> House {
             let at = w.front as usize - 1;
             w.ring[at].distance(w.ring[(at + 1) % w.ring.len()])
         });
-        let times = (front / stood.frontage.max(1e-3)).round().max(1.0) as u32;
-        let length = front;
-        over::rewrite(&mut house, over::Front { length, times });
+        over::rewrite(&mut house, over::Front::of(front, stood.frontage));
     }
     house
 }

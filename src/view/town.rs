@@ -255,6 +255,7 @@ impl Build<'_> {
             world,
             options,
             kept: Some(&self.slot.maps),
+            texts: false,
         };
         let mut out = Diagnostics::new();
         let Some(plan) = town::run::plan(input, &town, &mut out) else {

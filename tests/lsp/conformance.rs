@@ -43,6 +43,7 @@ fn checked(path: &Path, text: &str, encoding: &str) -> Vec<Value> {
         world: &world,
         options: &options,
         kept: None,
+        texts: false,
     };
     town::check(input, &mut checked.included, &|| true, &mut out);
     let mark = if text.starts_with('\u{feff}') { 3 } else { 0 };

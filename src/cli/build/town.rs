@@ -3,6 +3,7 @@
 pub(super) mod candidates;
 mod city;
 mod obj;
+mod text;
 
 use super::tiled::{FEATURE, Wish, tables};
 use super::{streamed, tiled};
@@ -31,7 +32,7 @@ use std::path::{Path, PathBuf};
 /// Build a town from the layers of maps that a town file names.
 ///
 /// OUT is a folder for 3D Tiles, whose root is `tileset.json`, one model (.glb), a model for each tile
-/// (.obj: OUT-TILE.obj beside OUT), or CityJSON 2.0 of LoD 1 to 3 (.city.json, or .city.jsonl with
+/// (.obj: OUT-TILE.obj beside OUT), its houses as a source file (.hsd), or CityJSON 2.0 of LoD 1 to 3 (.city.json, or .city.jsonl with
 /// a line for each house; `--detail 0` leaves out LoD 3). In the folder or beside the model stand
 /// `decisions.csv`, with a line for each feature, and `report.json`. Tiles that are there already and would be the same are
 /// kept, so a run that was interrupted goes on. The exit status is 1 if a feature has no house that nobody asked to skip.
@@ -40,6 +41,7 @@ use std::path::{Path, PathBuf};
 Examples:
   hsd town kyoto.hsd -o kyoto/       write kyoto/tileset.json with its tiles, kyoto/decisions.csv and kyoto/report.json
   hsd town kyoto.hsd -o kyoto.glb --param year=1928
+  hsd town kyoto.hsd -o houses.hsd   write each house as a text, to change it by hand
   hsd town kyoto.hsd -o kyoto.city.jsonl --detail 0    write walls and roofs for a GIS, a line for each house")]
 pub(in crate::cli) struct Town {
     #[command(flatten)]
@@ -103,6 +105,7 @@ fn planned(
         world: &world,
         options: &options,
         kept: None,
+        texts: false,
     };
     match run::plan(input, &town, &mut out) {
         Some(plan) if !out.has_errors() => then(input, read, &plan, out),
@@ -134,6 +137,7 @@ impl Town {
             {
                 Some(form) => self.city(form, input, (read, plan), out, language),
                 None if self.is_obj() => self.objects(input, (read, plan), out, language),
+                None if self.is_text() => self.texts(input, (read, plan), out, language),
                 None if self.is_model()? => self.build(input, read, plan, out, language),
                 None => self.tiles(input, read, plan, out, language),
             },
@@ -169,6 +173,30 @@ impl Town {
     ) -> Outcome {
         let wish = (&*self.output, input.options.detail, self.quiet);
         let (incomplete, included, out) = obj::build(wish, input, town, out, language)?;
+        let spoiled = out.has_errors();
+        let mut sources = vec![input.source.clone()];
+        sources.extend(included);
+        print(&sources, out, language)?;
+        Ok(exit(incomplete || spoiled))
+    }
+
+    /// Writes the houses of a town as one source file.
+    fn texts(
+        &self,
+        input: TownInput<'_>,
+        town: (driver::Read, &Plan),
+        out: Diagnostics,
+        language: Language,
+    ) -> Outcome {
+        let same = |path: &Path| path.canonicalize().ok();
+        if same(&self.output).is_some_and(|own| same(Path::new(input.source.name())) == Some(own)) {
+            return Err(Failure::Usage(text!(
+                "the output is the town file itself: write the houses to another file",
+                "出力先が町のファイルそのものです。別のファイルに書いてください"
+            )));
+        }
+        let wish = (&*self.output, self.quiet);
+        let (incomplete, included, out) = text::build(wish, input, town, out, language)?;
         let spoiled = out.has_errors();
         let mut sources = vec![input.source.clone()];
         sources.extend(included);
@@ -279,6 +307,11 @@ impl Town {
         self.output.extension().is_some_and(|e| e == "obj") && !self.is_folder()
     }
 
+    /// Returns true if the houses are to be written as a source file.
+    fn is_text(&self) -> bool {
+        self.output.extension().is_some_and(|e| e == "hsd") && !self.is_folder()
+    }
+
     /// Returns true if one model is to be written.
     fn is_model(&self) -> Result<bool, Failure> {
         match self.output.extension() {
@@ -286,8 +319,8 @@ impl Town {
             Some(other) if !self.is_folder() => {
                 let other = other.to_string_lossy();
                 Err(Failure::Usage(text!([other]
-                    "a town is written to a folder, a `.glb`, a `.obj`, a `.city.json` or a `.city.jsonl`, not to `.{other}`",
-                    "町の出力先はフォルダー、`.glb`、`.obj`、`.city.json`、`.city.jsonl` のどれかです。`.{other}` には書けません"
+                    "a town is written to a folder, a `.glb`, a `.obj`, a `.city.json`, a `.city.jsonl` or a `.hsd`, not to `.{other}`",
+                    "町の出力先はフォルダー、`.glb`、`.obj`、`.city.json`、`.city.jsonl`、`.hsd` のどれかです。`.{other}` には書けません"
                 )))
             }
             _ => Ok(false),

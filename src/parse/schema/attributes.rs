@@ -85,14 +85,15 @@ pub(super) const GROUP: &[AttributeSchema] = &join::<5, 2, 7>([
     may("turn", TURN, "0", "how far its houses are turned about that origin, degrees clockwise from above", "その原点の周りに回す角度。上から見て時計回り(度)"),
 ], AGED);
 #[rustfmt::skip]
-pub(super) const PLACEMENT: &[AttributeSchema] = &join::<10, 6, 16>(join::<8, 2, 10>(PLACEMENT_OWN, AGED), town::PLACEMENT);
+pub(super) const PLACEMENT: &[AttributeSchema] = &join::<11, 6, 17>(join::<9, 2, 11>(PLACEMENT_OWN, AGED), town::PLACEMENT);
 #[rustfmt::skip]
-const PLACEMENT_OWN: [AttributeSchema; 8] = [
+const PLACEMENT_OWN: [AttributeSchema; 9] = [
     must("type", Text, "a house type of the library, a `define` or a file; all other attributes set its parameters", "建物の型、`define` の名、またはファイル。ほかの属性はすべて変数"),
     may("name", Text, "", "its name; without, that of the type", "建物の名。無ければ型の名"),
     may("x", ANYWHERE, "0", "place of the house, metres east", "建物の位置。東へ(m)").metres(),
     may("y", ANYWHERE, "0", "place of the house, metres north", "建物の位置。北へ(m)").metres(),
     may("z", ANYWHERE, "0", "height of the ground, metres", "地盤の高さ(m)").metres(),
+    may("plinth", Number(0.0, 100.0), "0", "how far a plinth of stone under its walls reaches below the ground, metres", "壁の下の石積みが地盤より下へ伸びる深さ(m)").metres(),
     may("azimuth", TURN, "180", "compass direction that the front looks to, degrees; 180 is south", "正面の向く方位(度)。180 は南"),
     may("at", ANCHOR, "corner", "what stands there: the right end of the front, or the centre of the ground storey", "その位置に来る点。正面の右端 `corner` か、一階の中心 `centre`"),
     may("seed", Whole(0, u64::MAX), "", "key of the draws, parameters that are not set among them", "抽選の種。指定しない変数も抽選する"),

@@ -83,10 +83,19 @@ pub(in crate::parse) static HOUSES: Content = content(
         Tag::PartDef,
     ],
 );
+/// What may be said of a house that is placed.
+pub(in crate::parse) static PLACE: Content = content("place", &[Tag::Outline]);
 /// What a `Place` has become when the document is read.
 pub(in crate::parse) static PLACED: Content = content(
     "placed",
-    &[Tag::House, Tag::Group, Tag::Place, Tag::View, Tag::PartDef],
+    &[
+        Tag::House,
+        Tag::Group,
+        Tag::Place,
+        Tag::View,
+        Tag::PartDef,
+        Tag::Outline,
+    ],
 );
 pub(in crate::parse) static HOUSE: Content = repeating(
     &STOREYS,

@@ -41,6 +41,7 @@ mod storeys;
 
 pub(super) use braces::{Segment, segments};
 pub(super) use feature::Rules;
+pub(super) use places::MEANT;
 
 use super::suggest::Suggest;
 use super::tree::{Child, Element, Tree};

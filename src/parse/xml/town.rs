@@ -43,12 +43,12 @@ pub struct FeatureMade {
 /// How many features lacked a field, by the place that asked for it.
 pub type MissingFields = BTreeMap<(Span, String), usize>;
 
-/// Evaluates the rules of a town file at features, one after another.
+/// Evaluates the rules of a town file at features, one after another; `writes` asks for the texts of houses.
 pub fn features<'a>(
     source: &'a Source,
     setting: ReadContext<'a>,
     trees: &mut Trees<'a>,
-    features: &[FeatureOf<'_>],
+    (features, writes): (&[FeatureOf<'_>], bool),
     out: &mut Diagnostics,
 ) -> (Vec<FeatureMade>, MissingFields) {
     let mut reporter = Reporter::new(source);
@@ -80,7 +80,7 @@ pub fn features<'a>(
                         suggest: Suggest::new(),
                         views: vec![],
                     };
-                    reader.made(index, state.0, state.1)
+                    reader.made(index, state.0, state.1, writes)
                 },
             );
             if let Some(found) = found {

@@ -12,8 +12,8 @@ use crate::text;
 #[cold]
 pub fn place_with_content(span: Span, fix: Option<Vec<Edit>>) -> Diagnostic {
     let message = text!(
-        "`Place` cannot have content: it is replaced by the house that `type` names",
-        "`Place` の中には何も書けません。`type` の建物がその場所に入ります"
+        "`Place` can hold only an `Outline`, for the one house that `type` names, and in a town nothing",
+        "`Place` の中に書けるのは、`type` の一棟の建物の `Outline` だけです。町では何も書けません"
     );
     replaced_with_content(span, message, fix)
 }

@@ -132,6 +132,7 @@ impl<'a> Expander<'a, '_> {
 
     /// Returns the value given to a parameter, if any; `None` inside = it is invalid, which was reported.
     fn given(&mut self, to: &Parameter, given: Given, name: Span) -> Option<Option<Value>> {
+        let placed = matches!(given, Given::Use(_)) && !self.placed.is_empty();
         let (value, span) = match given {
             Given::Use(given) => {
                 let given = given?;
@@ -157,7 +158,7 @@ impl<'a> Expander<'a, '_> {
             }
             _ => value,
         };
-        if to.admits(&value) {
+        if to.admits(&value) || placed && to.admits_in_place(&value) {
             return Some(Some(value));
         }
         self.reporter

@@ -1,12 +1,14 @@
 //! The houses of a file, alone and in groups: `Houses`, `Group`, and what a `Place` has become.
 
 use crate::ast::town::Town;
-use crate::ast::{Era, Frame, House, PlacedBy, Placement, Stand, WrittenPart};
+use crate::ast::{Era, Frame, House, Outline, PlacedBy, Placement, Stand, WrittenPart};
 use crate::diagnostic::messages::xml as say;
 use crate::geometry::Heading;
+use crate::parse::over;
 use crate::parse::schema;
 use crate::parse::schema::vocabulary::ANCHORS;
 use crate::parse::schema::{Schema, Tag};
+use crate::parse::xml::language::MEANT;
 use crate::parse::xml::read::{AllowedChild, Attributes, Reader};
 use crate::parse::xml::tree::{Child, Element};
 use crate::source::Spanned;
@@ -93,6 +95,8 @@ impl<'t> Reader<'t, '_> {
                 Tag::Place => self.placed(schema, child, around, houses),
                 // Those of a file that is placed are views of that file.
                 Tag::View if around.place.is_some() => {}
+                // That of a house that is placed has been read with its place.
+                Tag::Outline => {}
                 Tag::View => self.view(schema, child, around.frame),
                 // Repetitions and choices are written out already; what is left draws codes.
                 _ => {
@@ -118,6 +122,7 @@ impl<'t> Reader<'t, '_> {
         let mut inner = self.aged(around, &of);
         let anchor = self.choice(&of, "at", &ANCHORS);
         let azimuth = self.usual(&of, "azimuth");
+        let plinth = self.number(&of, "plinth");
         let written = element.children.first().and_then(|child| match child {
             Child::Element(index) => Some(self.tree.elements[*index].range.start),
             Child::Text(_) => None,
@@ -159,10 +164,36 @@ impl<'t> Reader<'t, '_> {
                 if let Some(outline) = &mut house.outline {
                     outline.stand = Stand::Facing;
                 }
+                if let Some(outline) = self.outline_of_place(element, &of) {
+                    let meant = element.attributes.iter().find(|a| a.name == MEANT);
+                    let meant = meant.and_then(|a| a.value.as_str().parse().ok());
+                    over::stand_on(&mut house, outline, meant);
+                }
             }
+            let plinth = plinth.filter(|plinth| plinth.value > 0.0);
+            house.settings.plinth = plinth.or(house.settings.plinth);
             house.parts.extend(parts.iter().cloned());
             houses.push(inner.put(house));
         }
+    }
+
+    /// Reads the outline that a `Place` gives to its house.
+    fn outline_of_place(
+        &mut self,
+        element: &'t Element<'t>,
+        of: &Attributes<'t>,
+    ) -> Option<Outline> {
+        let schema = schema::named("Outline")?;
+        let mut children = element.children.iter().filter_map(|child| match child {
+            Child::Element(index) => Some(&self.tree.elements[*index]),
+            Child::Text(_) => None,
+        });
+        let child = children.find(|child| child.name == schema.name)?;
+        let outline = self.outline(schema, child, of);
+        Some(Outline {
+            stand: Stand::Surveyed(0.0),
+            ..outline
+        })
     }
 
     fn origin(&mut self, of: &Attributes<'t>) -> [f64; 3] {

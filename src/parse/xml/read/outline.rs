@@ -66,7 +66,7 @@ impl<'t> Reader<'t, '_> {
         });
     }
 
-    fn outline(
+    pub(in crate::parse::xml) fn outline(
         &mut self,
         schema: &'static Schema,
         element: &'t Element<'t>,

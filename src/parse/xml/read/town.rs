@@ -11,6 +11,7 @@ use crate::parse::schema::{Schema, Tag};
 use crate::parse::xml::read::houses::Around;
 use crate::parse::xml::read::{AllowedChild, Attributes, Reader};
 use crate::parse::xml::tree::{Child, Element};
+use crate::parse::xml::written::written;
 use crate::source::{Span, Spanned};
 use std::collections::BTreeMap;
 
@@ -217,6 +218,7 @@ impl<'t> Reader<'t, '_> {
         index: usize,
         stood: &mut BTreeMap<usize, Stood>,
         given: &mut BTreeMap<usize, Vec<(String, Value)>>,
+        writes: bool,
     ) -> Vec<Made> {
         let element = &self.tree.elements[index];
         let mut all = vec![];
@@ -257,6 +259,10 @@ impl<'t> Reader<'t, '_> {
                         span: self.start(child),
                         kind,
                         evidence,
+                        written: match writes {
+                            true => self.written(child),
+                            false => vec![],
+                        },
                         unit: is_rear.then(|| of_child("name")),
                         houses: self.houses_at(read_as.unwrap_or(schema), child, &stood),
                         parameters: given.remove(index).unwrap_or_default(),
@@ -268,6 +274,22 @@ impl<'t> Reader<'t, '_> {
         }
         self.text_in_for(element);
         all
+    }
+
+    /// Writes the houses in an element, or the one that it is.
+    fn written(&self, element: &'t Element<'t>) -> Vec<String> {
+        let is =
+            |element: &Element<'_>, tag| schema::named(element.name).is_some_and(|s| s.tag == tag);
+        if is(element, Tag::House) {
+            let mut text = String::new();
+            written(self.tree, element, &mut text);
+            return vec![text];
+        }
+        let children = element.children.iter().filter_map(|child| match child {
+            Child::Element(index) => Some(&self.tree.elements[*index]),
+            Child::Text(_) => None,
+        });
+        children.flat_map(|child| self.written(child)).collect()
     }
 
     fn text_in_for(&mut self, element: &'t Element<'t>) {

@@ -7,12 +7,13 @@ pub(in crate::cli::language::japanese) static TOWN: &[CommandHelp] = &[
     CommandHelp {
         path: "town",
         about: "町のファイルに書いた地図のレイヤーから町を作る",
-        more: "OUT は 3D Tiles を書くフォルダー(根は `tileset.json`)、一つのモデル (.glb)、タイルごとのモデル (.obj。OUT の横に OUT-TILE.obj)、LoD 1〜3 の CityJSON 2.0 (.city.json、または建物ごとに一行の .city.jsonl。`--detail 0` なら LoD 3 なし) のどれかです。フォルダーの中、またはモデルの横に、地物ごとに一行の `decisions.csv` と `report.json` を書きます。\
+        more: "OUT は 3D Tiles を書くフォルダー(根は `tileset.json`)、一つのモデル (.glb)、タイルごとのモデル (.obj。OUT の横に OUT-TILE.obj)、建物を一つのテキストにしたもの (.hsd)、LoD 1〜3 の CityJSON 2.0 (.city.json、または建物ごとに一行の .city.jsonl。`--detail 0` なら LoD 3 なし) のどれかです。フォルダーの中、またはモデルの横に、地物ごとに一行の `decisions.csv` と `report.json` を書きます。\
                前からあって同じになるタイルはそのまま使うので、中断した実行は続きから進みます。省くと書いていない地物に建物が無ければ、終了コードは 1 です。",
         examples: "\
 例:
   hsd town kyoto.hsd -o kyoto/       kyoto/tileset.json とタイル、kyoto/decisions.csv、kyoto/report.json を書く
   hsd town kyoto.hsd -o kyoto.glb --param year=1928
+  hsd town kyoto.hsd -o houses.hsd   建物を一棟ずつテキストに書く。手で直せる
   hsd town kyoto.hsd -o kyoto.city.jsonl --detail 0    GIS 用に、壁と屋根を建物ごとに一行で書く",
         arguments: &[
             (

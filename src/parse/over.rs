@@ -3,8 +3,8 @@
 //! itself.
 
 use crate::ast::{
-    Half, House, Item, Loop, On, Piece, Repeat, RoofMode, RoofShape, Row, SidePart, SideWall,
-    Storey, Walls,
+    Half, House, Item, Loop, On, Outline, Piece, Repeat, RoofMode, RoofShape, Row, SidePart,
+    SideWall, Storey, Walls,
 };
 use crate::geometry::SHAKU;
 use crate::source::{Span, Spanned};
@@ -16,6 +16,27 @@ pub struct Front {
     pub length: f64,
     /// How often the type's own front stands on it.
     pub times: u32,
+}
+
+/// Puts a house on an outline; the rows of its front were made for a width of so many metres.
+pub(super) fn stand_on(house: &mut House, outline: Outline, meant: Option<f64>) {
+    let corners = &outline.points.value;
+    let front = outline.front.map_or(1, |front| front.value as usize);
+    let first = corners.get(front.wrapping_sub(1));
+    let second = corners.get(front % corners.len().max(1));
+    if let (Some(first), Some(second), false) = (first, second, has_walls(house)) {
+        let length = first.value.distance(second.value);
+        rewrite(house, Front::of(length, meant.unwrap_or(length)));
+    }
+    house.outline = Some(Box::new(outline));
+}
+
+impl Front {
+    /// Creates a front of this length, on which fronts of a type stand that are made for a width.
+    pub fn of(length: f64, meant: f64) -> Front {
+        let times = (length / meant.max(1e-3)).round().max(1.0) as u32;
+        Front { length, times }
+    }
 }
 
 /// Rewrites the rows of a house for its outline; false, with the house as it was, if it is written otherwise.

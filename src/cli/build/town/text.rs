@@ -1,0 +1,103 @@
+//! `hsd town` to a `.hsd`: the houses of a town as one source file.
+
+use crate::cli::Failure;
+use crate::cli::build::tiled::{FEATURE, tables};
+use crate::cli::files::output::write_all;
+use crate::cli::files::terminal::{HOUSE, counted};
+use crate::diagnostic::{Diagnostics, Language};
+use crate::driver::Read;
+use crate::print;
+use crate::source::{FileId, Source, Span};
+use crate::text;
+use crate::town::stream::TownStream;
+use crate::town::{Plan, TownInput};
+use std::io::{self, Write};
+use std::path::Path;
+
+/// Writes the houses of a town as a source file; returns whether something is missing that the author wanted, the files
+/// that were read, and what was found.
+pub(super) fn build(
+    (path, quiet): (&Path, bool),
+    input: TownInput<'_>,
+    (read, plan): (Read, &Plan),
+    mut out: Diagnostics,
+    language: Language,
+) -> Result<(bool, Vec<Source>, Diagnostics), Failure> {
+    let input = TownInput {
+        texts: true,
+        ..input
+    };
+    let limits = &input.options.expand.limits;
+    let mut town = TownStream::new(input, plan);
+    let mut file = head(input, plan);
+    for part in read.documents.iter().flat_map(|document| &document.parts) {
+        file.push_str(written(
+            part.whole.unwrap_or_default(),
+            input.source,
+            &read.included,
+        ));
+        file.push('\n');
+    }
+    let (mut count, mut unwritten) = (0, vec![]);
+    for house in town.by_ref() {
+        let text = house.text.as_ref().map_or("", |text| text.text());
+        if text.is_empty() {
+            unwritten.push(house.name);
+            continue;
+        }
+        count += 1;
+        file.push_str(text);
+        file.push('\n');
+    }
+    file.push_str("</Houses>\n");
+    let source = Source::new(FileId(0), path.to_string_lossy(), file.as_bytes());
+    let laid_out = print::format(&source, limits, &mut Diagnostics::new());
+    let file = laid_out.unwrap_or(file);
+    let (ledger, included) = town.finish(&mut out);
+    write_all(vec![(path.to_owned(), file.into_bytes())])?;
+    tables(path, &ledger)?;
+    let failed = |error| Failure::at(path.display(), error);
+    if let Some(first) = unwritten.first() {
+        let number = unwritten.len();
+        let line = text!([first, number]
+            "{number} houses cannot be written by themselves, the first of them `{first}`",
+            "{number} 棟は単独のテキストにできません。最初は `{first}` です"
+        );
+        writeln!(io::stderr(), "{}", line.in_language(language)).map_err(failed)?;
+    }
+    if !quiet {
+        let (name, report) = (path.display(), &ledger.report);
+        let (features, built) = (counted(report.features, FEATURE), report.built);
+        let houses = counted(count, HOUSE);
+        let line = text!([name, features, built, houses]
+            "{name}: {features}, {built} of them built, {houses}",
+            "{name}: {features}、うち {built} 件に{houses}"
+        );
+        writeln!(io::stderr(), "{}", line.in_language(language)).map_err(failed)?;
+    }
+    Ok((ledger.incomplete || !unwritten.is_empty(), included, out))
+}
+
+/// Returns the start of the file.
+fn head(input: TownInput<'_>, plan: &Plan) -> String {
+    let town = Path::new(input.source.name())
+        .file_name()
+        .unwrap_or_default();
+    let town = town.to_string_lossy().replace("--", "- -");
+    let (crs, origin) = (&plan.frame.crs, plan.frame.origin);
+    let (east, north) = (origin.x, origin.y);
+    let plane = crs.name.replace("--", "- -");
+    format!(
+        "<!-- The houses of {town}: metres east and north of {east} {north} in the plane {plane}. -->\n<Houses>\n"
+    )
+}
+
+/// Returns what is written at a place.
+fn written<'s>(span: Span, town: &'s Source, included: &'s [Source]) -> &'s str {
+    let sources = std::iter::once(town).chain(included);
+    let source = sources.into_iter().find(|source| source.id() == span.file);
+    let range = span.start as usize..span.end as usize;
+    source
+        .and_then(|source| source.text().get(range))
+        .unwrap_or_default()
+}

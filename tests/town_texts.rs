@@ -1,0 +1,122 @@
+//! The houses of a town as a source file build what the town builds.
+
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn hsd(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_hsd"));
+    command.current_dir(folder).args(arguments);
+    command.output().expect("hsd runs")
+}
+
+fn done(folder: &Path, arguments: &[&str]) {
+    let output = hsd(folder, arguments);
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{arguments:?}: {told}");
+}
+
+/// Returns the description and the binary part of a model.
+fn model(path: &Path) -> (Value, Vec<u8>) {
+    let bytes = fs::read(path).expect("there is a model");
+    let length = u32::from_le_bytes(bytes[12..16].try_into().expect("four bytes")) as usize;
+    let json = serde_json::from_slice(&bytes[20..20 + length]).expect("it is JSON");
+    (json, bytes[20 + length + 8..].to_vec())
+}
+
+/// Removes where things are written: a town file and the text of its houses are different files.
+fn without_places(json: &mut Value) {
+    for node in json["nodes"].as_array_mut().expect("nodes") {
+        if let Some(extras) = node.get_mut("extras").and_then(Value::as_object_mut) {
+            extras.remove("span");
+            extras.remove("file");
+        }
+    }
+}
+
+/// Builds a town as one model, and as a text and that as a model; both must be the same.
+fn same_model(folder: &Path, town: &str) -> String {
+    // A feature that nobody builds gives 1.
+    hsd(folder, &["town", town, "-o", "town.glb", "--quiet"]);
+    let output = hsd(folder, &["town", town, "-o", "houses.hsd", "--quiet"]);
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(!told.contains("by themselves"), "{told}");
+    done(folder, &["check", "houses.hsd"]);
+    done(
+        folder,
+        &["build", "houses.hsd", "-o", "houses.glb", "--quiet"],
+    );
+    let (mut of_town, shapes) = model(&folder.join("town.glb"));
+    let (mut of_text, own) = model(&folder.join("houses.glb"));
+    assert!(shapes == own, "the shapes differ");
+    without_places(&mut of_town);
+    without_places(&mut of_text);
+    assert!(of_town == of_text, "the nodes differ");
+    fs::read_to_string(folder.join("houses.hsd")).expect("there is a text")
+}
+
+fn examples() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    for file in fs::read_dir("examples/towns").expect("examples") {
+        let file = file.expect("a file").path();
+        fs::copy(&file, folder.path().join(file.file_name().expect("a name"))).expect("a copy");
+    }
+    folder
+}
+
+#[test]
+fn the_text_of_a_block_is_the_block() {
+    let folder = examples();
+    let text = same_model(folder.path(), "block.hsd");
+    assert_eq!(text.matches("<Place ").count(), 16, "{text}");
+    assert!(text.contains("<Outline "), "{text}");
+    assert!(
+        !text.contains("<define "),
+        "types of the library are named: {text}"
+    );
+}
+
+#[test]
+fn the_text_of_lots_has_what_stands_behind_their_houses() {
+    let folder = examples();
+    let text = same_model(folder.path(), "lots.hsd");
+    assert!(text.contains("type=\"roji\""), "{text}");
+}
+
+#[test]
+fn houses_of_own_types_come_with_a_definition() {
+    let folder = examples();
+    let town = r#"<Town name="own" seed="4">
+  <Layer name="houses" src="block-houses.geojson" crs="local" key="key"/>
+  <Layer name="roads" src="block-roads.geojson" crs="local"/>
+  <define name="box" frontage="" depth="" high="9">
+    <House unit="3.3"><Storey height="{high}">
+      <Row><repeat num="{max(1, floor(frontage))}"><random><choice>GIT</choice><choice>KTU</choice></random></repeat></Row>
+      <Row><repeat num="{max(1, floor(depth))}">APW</repeat></Row>
+      <Row><repeat num="{max(1, floor(frontage))}">KTU</repeat></Row>
+      <Row><repeat num="{max(1, floor(depth))}">APW</repeat></Row>
+    </Storey><Roofs kind="K"/></House>
+  </define>
+  <for each="houses" test="{use = 'shop'}"><Place type="box" on="plot" high="{8 + round(draw(4))}"/></for>
+  <for each="houses" test="{use != 'shop'}">
+    <House unit="3"><Storey><Row>KTU  GIT</Row><Row>APW</Row><Row>KTU  KTU</Row><Row>APW</Row></Storey></House>
+  </for>
+</Town>
+"#;
+    fs::write(folder.path().join("own.hsd"), town).expect("written");
+    let text = same_model(folder.path(), "own.hsd");
+    assert!(text.contains("<define "), "{text}");
+}
+
+#[test]
+fn a_town_is_not_overwritten_by_its_houses() {
+    let folder = examples();
+    let before = fs::read(folder.path().join("block.hsd")).expect("a town");
+    let output = hsd(folder.path(), &["town", "block.hsd", "-o", "block.hsd"]);
+    assert!(!output.status.success());
+    assert_eq!(
+        fs::read(folder.path().join("block.hsd")).expect("a town"),
+        before
+    );
+}
