@@ -149,14 +149,8 @@ fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
     drop(trees);
     let (mut houses, mut records) = (vec![], vec![]);
     for ((made, site), id) in made.into_iter().zip(&sites).zip(lots) {
-        records.extend(record(
-            (plan, input),
-            *id,
-            site,
-            made,
-            &mut houses,
-            &mut found,
-        ));
+        let of = (plan, input);
+        records.extend(record(of, *id, site, made, &mut houses, &mut found));
     }
     drop(features);
     if input.texts {

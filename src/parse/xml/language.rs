@@ -32,6 +32,7 @@ mod features;
 mod files;
 mod fixes;
 mod names;
+mod outlines;
 mod pieces;
 mod places;
 mod rear;
@@ -41,7 +42,6 @@ mod storeys;
 
 pub(super) use braces::{Segment, segments};
 pub(super) use feature::Rules;
-pub(super) use places::MEANT;
 
 use super::suggest::Suggest;
 use super::tree::{Child, Element, Tree};

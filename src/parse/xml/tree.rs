@@ -29,6 +29,9 @@ use crate::source::Span;
 use std::collections::HashMap;
 use std::ops::Range;
 
+/// The attribute by which a `Place` on an outline hands on the width that its type was made for. No file can set it.
+pub(in crate::parse::xml) const MEANT: &str = "hsd:frontage";
+
 /// All elements of a file.
 #[derive(Default)]
 pub(super) struct Tree<'a> {

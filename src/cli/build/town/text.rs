@@ -9,7 +9,7 @@ use crate::driver::Read;
 use crate::print;
 use crate::source::{FileId, Source, Span};
 use crate::text;
-use crate::town::stream::TownStream;
+use crate::town::stream::{Ledger, TownStream};
 use crate::town::{Plan, TownInput};
 use std::io::{self, Write};
 use std::path::Path;
@@ -66,16 +66,21 @@ pub(super) fn build(
         writeln!(io::stderr(), "{}", line.in_language(language)).map_err(failed)?;
     }
     if !quiet {
-        let (name, report) = (path.display(), &ledger.report);
-        let (features, built) = (counted(report.features, FEATURE), report.built);
-        let houses = counted(count, HOUSE);
-        let line = text!([name, features, built, houses]
-            "{name}: {features}, {built} of them built, {houses}",
-            "{name}: {features}、うち {built} 件に{houses}"
-        );
-        writeln!(io::stderr(), "{}", line.in_language(language)).map_err(failed)?;
+        summary(path, &ledger, count, language).map_err(failed)?;
     }
     Ok((ledger.incomplete || !unwritten.is_empty(), included, out))
+}
+
+/// Prints what was written.
+fn summary(path: &Path, ledger: &Ledger, count: usize, language: Language) -> io::Result<()> {
+    let (name, report) = (path.display(), &ledger.report);
+    let (features, built) = (counted(report.features, FEATURE), report.built);
+    let houses = counted(count, HOUSE);
+    let line = text!([name, features, built, houses]
+        "{name}: {features}, {built} of them built, {houses}",
+        "{name}: {features}、うち {built} 件に{houses}"
+    );
+    writeln!(io::stderr(), "{}", line.in_language(language))
 }
 
 /// Returns the start of the file.

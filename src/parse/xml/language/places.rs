@@ -18,9 +18,6 @@ use crate::templates::{TYPES, Template};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// The attribute by which a `Place` on an outline hands on the width that its type was made for. No file can set it.
-pub(in crate::parse::xml) const MEANT: &str = "hsd:frontage";
-
 /// The parameters that a `Place` sets, with their values. `None` = an error was reported.
 pub(super) type Arguments<'a> = BTreeMap<String, (Attribute<'a>, Option<Value>)>;
 
@@ -129,11 +126,6 @@ impl<'a> Expander<'a, '_> {
             return;
         };
         let outline = self.outline_of_place(element_ref);
-        if outline.is_none() && !element.children.is_empty() {
-            let fix = self.emptied(element);
-            self.reporter
-                .at(&element.name_range, |s| say::place_with_content(s, fix));
-        }
         let (own, arguments) = self.attributes_of_place(element, schema, scope);
         let of = |name: &str| own.iter().find(|a| a.name == name).cloned();
         let Some(kind) = of("type") else {
@@ -173,48 +165,10 @@ impl<'a> Expander<'a, '_> {
         let filled = self.fill(element, placed, origin, made);
         self.leave();
         if let Some(filled) = filled {
-            if let Some(outline) = outline {
-                self.stand_on(&element_ref.child(outline), scope, made, (&kind, &filled));
-            }
+            let outline = outline.map(|index| element_ref.child(index));
+            self.stand_on(outline.as_ref(), scope, made, (&kind, &filled));
             let children = &mut self.made.elements[into].children;
             children.push(Child::Element(made));
-        }
-    }
-
-    /// Returns the outline that a `Place` gives to its house, if that is all that it holds.
-    fn outline_of_place(&self, element_ref: &ElementRef<'_, 'a>) -> Option<usize> {
-        let in_town = self.feature.site.is_some() && self.placed.is_empty();
-        match element_ref.element().children[..] {
-            [Child::Element(index)] if !in_town => {
-                let is_outline = element_ref.child(index).tag() == Some(Tag::Outline);
-                is_outline.then_some(index)
-            }
-            _ => None,
-        }
-    }
-
-    /// Puts the house of a place on an outline. Rows of a type know how wide their front is meant by its `frontage`.
-    fn stand_on(
-        &mut self,
-        outline: &ElementRef<'_, 'a>,
-        scope: &Scope<'a>,
-        made: usize,
-        (kind, filled): (&Attribute<'a>, &Filled),
-    ) {
-        if self.made.elements[made].children.len() != 1 {
-            let place = &outline.element().name_range;
-            self.reporter
-                .at(place, |s| say::place_with_content(s, None));
-            return;
-        }
-        let mut values = filled.values.iter();
-        if let Some((_, frontage)) = values.find(|(name, _)| name == "frontage") {
-            let meant = super::features::named(MEANT, frontage.to_string(), kind);
-            self.made.elements[made].attributes.push(meant);
-        }
-        if let Some(copy) = self.copy(outline.tree, outline.index, scope) {
-            let children = &mut self.made.elements[made].children;
-            children.push(Child::Element(copy));
         }
     }
 

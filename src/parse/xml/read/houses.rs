@@ -8,9 +8,8 @@ use crate::parse::over;
 use crate::parse::schema;
 use crate::parse::schema::vocabulary::ANCHORS;
 use crate::parse::schema::{Schema, Tag};
-use crate::parse::xml::language::MEANT;
 use crate::parse::xml::read::{AllowedChild, Attributes, Reader};
-use crate::parse::xml::tree::{Child, Element};
+use crate::parse::xml::tree::{Child, Element, MEANT};
 use crate::source::Spanned;
 use crate::templates::Template;
 
@@ -140,7 +139,7 @@ impl<'t> Reader<'t, '_> {
             turn: azimuth - 180.0,
         });
         let (mut own, mut parts) = (vec![], vec![]);
-        // Houses in it are put where they stand once their number is known.
+        // They are put where they stand once their number is known.
         let first = Around {
             frame: None,
             ..inner
@@ -164,16 +163,26 @@ impl<'t> Reader<'t, '_> {
                 if let Some(outline) = &mut house.outline {
                     outline.stand = Stand::Facing;
                 }
-                if let Some(outline) = self.outline_of_place(element, &of) {
-                    let meant = element.attributes.iter().find(|a| a.name == MEANT);
-                    let meant = meant.and_then(|a| a.value.as_str().parse().ok());
-                    over::stand_on(&mut house, outline, meant);
-                }
+                self.on_outline_of_place(element, &of, &mut house);
             }
             let plinth = plinth.filter(|plinth| plinth.value > 0.0);
             house.settings.plinth = plinth.or(house.settings.plinth);
             house.parts.extend(parts.iter().cloned());
             houses.push(inner.put(house));
+        }
+    }
+
+    /// Puts a house on the outline that its `Place` gives to it.
+    fn on_outline_of_place(
+        &mut self,
+        element: &'t Element<'t>,
+        of: &Attributes<'t>,
+        house: &mut House,
+    ) {
+        if let Some(outline) = self.outline_of_place(element, of) {
+            let meant = element.attributes.iter().find(|a| a.name == MEANT);
+            let meant = meant.and_then(|a| a.value.as_str().parse().ok());
+            over::stand_on(house, outline, meant);
         }
     }
 

@@ -259,10 +259,7 @@ impl<'t> Reader<'t, '_> {
                         span: self.start(child),
                         kind,
                         evidence,
-                        written: match writes {
-                            true => self.written(child),
-                            false => vec![],
-                        },
+                        written: if writes { self.written(child) } else { vec![] },
                         unit: is_rear.then(|| of_child("name")),
                         houses: self.houses_at(read_as.unwrap_or(schema), child, &stood),
                         parameters: given.remove(index).unwrap_or_default(),
