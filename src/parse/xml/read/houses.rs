@@ -121,7 +121,7 @@ impl<'t> Reader<'t, '_> {
         let mut inner = self.aged(around, &of);
         let anchor = self.choice(&of, "at", &ANCHORS);
         let azimuth = self.usual(&of, "azimuth");
-        let plinth = self.number(&of, "plinth");
+        let plinth = self.number(&of, "plinth").filter(|p| p.value > 0.0);
         let written = element.children.first().and_then(|child| match child {
             Child::Element(index) => Some(self.tree.elements[*index].range.start),
             Child::Text(_) => None,
@@ -165,7 +165,6 @@ impl<'t> Reader<'t, '_> {
                 }
                 self.on_outline_of_place(element, &of, &mut house);
             }
-            let plinth = plinth.filter(|plinth| plinth.value > 0.0);
             house.settings.plinth = plinth.or(house.settings.plinth);
             house.parts.extend(parts.iter().cloned());
             houses.push(inner.put(house));
