@@ -1,4 +1,6 @@
-//! Rooms that the author has written: floors, mats and ceilings between the walls of a storey.
+//! Rooms that the author has written: floors, mats and ceilings between the walls of a storey, and what is built in.
+
+mod fixtures;
 
 use crate::ast::{Flooring, RoomCeiling};
 use crate::building::{Mat, Room};
@@ -14,6 +16,8 @@ use crate::tessellate::{Level, Walker};
 use compact_str::format_compact;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use std::collections::HashMap;
+
+pub(super) use fixtures::FixtureMeshes;
 
 /// Tops of mats above the boards that they lie on, metres.
 const MAT: f64 = 0.010;
@@ -147,7 +151,7 @@ fn mat_body(length: f64, width: f64) -> Bodies {
 }
 
 /// Returns the top of the boards: a hair below the thresholds on the ground, above the tops of the walls below upstairs.
-pub(super) fn floor_top(level: Level<'_>) -> f64 {
+fn floor_top(level: Level<'_>) -> f64 {
     if level.storey.number == 1 {
         UNDER
     } else {
@@ -156,7 +160,7 @@ pub(super) fn floor_top(level: Level<'_>) -> f64 {
 }
 
 /// Returns how far a ceiling hangs above the floor: that of a room, or below the next storey; metres.
-pub(super) fn ceiling_height(level: Level<'_>, room: Option<f64>) -> f64 {
+fn ceiling_height(level: Level<'_>, room: Option<f64>) -> f64 {
     let whole = level.height.min(level.storey.wall_height()) + CEILING.0;
     room.map_or(whole, |height| height.min(whole))
 }
@@ -179,7 +183,7 @@ fn pieces(
 }
 
 /// Adds a floor or a ceiling between two heights.
-pub(super) fn slab(bodies: &mut Bodies, finish: SurfaceId, area: &[Vec<DVec2>], lo: f64, hi: f64) {
+fn slab(bodies: &mut Bodies, finish: SurfaceId, area: &[Vec<DVec2>], lo: f64, hi: f64) {
     let Some((outer, holes)) = area.split_first() else {
         return;
     };

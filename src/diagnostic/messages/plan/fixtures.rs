@@ -1,6 +1,6 @@
 //! Messages about fixtures (HSD0447 to 0451).
 
-use crate::ast::{self, FixtureKind};
+use crate::ast::{Fixture as Written, FixtureKind};
 use crate::building::Fixture;
 use crate::diagnostic::{Diagnostic, Noun, noun};
 use crate::text;
@@ -23,7 +23,7 @@ fn called(kind: FixtureKind) -> Noun {
 
 /// A fixture outside of the walls.
 #[cold]
-pub(crate) fn outside(fixture: &ast::Fixture, [low, high]: [DVec2; 2]) -> Diagnostic {
+pub(crate) fn outside(fixture: &Written, [low, high]: [DVec2; 2]) -> Diagnostic {
     let kind = called(fixture.kind);
     let message = text!([kind]
         "this {kind} stands outside of the storey's walls, so it is left out",
@@ -38,7 +38,7 @@ pub(crate) fn outside(fixture: &ast::Fixture, [low, high]: [DVec2; 2]) -> Diagno
 
 /// A fixture with a wall in it.
 #[cold]
-pub(crate) fn through_a_wall(fixture: &ast::Fixture) -> Diagnostic {
+pub(crate) fn through_a_wall(fixture: &Written) -> Diagnostic {
     let kind = called(fixture.kind);
     let message = text!([kind]
         "a wall runs through this {kind}, so it is left out",
@@ -53,7 +53,7 @@ pub(crate) fn through_a_wall(fixture: &ast::Fixture) -> Diagnostic {
 
 /// Two fixtures in one place.
 #[cold]
-pub(crate) fn in_one_place(second: &ast::Fixture, first: &Fixture) -> Diagnostic {
+pub(crate) fn in_one_place(second: &Written, first: &Fixture) -> Diagnostic {
     let [one, two] = [first.kind, second.kind].map(called);
     let message = text!([one, two]
         "this {two} stands where a {one} is already, so it is left out",
@@ -83,7 +83,7 @@ pub(crate) fn front_against(fixture: &Fixture) -> Diagnostic {
 
 /// Stairs under a roof.
 #[cold]
-pub(crate) fn no_storey_above(stairs: &ast::Fixture) -> Diagnostic {
+pub(crate) fn no_storey_above(stairs: &Written) -> Diagnostic {
     let message = text!(
         "these stairs lead nowhere: no storey stands above, so they are left out",
         "上の階がなく、この階段はどこにも通じないため、省きました"
@@ -96,7 +96,7 @@ pub(crate) fn no_storey_above(stairs: &ast::Fixture) -> Diagnostic {
 
 /// Stairs that end in a wall or outside.
 #[cold]
-pub(crate) fn blocked_above(stairs: &ast::Fixture) -> Diagnostic {
+pub(crate) fn blocked_above(stairs: &Written) -> Diagnostic {
     let message = text!(
         "these stairs lead nowhere: in the storey above a wall is in their way, or they end outside of it; they are left out",
         "上の階で壁に当たるか、階の外に出るため、この階段はどこにも通じません。省きました"
@@ -109,7 +109,7 @@ pub(crate) fn blocked_above(stairs: &ast::Fixture) -> Diagnostic {
 
 /// Stairs that are steeper than any.
 #[cold]
-pub(crate) fn too_steep(stairs: &ast::Fixture, needed: f64) -> Diagnostic {
+pub(crate) fn too_steep(stairs: &Written, needed: f64) -> Diagnostic {
     let message = text!(
         "these stairs are steeper than 60 degrees",
         "この階段の勾配は 60 度を超えています"

@@ -5,12 +5,12 @@ mod alcove;
 mod kitchen;
 mod stairs;
 
+use super::{ceiling_height, floor_top};
 use crate::ast::{FixtureKind, Side};
 use crate::building::Fixture;
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, MeshId};
 use crate::tessellate::mesh::Bodies;
-use crate::tessellate::rooms::{ceiling_height, floor_top};
 use crate::tessellate::store::look::Share;
 use crate::tessellate::weather::Weather;
 use crate::tessellate::{Level, Walker};
@@ -28,7 +28,9 @@ const UNDER_A_SLOPE: f64 = 1.80;
 
 /// Meshes of fixtures made so far, by kind, sizes and neighbours. Never iterated.
 #[derive(Debug, Default)]
-pub(super) struct FixtureMeshes(HashMap<(FixtureKind, [i64; 4], Vec<bool>, Weather), MeshId>);
+pub(in crate::tessellate) struct FixtureMeshes(
+    HashMap<(FixtureKind, [i64; 4], Vec<bool>, Weather), MeshId>,
+);
 
 /// What a fixture is made from.
 struct Place {
@@ -97,7 +99,7 @@ impl Place {
 
 impl Walker<'_> {
     /// Writes the fixtures of a storey.
-    pub(super) fn fixtures(&mut self, level: Level<'_>, fixtures: &[&Fixture]) {
+    pub(in crate::tessellate) fn fixtures(&mut self, level: Level<'_>, fixtures: &[&Fixture]) {
         if self.detail <= Detail::Flat {
             return;
         }
