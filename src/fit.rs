@@ -31,6 +31,8 @@ use std::cell::OnceCell;
 use std::sync::Arc;
 use undersides::Undersides;
 
+pub use rooms::InStorey;
+
 /// Works out the fittings of one house. A roof under a finial that replaces the usual jewel is marked as crowned.
 pub fn house(
     house: &House,
@@ -86,6 +88,11 @@ pub fn house(
 /// Works out the rooms of one house.
 pub fn rooms(house: &House, catalog: &Catalog, out: &mut Diagnostics) -> Vec<Room> {
     rooms::rooms(house, catalog, out)
+}
+
+/// Returns what there is at a point of a storey, U.
+pub fn in_storey(storey: &Storey, at: DVec2) -> InStorey {
+    rooms::in_storey(storey, at)
 }
 
 /// Lays out the platform, which it adds, and the veranda of the ground storey, which it returns: the flights of both are

@@ -58,6 +58,42 @@ fn rooms_of(storey: &Storey, level: usize, catalog: &Catalog, out: &mut Diagnost
     made
 }
 
+/// What there is at a point of a storey.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InStorey {
+    /// A wall.
+    Wall,
+    /// Nothing: it is outside, in a courtyard, or walls do not close.
+    Outside,
+    /// The area of a room, by its number among those of the storey.
+    Room(usize),
+    /// An area without a room.
+    Free,
+}
+
+/// Returns what there is at a point of a storey.
+pub(super) fn in_storey(storey: &Storey, at: DVec2) -> InStorey {
+    let walls = storey.rings.iter().flat_map(|ring| &ring.walls);
+    let walls: Vec<(DVec2, DVec2)> = walls.map(|wall| (wall.from, wall.to)).collect();
+    let areas = bounds(storey).and_then(|_| Areas::new(&walls));
+    let Some(areas) = areas else {
+        return InStorey::Outside;
+    };
+    let around = |p: DVec2| {
+        let there = !areas.on_wall(p) && is_inside(storey, p);
+        areas.around(p).filter(|_| there)
+    };
+    if areas.on_wall(at) {
+        return InStorey::Wall;
+    }
+    let Some(walk) = around(at) else {
+        return InStorey::Outside;
+    };
+    let mut rooms = storey.rooms.iter();
+    let own = rooms.position(|r| around(r.at.value.into()) == Some(walk));
+    own.map_or(InStorey::Free, InStorey::Room)
+}
+
 /// Returns the rooms of a storey by the walks round them.
 fn taken<'s>(
     storey: &'s Storey,
