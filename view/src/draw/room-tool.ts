@@ -11,8 +11,8 @@ import { arrow, type RoomWords, storeyUnder } from './edits.ts';
 import { snapped } from './ground.ts';
 import type { EditSession } from './session.ts';
 
-/** The step of points, U: between the lines of the grid and on them; finer with Shift. */
-const STEP = 0.5, FINE = 0.1;
+/** The step of the keyboard, U, which stays between the lines of the grid; that of the pointer, and with Shift. */
+const STEP = 1, FINE = 0.1;
 
 /** Half the size of the mark at a point, CSS pixels. */
 const MARK = 7;

@@ -57,8 +57,9 @@ export function drawStorey(state: State, number: number): PlanDrawing {
     drawn.layers.push(group);
     return group;
   };
-  const floors = layer('floors'), rooms = layer('rooms'), regions = layer('regions'), roofs = layer('roofs'), below = layer('below');
-  const walls = layer('walls');
+  const floors = layer('floors'), regions = layer('regions'), roofs = layer('roofs'), below = layer('below');
+  // Above the roofs, so that rooms can be clicked.
+  const rooms = layer('rooms'), walls = layer('walls');
   for (const [houseIndex, house] of state.plan.houses.entries()) {
     for (const [storeyIndex, storey] of house.storeys.entries()) {
       if (storey.storey === number - 1 && storey.kind === 'storey') outlines(house, storey, below);

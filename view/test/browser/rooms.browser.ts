@@ -124,7 +124,7 @@ test('rooms by keyboard, told to screen readers', async () => {
   await page.keyboard.press('ArrowLeft');
   await page.keyboard.press('Enter');
   await becomes(t => !t.includes(`at="${made!.at.join(' ')}"`), 'it is moved');
-  assert.equal((await rooms())[0]!.at[0], made!.at[0] + 0.5, 'to the left');
+  assert.equal((await rooms())[0]!.at[0], made!.at[0] + 1, 'to the left');
   const serious = await page.evaluate(async () => {
     const { axe } = window as unknown as { axe: { run: (at: Element) => Promise<{ violations: { id: string; impact: string }[] }> } };
     const { violations } = await axe.run(document.querySelector('.pane.plan')!);
