@@ -32,9 +32,12 @@ use crate::geometry::SAME;
 use crate::program::Content;
 use crate::source::Span;
 use glam::{DVec2, dvec2};
+use plan::Plan;
 use std::cell::OnceCell;
 use std::sync::Arc;
 use undersides::Undersides;
+
+pub use plan::InStorey;
 
 /// Works out the fittings of one house. A roof under a finial that replaces the usual jewel is marked as crowned.
 pub fn house(
@@ -91,6 +94,11 @@ pub fn house(
 /// Works out the rooms of one house and what is built into them.
 pub fn rooms(house: &House, catalog: &Catalog, out: &mut Diagnostics) -> (Vec<Room>, Vec<Fixture>) {
     rooms::rooms(house, catalog, out)
+}
+
+/// Returns what there is at a point of a storey, U.
+pub fn in_storey(storey: &Storey, at: DVec2) -> InStorey {
+    Plan::of(storey, 0).map_or(InStorey::Outside, |plan| plan.at(at))
 }
 
 /// Lays out the platform, which it adds, and the veranda of the ground storey, which it returns: the flights of both are

@@ -25,6 +25,19 @@ pub(super) enum NoPlan {
     Crowded,
 }
 
+/// What there is at a point of a storey.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InStorey {
+    /// A wall.
+    Wall,
+    /// Nothing: it is outside, in a courtyard, or walls do not close.
+    Outside,
+    /// The area of a room, by its number among those of the storey.
+    Room(usize),
+    /// An area without a room.
+    Free,
+}
+
 /// From the edge of a fixture to the place before it where one stands, U.
 const BEFORE: f64 = 0.2;
 
@@ -59,6 +72,23 @@ impl<'h> Plan<'h> {
             (solid, court) = (solid || !ring.hole, court || ring.hole);
         }
         solid && !court
+    }
+
+    /// Returns what there is at a point.
+    pub(super) fn at(&self, p: DVec2) -> InStorey {
+        if self.areas.on_wall(p) {
+            return InStorey::Wall;
+        }
+        let around = |p: DVec2| {
+            let there = !self.areas.on_wall(p) && self.holds(p);
+            self.areas.around(p).filter(|_| there)
+        };
+        let Some(walk) = around(p) else {
+            return InStorey::Outside;
+        };
+        let mut rooms = self.storey.rooms.iter();
+        let own = rooms.position(|r| around(r.at.value.into()) == Some(walk));
+        own.map_or(InStorey::Free, InStorey::Room)
     }
 
     /// Returns true if a wall runs through a rectangle, not only along its edges.

@@ -12,7 +12,8 @@
 //!    "rings":[{"hole":false,"inner":false,"closed":true,"walls":[
 //!     {"facade":1,"from":[0,0],"to":[6,0],"file":0,"span":[300,329],"reflection":false,"fixed":null,"units":[
 //!      {"code":"GSI","part":"lattice","from":[0,0],"to":[1,0],"file":0,"span":[300,305],"fixed":null}]}]}],
-//!    "regions":[]}],
+//!    "rooms":[{"name":"奥","at":[3,6],"floor":"tatami","mats":"festive","ceiling":"battens","area":[[[0,4],[6,4],[6,8],[0,8]]],
+//!     "laid":[[0,4,2,5]],"file":0,"span":[330,371],"fixed":null}],"regions":[]}],
 //!   "roofs":[{"shape":"KIR","kind":"K","storey":2,"file":0,"span":[700,740],"rect":[0,0,6,8],"z":4.24,
 //!     "ridge":[[6,4],[0,4]]}]}],
 //!  "views":[{"name":"garden","from":[2,-5,1.6],"to":[-2,0,2],"fov":45,"date":null,"hour":null,"file":0,"span":[12,60]}],
@@ -28,12 +29,17 @@
 //! `picture`, `split`. `regions` are those of `hsd dump --stage regions`. The `rect` of a roof are its bounds with its
 //! eaves, `ridge` the line of its highest points, null where that is a point, a surface or broken.
 
+mod roofs;
+mod rooms;
+
+pub use rooms::PlanRoom;
+
 use super::Analysis;
 use super::stroke::{house_fixed, storey_fixed};
 use crate::ast::{NamedView, StoreyKind};
 use crate::backend::dump::{Region, region};
 use crate::backend::number::Number;
-use crate::building::{self, EdgeKind, HouseRoofs};
+use crate::building::{self, HouseRoofs};
 use crate::catalog::Catalog;
 use crate::diagnostic::Language;
 use crate::geometry::SHAKU;
@@ -41,7 +47,7 @@ use crate::ide::stroke::sheet::standing::{Standing, SurveyedOutline, outlines, s
 use crate::ide::stroke::sheet::{Reason, Sheet, SheetRow};
 use crate::program::{self, Content};
 use crate::source::Span;
-use glam::{DVec2, dvec2};
+use glam::DVec2;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -165,8 +171,10 @@ pub struct Storey {
     pub place: PlanPlace,
     /// The reason why its height cannot be changed.
     pub fixed: Option<&'static str>,
-    /// Outer walks and courtyards.
+    /// Outer walks, courtyards and walls inside.
     pub rings: Vec<Ring>,
+    /// Its rooms, in the order of the file.
+    pub rooms: Vec<PlanRoom>,
     /// Its automatic roofs in plan.
     pub regions: Vec<Region>,
 }
@@ -255,7 +263,7 @@ impl Plan {
             used: BTreeSet::new(),
         };
         let houses = building.houses.iter();
-        let houses = houses.map(|b| writer.house(&b.house, &b.roofs)).collect();
+        let houses = houses.map(|b| writer.house(b)).collect();
         let places = standing(&sheet);
         let places = places.into_iter().map(|s| writer.standing(s)).collect();
         let outlines = outlines(&sheet);
@@ -335,9 +343,13 @@ impl PlanWriter<'_> {
         }
     }
 
-    fn house(&mut self, house: &building::House, roofs: &HouseRoofs) -> House {
-        let storeys = house.storeys.iter();
-        let storeys = storeys.map(|s| self.storey(s, roofs)).collect();
+    fn house(&mut self, built: &building::Built) -> House {
+        let (house, roofs) = (&built.house, &built.roofs);
+        let storeys = house.storeys.iter().enumerate();
+        let rooms = |level: usize| built.rooms.iter().filter(move |r| r.level == level);
+        let storeys = storeys
+            .map(|(level, s)| self.storey(s, rooms(level).collect(), roofs))
+            .collect();
         let fixed = house_fixed(self.sheet, house);
         House {
             name: house.name.clone(),
@@ -348,11 +360,20 @@ impl PlanWriter<'_> {
             street: house.street,
             fixed: self.told(fixed),
             storeys,
-            roofs: roofs.roofs.iter().map(|r| roof(r, house.unit)).collect(),
+            roofs: roofs
+                .roofs
+                .iter()
+                .map(|r| roofs::roof(r, house.unit))
+                .collect(),
         }
     }
 
-    fn storey(&mut self, storey: &building::Storey, roofs: &HouseRoofs) -> Storey {
+    fn storey(
+        &mut self,
+        storey: &building::Storey,
+        rooms: Vec<&building::Room>,
+        roofs: &HouseRoofs,
+    ) -> Storey {
         let is_storey = storey.kind == StoreyKind::Storey;
         let own = |p: &&building::StoreyPlan| is_storey && p.storey == storey.number;
         let plan = roofs.plans.iter().find(own);
@@ -365,6 +386,7 @@ impl PlanWriter<'_> {
             place: place(storey.span),
             fixed: self.told(storey_fixed(self.sheet, storey)),
             rings: storey.rings.iter().map(|r| self.ring(r)).collect(),
+            rooms: self.rooms(storey, &rooms),
             regions: plan.map_or(vec![], |p| p.regions.iter().map(region).collect()),
         }
     }
@@ -439,52 +461,4 @@ impl PlanWriter<'_> {
             }
         }
     }
-}
-
-/// Heights that differ by less are equal, metres.
-const LEVEL: f64 = 1e-3;
-
-fn roof(roof: &building::Roof, unit: f64) -> Roof {
-    let points = || roof.solids.iter().flat_map(|s| &s.points);
-    let plan = |p: &glam::DVec3| dvec2(-p.x / unit, p.y / unit);
-    let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-    for p in points().map(plan) {
-        (low, high) = (low.min(p), high.max(p));
-    }
-    let top = points().map(|p| p.z).fold(f64::NEG_INFINITY, f64::max);
-    let surface = &roof.surface;
-    let upper = [EdgeKind::Ridge, EdgeKind::Crest, EdgeKind::Abutment];
-    let edges = surface.edges.iter().filter(|e| upper.contains(&e.kind));
-    let highest = edges
-        .map(|e| surface.ends(e))
-        .filter(|ends| ends.iter().all(|p| top - p.z < LEVEL))
-        .flatten()
-        .map(|p| plan(&p));
-    let letter = crate::ast::RoofKind::ALL.iter().find(|k| k.1 == roof.kind);
-    Roof {
-        shape: roof.shape.letters(),
-        kind: letter.map_or('K', |k| k.0),
-        storey: roof.storey,
-        place: roof.span.map(place),
-        rect: [low.x, low.y, high.x, high.y].map(Number),
-        z: Number(top),
-        ridge: ridge(highest.collect()),
-    }
-}
-
-/// Returns the ends of the line on which all points lie, if they are collinear.
-fn ridge(points: Vec<DVec2>) -> Option<[[Number; 2]; 2]> {
-    let first = *points.first()?;
-    let far = |from: DVec2| {
-        let distance = |p: &&DVec2| p.distance_squared(from);
-        points
-            .iter()
-            .max_by(|p, q| distance(p).total_cmp(&distance(q)))
-    };
-    let start = *far(first)?;
-    let end = *far(start)?;
-    let along = (end - start).try_normalize()?;
-    let off = |p: &DVec2| along.perp_dot(*p - start).abs();
-    let straight = points.iter().all(|p| off(p) < 0.05);
-    (straight && start.distance(end) > 0.05).then_some([point(start), point(end)])
 }

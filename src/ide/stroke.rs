@@ -21,6 +21,11 @@
 //! {"do":"turn-place","place":0,"to":5}
 //! {"do":"draw-outline","points":[[0,0],[6.2,-0.4],[6.8,8],[0.6,8.4]],"height":9.5}
 //! {"do":"move-corner","outline":0,"corner":2,"to":[6.9,8.1]}
+//! {"do":"draw-wall","house":0,"storey":0,"points":[[2,3],[6,3]],"part":"TFU 2"}
+//! {"do":"remove-wall","house":0,"storey":0,"ring":2}
+//! {"do":"add-room","house":0,"storey":0,"at":[4.5,9.5],"name":"座敷","floor":"tatami"}
+//! {"do":"set-room","house":0,"storey":0,"room":1,"floor":"boards","ceiling":"none"}
+//! {"do":"remove-room","house":0,"storey":0,"room":1}
 //! ```
 //!
 //! | stroke | does |
@@ -36,6 +41,11 @@
 //! | `turn-place` | Writes `turn` of a group or `azimuth` of a house, degrees in the same frame. |
 //! | `draw-outline` | Adds a house on an `Outline`, corners in metres east and north in the world. |
 //! | `move-corner` | Writes a corner of an outline, counted as in `outlines` of the plan, metres in its frame. |
+//! | `draw-wall` | Adds a wall inside the storey through these points, of one part that is repeated as often as it fits; clay wall fills the rest, and is all of it without `part`. |
+//! | `remove-wall` | Removes a walk inside the storey. |
+//! | `add-room` | Adds a room to the area round a point that has none. |
+//! | `set-room` | Writes `name`, `at`, `floor`, `mats` and `ceiling` of a room, those that are given; an empty name removes it. |
+//! | `remove-room` | Removes a room; its area stays, with boards. |
 //!
 //! Roof lines stay as they are, save those that lay over the whole storey whose wall moves, edges over such a wall and pent
 //! roofs along it, and those whose height was the top of a storey that rises or falls: they follow; where such a height is
@@ -65,14 +75,17 @@ mod write;
 mod xml;
 pub(in crate::ide) mod sheet;
 
+pub(super) use storeys::rooms::room_fixed;
 pub(super) use storeys::{house_fixed, storey_fixed};
 
 pub use apply::{Applied, Patch, apply, take_back};
+pub use storeys::rooms::RoomWords;
 
 use super::Analysis;
 use super::format::Edit;
 use crate::diagnostic::Text;
 use crate::ide::stroke::sheet::Sheet;
+use crate::ide::stroke::storeys::{inner, rooms};
 use serde::Deserialize;
 
 /// A stroke of the author. See the [module](self) for the JSON form of each.
@@ -184,6 +197,62 @@ pub enum Stroke {
         /// Metres in the frame of the outline.
         to: [f64; 2],
     },
+    /// Draws a wall inside a storey.
+    DrawWall {
+        /// The storey.
+        #[serde(flatten)]
+        storey: StoreyAt,
+        /// Its ends, and the corners between them.
+        points: Vec<[f64; 2]>,
+        /// A code, or the name of a custom part.
+        #[serde(default)]
+        part: Option<String>,
+    },
+    /// Removes a walk inside a storey.
+    RemoveWall {
+        /// The storey.
+        #[serde(flatten)]
+        storey: StoreyAt,
+        /// The walk.
+        ring: usize,
+    },
+    /// Adds a room.
+    AddRoom {
+        /// The storey.
+        #[serde(flatten)]
+        storey: StoreyAt,
+        /// What is written about it.
+        #[serde(flatten)]
+        words: RoomWords,
+    },
+    /// Changes a room.
+    SetRoom {
+        /// The storey.
+        #[serde(flatten)]
+        storey: StoreyAt,
+        /// The room, in the order of the file.
+        room: usize,
+        /// What is written about it.
+        #[serde(flatten)]
+        words: RoomWords,
+    },
+    /// Removes a room.
+    RemoveRoom {
+        /// The storey.
+        #[serde(flatten)]
+        storey: StoreyAt,
+        /// The room, in the order of the file.
+        room: usize,
+    },
+}
+
+/// A storey by its place in the plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+pub struct StoreyAt {
+    /// The house.
+    pub house: usize,
+    /// The storey in its list, not its number.
+    pub storey: usize,
 }
 
 /// A wall by its place in the plan.
@@ -281,5 +350,18 @@ fn worked_out(sheet: &Sheet<'_>, stroke: &Stroke) -> Result<Vec<Edit>, Text> {
             corner,
             to,
         } => houses::ground::move_corner(sheet, *outline, *corner, *to),
+        Stroke::DrawWall {
+            storey,
+            points,
+            part,
+        } => inner::draw(sheet, *storey, points, part.as_deref()),
+        Stroke::RemoveWall { storey, ring } => inner::remove(sheet, *storey, *ring),
+        Stroke::AddRoom { storey, words } => rooms::add(sheet, *storey, words),
+        Stroke::SetRoom {
+            storey,
+            room,
+            words,
+        } => rooms::change(sheet, *storey, *room, words),
+        Stroke::RemoveRoom { storey, room } => rooms::remove(sheet, *storey, *room),
     }
 }

@@ -94,7 +94,10 @@ pub(super) const WITHOUT_FIX: &[(u16, &str)] = &[
     (448, "which of them to move, only the author knows"),
     (449, "which side is the front, only the author knows"),
     (450, "where the stairs lead, only the author knows"),
-    (451, "what may give way to the stairs, only the author knows"),
+    (
+        451,
+        "what may give way to the stairs, only the author knows",
+    ),
     (452, "where the stairs stand, only the author knows"),
     (502, "corners only the author knows"),
     (503, "corners only the author knows"),

@@ -15,6 +15,9 @@ const NAME: f64 = 2.5;
 /// The height of numbers of mats, and how far they stand below a name, millimetres.
 const COUNT: (f64, f64) = (2.0, 3.2);
 
+/// The room around a name in which no edge of a mat is drawn, millimetres.
+const CLEAR: f64 = 0.5;
+
 /// Returns the edges of mats, and the names of rooms with their numbers of mats.
 pub(super) fn rooms(subject: &Subject<'_>, number: u32, settings: &Settings) -> Vec<Mark> {
     let scale = settings.millimetres();
@@ -23,13 +26,15 @@ pub(super) fn rooms(subject: &Subject<'_>, number: u32, settings: &Settings) -> 
         let place = |p: DVec2| subject.plan_point(&built.house, p) * scale;
         for room in built.rooms.iter().filter(|r| r.storey == number) {
             let mats: Vec<[DVec2; 4]> = room.mats.iter().map(|m| corners(m).map(place)).collect();
-            if !mats.is_empty() {
-                marks.push(Mark::new(Role::Mat, Shape::Lines(sides(&mats))));
-            }
             let at = place(middle(room));
+            let (mut lines, mut names) = (sides(&mats), vec![]);
             let mut line = |down: f64, size: f64, text: String| {
                 let at = at - dvec2(0.0, down);
-                marks.push(Mark::label(Role::Text, at, size, Anchor::Middle, text));
+                lines = lines
+                    .iter()
+                    .flat_map(|l| beside(*l, around(at, size, &text)))
+                    .collect();
+                names.push(Mark::label(Role::Text, at, size, Anchor::Middle, text));
             };
             if !room.name.is_empty() {
                 line(0.0, NAME, visible::line(&room.name));
@@ -42,9 +47,57 @@ pub(super) fn rooms(subject: &Subject<'_>, number: u32, settings: &Settings) -> 
                 };
                 line(COUNT.1, COUNT.0, words);
             }
+            if !lines.is_empty() {
+                marks.push(Mark::new(Role::Mat, Shape::Lines(lines)));
+            }
+            marks.append(&mut names);
         }
     }
     marks
+}
+
+/// The box that a name takes, with room around it: letters of Japanese are as wide as high, others about half as wide.
+fn around(at: DVec2, size: f64, text: &str) -> [DVec2; 2] {
+    let wide: f64 = text
+        .chars()
+        .map(|c| if c.is_ascii() { 0.6 } else { 1.0 })
+        .sum();
+    let half = wide * size / 2.0 + CLEAR;
+    [
+        at - dvec2(half, 0.2 * size + CLEAR),
+        at + dvec2(half, 0.9 * size + CLEAR),
+    ]
+}
+
+/// Returns what of a line lies outside of a box, so that no line runs through a name in any kind of file.
+fn beside([p, q]: [DVec2; 2], [low, high]: [DVec2; 2]) -> Vec<[DVec2; 2]> {
+    let way = q - p;
+    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+    for axis in 0..2 {
+        if way[axis].abs() < 1e-9 {
+            if p[axis] <= low[axis] || p[axis] >= high[axis] {
+                return vec![[p, q]];
+            }
+            continue;
+        }
+        let (one, two) = (
+            (low[axis] - p[axis]) / way[axis],
+            (high[axis] - p[axis]) / way[axis],
+        );
+        enter = enter.max(one.min(two));
+        leave = leave.min(one.max(two));
+    }
+    if enter >= leave {
+        return vec![[p, q]];
+    }
+    let mut left = vec![];
+    if enter > 0.0 {
+        left.push([p, p + way * enter]);
+    }
+    if leave < 1.0 {
+        left.push([p + way * leave, q]);
+    }
+    left
 }
 
 fn corners(mat: &Mat) -> [DVec2; 4] {

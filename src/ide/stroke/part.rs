@@ -102,7 +102,7 @@ fn place(sheet: &Sheet<'_>, at: UnitAt) -> Result<(WallAt, usize), Text> {
 }
 
 /// Returns the part that a name means in a house.
-fn meant(sheet: &Sheet<'_>, house: usize, part: &str) -> Result<DraftPiece, Text> {
+pub(super) fn meant(sheet: &Sheet<'_>, house: usize, part: &str) -> Result<DraftPiece, Text> {
     let catalog = sheet.a.catalog();
     let code = part.trim_end();
     if code.is_empty() || code == VOID {

@@ -205,3 +205,81 @@ pub(super) fn structure() -> Text {
         "立面の形式ではこのようには描けません。テキストを書き換えてください"
     )
 }
+
+/// The form of the file has no rooms.
+pub(super) fn no_rooms() -> Text {
+    text!(
+        "this form knows no rooms: convert the text to XML first (`hsd fmt --to xml`)",
+        "この形式では部屋を書けません。先に XML へ変換してください（hsd fmt --to xml）"
+    )
+}
+
+/// The point is on a wall.
+pub(super) fn on_a_wall() -> Text {
+    text!(
+        "a wall stands there: choose a point between walls",
+        "そこには壁があります。壁と壁の間を選んでください"
+    )
+}
+
+/// The point is in no area.
+pub(super) fn no_area() -> Text {
+    text!(
+        "this is outside of the walls, or they do not close: choose a point inside of them",
+        "壁の外か、壁が閉じていません。壁の内側を選んでください"
+    )
+}
+
+/// The area has a room.
+pub(super) fn another_room(name: &str) -> Text {
+    if name.is_empty() {
+        return text!(
+            "this area has a room: draw a wall between the two first",
+            "ここにはもう部屋があります。先に間に壁を描いてください"
+        );
+    }
+    text!([name]
+        "this area is the room `{name}`: draw a wall between the two first",
+        "ここは「{name}」です。先に間に壁を描いてください"
+    )
+}
+
+/// The name cannot be written.
+pub(super) fn odd_name(most: usize) -> Text {
+    text!([most]
+        "a name has at most {most} letters, and no braces",
+        "名前は{most}字までで、波括弧は使えません"
+    )
+}
+
+/// The points are no wall.
+pub(super) fn bad_inner() -> Text {
+    text!(
+        "a wall goes along the lines of the grid, in whole units",
+        "壁は格子に沿って、整数単位の長さで描いてください"
+    )
+}
+
+/// A wall stands there.
+pub(super) fn wall_there() -> Text {
+    text!(
+        "a wall stands there already: draw beside it",
+        "そこにはもう壁があります。その脇に描いてください"
+    )
+}
+
+/// The wall leaves the storey.
+pub(super) fn wall_outside() -> Text {
+    text!(
+        "this leaves the storey: draw inside of its walls",
+        "階の外に出ています。外壁の内側に描いてください"
+    )
+}
+
+/// The wall is an outer one.
+pub(super) fn outer_wall() -> Text {
+    text!(
+        "this is an outer wall: move it instead",
+        "これは外壁です。代わりに動かしてください"
+    )
+}

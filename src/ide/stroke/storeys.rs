@@ -1,5 +1,8 @@
 //! Strokes that add and remove storeys and change their heights.
 
+pub(super) mod inner;
+pub(super) mod rooms;
+
 use super::change::{padded, tidy};
 use super::draft::{Draft, PLAIN};
 use super::find::{self, Written};

@@ -12,6 +12,9 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 /// The folders of tiles.
 const FOLDERS: [&str; 2] = ["tiles", "textures"];
 
+/// How many editions of a town are kept: a page may ask for one that quick saves have followed.
+const EDITIONS: usize = 8;
+
 /// The folder of a town.
 pub(super) struct Scratch {
     folder: PathBuf,
@@ -19,8 +22,8 @@ pub(super) struct Scratch {
     next: AtomicU64,
     /// The number of the town that was published last.
     edition: u64,
-    /// The files of that town, and of the one before, which a page may still be loading.
-    own: [BTreeSet<String>; 2],
+    /// The files of that town, and of those before, which a page may still be loading.
+    own: [BTreeSet<String>; EDITIONS],
     /// The name and the bytes of the root of that town.
     root: (String, Vec<u8>),
 }
@@ -52,7 +55,7 @@ impl Scratch {
         }
     }
 
-    /// Writes the root, the table of decisions and the report of a town, and removes what neither it nor the one before has.
+    /// Writes the root, the table of decisions and the report of a town, and removes what neither it nor the last ones before have.
     /// Returns their names.
     pub(super) fn publish(&mut self, made: &TiledTown) -> io::Result<[String; 3]> {
         self.edition += 1;
@@ -74,8 +77,8 @@ impl Scratch {
         self.write(&names[2], &serde_json::to_vec(&made.ledger.report)?)?;
         let mut own = made.files();
         own.extend(names.clone());
-        self.own.swap(0, 1);
-        self.own[1] = own;
+        self.own.rotate_right(1);
+        self.own[0] = own;
         self.sweep()?;
         Ok(names)
     }

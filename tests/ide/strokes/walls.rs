@@ -19,6 +19,10 @@ fn others(plan: &Value, at: &At) -> Value {
     house["roofs"] = Value::Null;
     for storey in house["storeys"].as_array_mut().unwrap() {
         storey["regions"] = Value::Null;
+        for room in storey["rooms"].as_array_mut().unwrap() {
+            // They follow the walls.
+            (room["area"], room["laid"]) = (Value::Null, Value::Null);
+        }
     }
     house["storeys"][at.storey]["rings"][at.ring] = Value::Null;
     plan

@@ -7,15 +7,20 @@ import type { PlanView } from '../plan/plan-view.ts';
 import { toggleButton } from '../ui/toolbar.ts';
 import { strings } from '../ui/strings.ts';
 import { EditSession } from './session.ts';
+import { InnerTool } from './inner-tool.ts';
 import { OutlineTool } from './outline-tool.ts';
 import { partName, Palette } from './palette.ts';
 import { PartTool } from './part-tool.ts';
 import { PlaceTool } from './place-tool.ts';
+import { RoomTool } from './room-tool.ts';
 import { SurveyTool } from './survey-tool.ts';
 import { WallTool } from './wall-tool.ts';
 
-const TOOLS = ['part', 'wall', 'break', 'outline', 'survey', 'place', 'turn'] as const;
+const TOOLS = ['part', 'wall', 'break', 'inner', 'room', 'outline', 'survey', 'place', 'turn'] as const;
 type Tool = (typeof TOOLS)[number];
+
+/** Tools that draw anywhere, so that a drag does not move the sheet. */
+const FREE = new Set<Tool>(['outline', 'survey', 'inner', 'room']);
 
 /** How far the sheet moves at once while a drag points out of it, CSS pixels. */
 const FOLLOWED = 10;
@@ -33,6 +38,8 @@ export class DrawTool {
   #parts: PartTool;
   #places: PlaceTool;
   #survey: SurveyTool;
+  #inner: InnerTool;
+  #rooms: RoomTool;
   #help = h('p', { class: 'quiet' });
   #house = h('select', { onchange: () => this.#fill() });
   #houses = field(strings.planHouse, this.#house);
@@ -55,6 +62,8 @@ export class DrawTool {
     this.#parts = new PartTool(plan, this.session, () => this.#palette.chosen?.code ?? null);
     this.#places = new PlaceTool(plan, this.session);
     this.#survey = new SurveyTool(plan, this.session);
+    this.#inner = new InnerTool(plan, this.session, () => this.#palette.chosen?.code ?? null);
+    this.#rooms = new RoomTool(plan, this.session);
     this.#palette.changed = () => this.session.report(strings.partChosen(partName(this.#palette.chosen!)));
     const name = newId();
     this.#bar = h('div', { class: 'draw', hidden: true },
@@ -63,7 +72,7 @@ export class DrawTool {
       h('div', { class: 'buttons' },
         button(strings.undo, () => void this.session.undo(), { 'data-do': 'undo', title: 'Ctrl+Z' }),
         button(strings.redo, () => void this.session.redo(), { 'data-do': 'redo', title: 'Ctrl+Shift+Z' })),
-      this.#allStoreys, this.#wholeGroup, this.#help, this.#palette.element, this.#houses,
+      this.#allStoreys, this.#wholeGroup, this.#help, this.#rooms.element, this.#inner.remove, this.#palette.element, this.#houses,
       h('div', { class: 'buttons' },
         button(strings.addStorey, () => void this.#addStorey(), { 'data-do': 'add-storey' }),
         button(strings.removeStorey, () => void this.#removeStorey(), { 'data-do': 'remove-storey' }),
@@ -81,7 +90,7 @@ export class DrawTool {
     };
     plan.onScale = () => this.#survey.scale();
     plan.isDragging = () => this.#pointerId !== null;
-    plan.sheet.moves = target => !this.on || this.tool === 'part' || this.tool !== 'outline' && this.tool !== 'survey' && !target.closest('.run');
+    plan.sheet.moves = target => !this.on || this.tool === 'part' || !FREE.has(this.tool) && !target.closest('.run');
     app.on('files', () => {
       this.#switch.disabled = !app.serverInfo.writes;
       this.#switch.title = app.serverInfo.writes ? '' : strings.drawOffWhy;
@@ -107,7 +116,9 @@ export class DrawTool {
   choose(tool: Tool) {
     this.tool = tool;
     this.#walls.breaks = tool === 'break';
-    this.#palette.element.hidden = tool !== 'part';
+    this.#palette.element.hidden = tool !== 'part' && tool !== 'inner';
+    this.#rooms.element.hidden = tool !== 'room';
+    this.#inner.remove.hidden = tool !== 'inner';
     this.#allStoreys.hidden = tool !== 'wall';
     this.#wholeGroup.hidden = tool !== 'place' && tool !== 'turn';
     this.#places.turns = tool === 'turn';
@@ -143,13 +154,15 @@ export class DrawTool {
       case 'part': return null;
       case 'outline': return this.#outline;
       case 'survey': return this.#survey;
+      case 'inner': return this.#inner;
+      case 'room': return this.#rooms;
       case 'place': case 'turn': return this.#places;
       default: return this.#walls;
     }
   }
 
   #release() {
-    for (const tool of [this.#walls, this.#outline, this.#survey, this.#places]) tool.release();
+    for (const tool of [this.#walls, this.#outline, this.#survey, this.#places, this.#inner, this.#rooms]) tool.release();
   }
 
   /** Cancels a drag. */
@@ -161,7 +174,7 @@ export class DrawTool {
   }
 
   #enable() {
-    const tools = [[this.#walls, ['wall', 'break']], [this.#places, ['place', 'turn']], [this.#parts, ['part']], [this.#survey, ['survey']]] as const;
+    const tools = [[this.#walls, ['wall', 'break']], [this.#places, ['place', 'turn']], [this.#parts, ['part']], [this.#survey, ['survey']], [this.#inner, ['inner']], [this.#rooms, ['room']]] as const;
     // What another tool has made focusable is taken back first.
     for (const [tool] of tools) tool.enable(false);
     for (const [tool, names] of tools) if (this.on && (names as readonly Tool[]).includes(this.tool)) tool.enable(true);

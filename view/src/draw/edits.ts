@@ -2,7 +2,8 @@
 // the house's frame, in U.
 
 import type { House, Point, State, Wall } from '../server/api.ts';
-import type { UnitIndex, WallIndex } from '../plan/drawing.ts';
+import { toHouse, type XY } from '../plan/coordinates.ts';
+import type { RoomIndex, UnitIndex, WallIndex } from '../plan/drawing.ts';
 
 export type Edit =
   | { do: 'set-part'; part: string } & UnitIndex
@@ -16,7 +17,15 @@ export type Edit =
   | { do: 'turn-place'; place: number; to: number }
   | { do: 'draw-outline'; points: Point[] }
   | { do: 'move-corner'; outline: number; corner: number; to: Point }
+  | { do: 'draw-wall'; house: number; storey: number; points: Point[]; part?: string }
+  | { do: 'remove-wall'; house: number; storey: number; ring: number }
+  | { do: 'add-room'; house: number; storey: number; at: Point } & RoomWords
+  | { do: 'set-room'; at?: Point } & RoomIndex & RoomWords
+  | { do: 'remove-room' } & RoomIndex
   | { do: 'set-height'; house: number; storey: number; height: number };
+
+/** What an edit writes about a room; the rest stays as it is. */
+export interface RoomWords { name?: string; floor?: string; mats?: string; ceiling?: string }
 
 /** A stretch of a wall, in units from its `from` end. */
 export interface Stretch { from: number; to: number }
@@ -78,10 +87,12 @@ export function sameTarget(edit: Edit, meant: State, now: State): boolean {
     const house = 'house' in edit && edit.house !== undefined ? plan.houses[edit.house] : undefined;
     const storey = 'storey' in edit ? house?.storeys[edit.storey] : undefined;
     const wall = 'wall' in edit ? storey?.rings[edit.ring]?.walls[edit.wall] : undefined;
+    const room = 'room' in edit ? storey?.rooms[edit.room] : undefined;
+    const inner = edit.do === 'remove-wall' ? storey?.rings[edit.ring]?.walls.map(wall => [wall.from, wall.to]) : undefined;
     const unit = 'unit' in edit ? wall?.units[edit.unit] : undefined;
     const ends = (of?: Pick<Wall, 'from' | 'to'>) => of && [...of.from, ...of.to];
     const place = 'place' in edit ? plan.places[edit.place] : 'corner' in edit ? plan.outlines[edit.outline] : undefined;
-    return JSON.stringify([place, house?.name, storey?.storey, ends(wall), unit?.code, ends(unit)]);
+    return JSON.stringify([place, house?.name, storey?.storey, ends(wall), unit?.code, ends(unit), room?.at, room?.name, inner]);
   });
   return before === after;
 }
@@ -97,3 +108,23 @@ export function arrow(key: string, house: House, toHouse: (house: House, at: Poi
 
 /** The component of a direction along another, rounded. */
 export const share = (way: Point, along: Point) => Math.round(dot(way, along)) + 0;
+
+/** True if a point is within a ring of walls. */
+export function holds(ring: Point[], [a, b]: Point): boolean {
+  let inside = false;
+  for (const [i, [x, y]] of ring.entries()) {
+    const [u, v] = ring[(i + 1) % ring.length]!;
+    if (y > b !== v > b && a < x + (b - y) / (v - y) * (u - x)) inside = !inside;
+  }
+  return inside;
+}
+
+/** The house and storey under a point of the plan; with `nearest`, the first house where there is none under it. */
+export function storeyUnder(state: State | null, number: number, at: XY, nearest = false): { house: number; storey: number; shown: House } | null {
+  const all = (state?.plan.houses ?? []).flatMap((shown, house) => {
+    const storey = shown.storeys.findIndex(({ storey, kind }) => storey === number && kind === 'storey');
+    return storey < 0 ? [] : [{ house, storey, shown }];
+  });
+  const under = all.find(({ shown, storey }) => shown.storeys[storey]!.rings.some(ring => !ring.inner && !ring.hole && holds(ring.walls.map(wall => wall.from), toHouse(shown, at))));
+  return under ?? (nearest ? all[0] ?? null : null);
+}

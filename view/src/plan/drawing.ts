@@ -2,10 +2,11 @@
 // units.
 
 import { s } from '../ui/dom.ts';
-import type { House, Point, Ring, State, Storey, Unit, Wall } from '../server/api.ts';
+import type { House, Point, Ring, Room, State, Storey, Unit, Wall } from '../server/api.ts';
 import { strings } from '../ui/strings.ts';
 import { bounds, path, toPlan, type XY } from './coordinates.ts';
 import { type WallLength, wallLength } from './lengths.ts';
+import { roomShape } from './rooms.ts';
 import { fallArrow, type Line, ridgeLines } from './ridges.ts';
 
 /** Indices from 0, as in edits. */
@@ -16,6 +17,12 @@ export interface WallIndex {
   wall: number;
 }
 
+export interface RoomIndex {
+  house: number;
+  storey: number;
+  room: number;
+}
+
 export interface UnitIndex extends WallIndex { unit: number }
 
 /** The drawn layers, with the units and walls behind their elements. */
@@ -23,6 +30,7 @@ export interface PlanDrawing {
   layers: SVGGElement[];
   units: Map<SVGGElement, { at: UnitIndex; unit: Unit }>;
   walls: Map<SVGGElement, { at: WallIndex; wall: Wall; house: House }>;
+  rooms: Map<SVGGElement, { at: RoomIndex; room: Room; house: House }>;
   lengths: WallLength[];
 }
 
@@ -43,20 +51,26 @@ export const extent = ({ plan }: State) => bounds(plan.houses.flatMap(house => [
 const cornersOf = ([a0, b0, a1, b1]: [number, number, number, number]): Point[] => [[a0, b0], [a1, b0], [a1, b1], [a0, b1]];
 
 export function drawStorey(state: State, number: number): PlanDrawing {
-  const drawn: PlanDrawing = { layers: [], units: new Map(), walls: new Map(), lengths: [] };
+  const drawn: PlanDrawing = { layers: [], units: new Map(), walls: new Map(), rooms: new Map(), lengths: [] };
   const layer = (name: string) => {
     const group = s('g', { class: name });
     drawn.layers.push(group);
     return group;
   };
   const floors = layer('floors'), regions = layer('regions'), roofs = layer('roofs'), below = layer('below');
-  const walls = layer('walls');
+  // Above the roofs, so that rooms can be clicked.
+  const rooms = layer('rooms'), walls = layer('walls');
   for (const [houseIndex, house] of state.plan.houses.entries()) {
     for (const [storeyIndex, storey] of house.storeys.entries()) {
       if (storey.storey === number - 1 && storey.kind === 'storey') outlines(house, storey, below);
       if (storey.storey !== number) continue;
       for (const ring of storey.rings) floor(house, ring, floors);
       regionShapes(house, storey, regions, roofs);
+      for (const [room, own] of storey.rooms.entries()) {
+        const shape = roomShape(house, own);
+        drawn.rooms.set(shape, { at: { house: houseIndex, storey: storeyIndex, room }, room: own, house });
+        rooms.append(shape);
+      }
       for (const [ringIndex, ring] of storey.rings.entries()) {
         for (const [wallIndex, wall] of ring.walls.entries()) {
           const at = { house: houseIndex, storey: storeyIndex, ring: ringIndex, wall: wallIndex };

@@ -37,6 +37,7 @@ export function attachInput(app: App, cross: HTMLElement) {
       const point = ray ? app.town.surfaceAt(ray) : found?.point;
       if (point) measure.add(point);
     } else if (ray) app.town.pick(ray);
+    else if (app.walk.on && app.walk.doors.press(rayAt(app, x, y))) { /* It slides. */ }
     else app.select(found?.part ?? null);
   };
   canvas.addEventListener('pointerdown', ({ offsetX: x, offsetY: y, button }) => {

@@ -110,6 +110,21 @@ export interface Ring {
   walls: Wall[];
 }
 
+/** A room, by the point at which it is written. */
+export interface Room {
+  name: string;
+  at: Point;
+  floor: 'boards' | 'tatami' | 'earth';
+  mats: 'festive' | 'rows';
+  ceiling: 'battens' | 'joists' | 'none';
+  /** Its outline, then each opening in it. */
+  area: Point[][];
+  laid: [a0: number, b0: number, a1: number, b1: number][];
+  file: number;
+  span: ByteRange;
+  fixed: string | null;
+}
+
 export interface Storey {
   storey: number;
   kind: 'storey' | 'parapet';
@@ -121,6 +136,7 @@ export interface Storey {
   span: ByteRange;
   fixed: string | null;
   rings: Ring[];
+  rooms: Room[];
   regions: Region[];
 }
 

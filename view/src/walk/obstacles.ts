@@ -7,7 +7,7 @@
 export const RADIUS = 0.3;
 
 /** What is no higher than this is stepped on. */
-const STEP = 0.4;
+const STEP = 0.45;
 
 /** Height of a body. */
 const HEIGHT = 1.6;

@@ -8,16 +8,17 @@ import type { Way } from './walk.ts';
 const SIGNS: [Way, string][] = [['turn-left', '↺'], ['ahead', '↑'], ['turn-right', '↻'], ['left', '←'], ['back', '↓'], ['right', '→']];
 
 export function walkPad(app: App): HTMLElement {
-  const { walk } = app;
+  const { walk } = app, lamp = button(strings.lamp, () => walk.lamp.set(!walk.lamp.on), { title: 'L', 'data-do': 'lamp', 'aria-pressed': 'false' });
   const element = h('div', { class: 'walk-pad', role: 'group', 'aria-label': strings.walk, hidden: true },
     ...SIGNS.map(([way, sign]) => holdButton(app, way, sign)),
+    button(strings.door, () => walk.useDoor(), { title: 'E', 'data-do': 'door' }), lamp,
     button(strings.leaveWalk, () => { walk.leave(); app.viewport.canvas.focus(); }, { class: 'leave', 'data-do': 'leave-walk' }));
   element.addEventListener('keydown', event => {
     if (event.key !== 'Escape') return;
     walk.leave();
     app.viewport.canvas.focus();
   });
-  app.on('walk', () => { element.hidden = !walk.on; });
+  app.on('walk', () => { element.hidden = !walk.on; lamp.setAttribute('aria-pressed', `${walk.lamp.on}`); });
   return element;
 }
 

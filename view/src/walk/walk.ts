@@ -3,6 +3,9 @@
 import * as THREE from 'three';
 import type { App } from '../app.ts';
 import { strings } from '../ui/strings.ts';
+import { rayAt } from '../scene/canvas.ts';
+import { Doors } from './doors.ts';
+import { Lamp } from './lamp.ts';
 import { Obstacles, type Spot } from './obstacles.ts';
 import { FARTHEST, SEARCHED, startNear } from './start.ts';
 import { nearestCorner, trianglesIn } from './surfaces.ts';
@@ -56,6 +59,8 @@ const KEYS: Record<string, Way> = {
 
 export class Walk {
   on = false;
+  readonly doors: Doors;
+  readonly lamp: Lamp;
   #app: App;
   #held = new Set<Way>();
   #fast = false;
@@ -77,6 +82,8 @@ export class Walk {
 
   constructor(app: App) {
     this.#app = app;
+    this.doors = new Doors(app);
+    this.lamp = new Lamp(app);
     // Whatever else moves the camera ends the walk.
     app.viewport.controls.addEventListener('change', () => { if (this.on && !this.#own) this.leave(); });
   }
@@ -130,6 +137,7 @@ export class Walk {
     if (!this.on) return;
     const { viewport } = this.#app, { canvas, controls } = viewport;
     this.on = false;
+    this.lamp.set(false);
     this.#ended.abort();
     this.#held.clear();
     this.#obstacles = null;
@@ -167,8 +175,19 @@ export class Walk {
     const way = KEYS[event.code];
     if (way) this.hold(way, true);
     else if (event.key === 'Escape') this.leave();
+    else if (event.code === 'KeyL') this.lamp.set(!this.lamp.on);
+    else if (event.code === 'KeyE') this.useDoor();
+    else if (event.key === 'Enter') return this.doors.use(this.#ahead());
     else return false;
     return true;
+  }
+
+  /** Slides the door ahead, or tells that there is none. */
+  useDoor() { if (this.on && !this.doors.use(this.#ahead())) this.#app.announce(strings.noDoor); }
+
+  #ahead(): THREE.Raycaster {
+    const { canvas } = this.#app.viewport;
+    return rayAt(this.#app, canvas.clientWidth / 2, canvas.clientHeight / 2);
   }
 
   #listen(canvas: HTMLCanvasElement, signal: AbortSignal) {
@@ -245,6 +264,7 @@ export class Walk {
     this.#own = true;
     if (fov) viewport.setFieldOfView(fov);
     camera.position.set(this.#spot[0], this.#eyes, this.#spot[1]);
+    this.lamp.hold(camera);
     controls.target.copy(camera.position).addScaledVector(ahead, 6);
     camera.lookAt(controls.target);
     controls.dispatchEvent({ type: 'change' });

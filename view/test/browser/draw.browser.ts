@@ -205,7 +205,7 @@ test('a new house is drawn, by pointer and keyboard', async () => {
   await becomes(t => t !== one, 'another house is added');
   assert.equal(await page.evaluate(() => hsd.app.state!.plan.houses.length), 3);
   const two = text();
-  await page.locator('.draw select').selectOption('1');
+  await page.getByLabel('House', { exact: true }).selectOption('1');
   await does(page, 'remove-house').click();
   await becomes(t => t !== two, 'one is removed');
   assert.equal(await page.evaluate(() => hsd.app.state!.plan.houses.length), 2);
