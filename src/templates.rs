@@ -24,10 +24,14 @@ pub struct Template {
 }
 
 /// The definitions that some templates include, and the lines that include them.
-const INCLUDED: [(&str, &str); 2] = [
+const INCLUDED: [(&str, &str); 3] = [
     (
         "  <include href=\"fronts.hsd\"/>\n",
         include_str!("../library/fronts.hsd"),
+    ),
+    (
+        "  <include href=\"plans.hsd\"/>\n",
+        include_str!("../library/plans.hsd"),
     ),
     (
         "  <include href=\"outlines.hsd\"/>\n",
@@ -140,11 +144,11 @@ const SOURCES: &str = "hsd:";
 impl Template {
     /// Returns the content of the source file, which includes no other file.
     pub fn text(&self) -> String {
-        let included = INCLUDED.iter().find(|(line, _)| self.text.contains(line));
-        included.map_or_else(
-            || self.text.to_owned(),
-            |(line, file)| self.text.replacen(line, &pieces(file), 1),
-        )
+        let copied = |text: String, (line, file): &(&str, &str)| match text.contains(line) {
+            true => text.replacen(line, &pieces(file), 1),
+            false => text,
+        };
+        INCLUDED.iter().fold(self.text.to_owned(), copied)
     }
 
     /// Returns its name among the sources of a file that places it: no path, since it is part of the program.

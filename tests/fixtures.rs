@@ -372,3 +372,43 @@ fn bodies_are_of_a_carpenters_size() {
     assert!(heights[0] > 2.5 && heights[0] < 2.73, "{heights:?}");
     assert!(heights[1] > 0.6 && heights[1] < 0.9, "{heights:?}");
 }
+
+/// What lies over rooms without a ceiling has no floor, unless a room is written there.
+#[test]
+fn a_passage_is_open_up_to_the_roof() {
+    let wall = r#"<Loop inner="yes" start="2 0"><Row turn="R"/><Row>TSH 2KTU  KTU  KTU  KTU  KTU  KTU  </Row></Loop>"#;
+    let across = r#"<Loop inner="yes" start="0 5"><Row>KTU  KTU  </Row></Loop>"#;
+    let ground = |ceiling: &str| {
+        format!(
+            r#"{wall}<Room name="a" at="1 1" floor="earth" ceiling="{ceiling}"/><Room name="b" at="4 4"/>
+               <Fixture kind="stairs" at="4 2"/>"#
+        )
+    };
+    let floors = |ceiling: &str, upper: &str| {
+        let run = run(&ground(ceiling), upper);
+        assert_eq!(told(&run), Vec::<u16>::new(), "{}", run.short());
+        let mut at: Vec<[i64; 2]> = rooms(&run)
+            .iter()
+            .filter(|r| r.storey == 2)
+            .map(|r| [r.at.x.floor() as i64 / 2, r.at.y.floor() as i64 / 5])
+            .collect();
+        at.sort_unstable();
+        at
+    };
+    let room = r#"<Room name="c" at="5 7"/>"#;
+    let both = format!("{wall}{across}{room}");
+    assert_eq!(floors("none", &format!("{wall}{room}")).len(), 1);
+    assert_eq!(floors("battens", &format!("{wall}{room}")).len(), 2);
+    assert_eq!(floors("none", &both).len(), 1, "both areas lie over it");
+    let written = format!("{both}<Room name=\"d\" at=\"1 7\"/>");
+    let run = run(&ground("none"), &written);
+    assert_eq!(
+        told(&run),
+        [443],
+        "nobody gets to the room over the passage"
+    );
+    assert_eq!(rooms(&run).iter().filter(|r| r.storey == 2).count(), 2);
+    // A wall elsewhere: a part of the area lies over a ceiling.
+    let beyond = format!("{}{room}", wall.replace("start=\"2 0\"", "start=\"3 0\""));
+    assert_eq!(floors("none", &beyond).len(), 2);
+}

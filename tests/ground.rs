@@ -1,6 +1,7 @@
 //! The ground of a town: where houses stand on it, and the mesh of it. The oracle is the formula that the grids are made from.
 
-use crate::tiles::{Memory, build, checked};
+use crate::tiles::rules::checked;
+use crate::tiles::{Memory, build};
 use crate::town_types::{hsd, said};
 use crate::towns::{in_folder, number};
 use hsd::driver::Options;

@@ -38,6 +38,9 @@ pub enum InStorey {
     Free,
 }
 
+/// An outline, then those of what stands free in it.
+pub(super) type Area = Vec<Vec<DVec2>>;
+
 /// From the edge of a fixture to the place before it where one stands, U.
 const BEFORE: f64 = 0.2;
 
@@ -107,15 +110,15 @@ impl<'h> Plan<'h> {
         Plan::before(stairs, -stairs.faces.outward())
     }
 
-    /// Returns what rectangles leave of the areas; `None` for none, and for those that meet walls in too many places.
-    pub(super) fn without<'f>(&self, taken: Vec<&'f Fixture>) -> Option<Rest<'_, 'h, 'f>> {
+    /// Returns what other areas leave of these; `None` for none, and for those that meet walls in too many places.
+    pub(super) fn without(&self, taken: Vec<Area>) -> Option<Rest<'_, 'h>> {
         if taken.is_empty() {
             return None;
         }
         let mut walls = walls(self.storey);
-        for fixture in &taken {
-            let corners = fixture.corners();
-            walls.extend((0..4).map(|i| (corners[i], corners[(i + 1) % 4])));
+        for ring in taken.iter().flatten() {
+            let next = ring.iter().cycle().skip(1);
+            walls.extend(ring.iter().copied().zip(next.copied()));
         }
         Some(Rest {
             plan: self,
@@ -125,32 +128,45 @@ impl<'h> Plan<'h> {
     }
 }
 
-/// What rectangles leave of the areas of a storey.
-pub(super) struct Rest<'p, 'h, 'f> {
+/// What other areas leave of the areas of a storey.
+pub(super) struct Rest<'p, 'h> {
     plan: &'p Plan<'h>,
     areas: Areas,
-    taken: Vec<&'f Fixture>,
+    taken: Vec<Area>,
 }
 
-impl Rest<'_, '_, '_> {
-    /// Returns the pieces that are left of an area.
-    pub(super) fn pieces(&self, walk: usize) -> Vec<Vec<Vec<DVec2>>> {
-        let is_left = |part: &usize| {
-            let point = self.areas.point_in(*part);
-            point.is_some_and(|p| {
-                let taken = |f: &&Fixture| holds(&f.corners(), p);
-                self.plan.areas.around(p) == Some(walk) && !self.taken.iter().any(taken)
-            })
-        };
-        let parts = self.areas.walks().filter(is_left);
-        parts.map(|part| self.areas.area(part)).collect()
+impl Rest<'_, '_> {
+    /// Returns the pieces of an area, and for each whether it is taken.
+    fn parts(&self, walk: usize) -> impl Iterator<Item = (usize, bool)> {
+        self.areas.walks().filter_map(move |part| {
+            let point = self.areas.point_in(part)?;
+            let own = self.plan.areas.around(point) == Some(walk);
+            own.then(|| (part, self.taken.iter().any(|area| contains(area, point))))
+        })
     }
 
-    /// Returns true if none of them stands in an area.
-    pub(super) fn is_whole(&self, walk: usize) -> bool {
-        let stands = |f: &&Fixture| self.plan.areas.around(f.middle()) == Some(walk);
-        !self.taken.iter().any(stands)
+    /// Returns the pieces that are left of an area.
+    pub(super) fn pieces(&self, walk: usize) -> Vec<Area> {
+        let left = self.parts(walk).filter(|(_, taken)| !taken);
+        left.map(|(part, _)| self.areas.area(part)).collect()
     }
+
+    /// Returns true if nothing of an area is taken.
+    pub(super) fn is_whole(&self, walk: usize) -> bool {
+        !self.parts(walk).any(|(_, taken)| taken)
+    }
+
+    /// Returns true if all of an area is taken.
+    pub(super) fn is_gone(&self, walk: usize) -> bool {
+        let mut parts = self.parts(walk).peekable();
+        parts.peek().is_some() && parts.all(|(_, taken)| taken)
+    }
+}
+
+/// Returns true for a point in an area and not in what stands free in it.
+fn contains(area: &Area, p: DVec2) -> bool {
+    let mut rings = area.iter();
+    rings.next().is_some_and(|outer| holds(outer, p)) && !rings.any(|hole| holds(hole, p))
 }
 
 /// Returns the ends of all walls, U.

@@ -7,7 +7,7 @@ use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::plan::rooms as say;
 use crate::fit::areas::MOST;
-use crate::fit::plan::{NoPlan, Plan, Rest};
+use crate::fit::plan::{Area, NoPlan, Plan, Rest};
 use crate::fit::{fixtures, mats, names, ways};
 use crate::geometry::{SAME, SHAKU};
 use glam::{DVec2, dvec2};
@@ -28,6 +28,7 @@ pub(super) fn rooms(
     let plans = storeys.map(|(level, storey)| plan(storey, level, out));
     let plans: Vec<Plan<'_>> = plans.flatten().filter(Plan::is_storey).collect();
     let mut reached = BTreeSet::new();
+    let mut open: Vec<Area> = vec![];
     for (i, plan) in plans.iter().enumerate() {
         let number = plan.storey.number;
         let above = plans.get(i + 1).filter(|p| p.storey.number == number + 1);
@@ -35,15 +36,24 @@ pub(super) fn rooms(
         let below = below.filter(|p| p.storey.number + 1 == number);
         let lower = |f: &&Fixture| below.is_some_and(|p| p.level == f.level) && f.kind.climbs();
         let openings: Vec<&Fixture> = fixtures.iter().filter(lower).collect();
+        if below.is_none() {
+            open.clear();
+        }
         if !has_rooms(plan.storey) && openings.is_empty() {
             reached.clear();
+            open.clear();
             continue;
         }
         let taken = taken(plan, out);
         let height = |walk: usize| taken.get(&walk).and_then(|room| room.height);
         let height = |walk: usize| lower_than_storey(height(walk), plan.storey);
         let own = fixtures::placed(plan, above, &openings, house.unit, height, out);
-        rooms.extend(rooms_of(plan, &taken, &own, &openings, out));
+        let voids = voids(plan, &taken, open);
+        let built = rooms_of(plan, &taken, (&own, &openings, &voids), out);
+        let areas = |walks: &BTreeSet<usize>| walks.iter().map(|w| plan.areas.area(*w)).collect();
+        open = areas(&voids);
+        open.extend(without_ceiling(&built));
+        rooms.extend(built);
         reached = match below {
             Some(below) => {
                 let stairs = openings.iter().copied();
@@ -78,19 +88,36 @@ fn plan<'h>(storey: &'h Storey, level: usize, out: &mut Diagnostics) -> Option<P
     }
 }
 
+/// Returns the areas of a storey that have no floor: those without a room, all of which lie over what is open above.
+fn voids(plan: &Plan<'_>, taken: &BTreeMap<usize, &ast::Room>, open: Vec<Area>) -> BTreeSet<usize> {
+    let Some(rest) = plan.without(open) else {
+        return BTreeSet::new();
+    };
+    let walks = plan.areas.walks().filter(|walk| !taken.contains_key(walk));
+    walks.filter(|walk| rest.is_gone(*walk)).collect()
+}
+
+/// Returns the areas of rooms without a ceiling.
+fn without_ceiling(rooms: &[Room]) -> impl Iterator<Item = Area> {
+    let open = rooms.iter().filter(|r| r.ceiling == ast::RoomCeiling::None);
+    open.map(|room| room.area.clone())
+}
+
 /// Returns the rooms of a storey: those that are written, then boards for what is left, so that no floor has a hole.
 fn rooms_of(
     plan: &Plan<'_>,
     taken: &BTreeMap<usize, &ast::Room>,
-    own: &[Fixture],
-    openings: &[&Fixture],
+    (own, openings, voids): (&[Fixture], &[&Fixture], &BTreeSet<usize>),
     out: &mut Diagnostics,
 ) -> Vec<Room> {
     let storey = plan.storey;
-    let standing = plan.without(own.iter().chain(openings.iter().copied()).collect());
-    let floor = plan.without(openings.to_vec());
-    let ceiling = plan.without(own.iter().filter(|f| f.kind.climbs()).collect());
-    let pieces = |rest: &Option<Rest<'_, '_, '_>>, walk: usize| {
+    let area = |fixture: &Fixture| vec![fixture.corners().to_vec()];
+    let openings = openings.iter().map(|f| area(f));
+    let standing = plan.without(own.iter().map(area).chain(openings.clone()).collect());
+    let floor = plan.without(openings.collect());
+    let stairs = own.iter().filter(|f| f.kind.climbs());
+    let ceiling = plan.without(stairs.map(area).collect());
+    let pieces = |rest: &Option<Rest<'_, '_>>, walk: usize| {
         let rest = rest.as_ref().filter(|rest| !rest.is_whole(walk));
         rest.map(|rest| rest.pieces(walk))
     };
@@ -105,7 +132,8 @@ fn rooms_of(
         (room.floors, room.ceilings) = (pieces(&floor, walk), pieces(&ceiling, walk));
         made.push(room);
     }
-    for walk in plan.areas.walks().filter(|walk| !taken.contains_key(walk)) {
+    let left = |walk: &usize| !taken.contains_key(walk) && !voids.contains(walk);
+    for walk in plan.areas.walks().filter(left) {
         let point = plan.areas.point_in(walk).filter(|p| plan.holds(*p));
         let Some(at) = point else { continue };
         let mut room = rest(storey, plan.level, at, plan.areas.area(walk));
