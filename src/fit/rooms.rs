@@ -50,8 +50,7 @@ pub(super) fn rooms(
         let own = fixtures::placed(plan, above, &openings, house.unit, height, out);
         let voids = voids(plan, &taken, open);
         let built = rooms_of(plan, &taken, (&own, &openings, &voids), out);
-        let areas = |walks: &BTreeSet<usize>| walks.iter().map(|w| plan.areas.area(*w)).collect();
-        open = areas(&voids);
+        open = voids.iter().map(|walk| plan.areas.area(*walk)).collect();
         open.extend(without_ceiling(&built));
         rooms.extend(built);
         reached = match below {
