@@ -12,6 +12,7 @@ use hsd::scene::{Detail, Scene};
 use std::collections::{BTreeMap, BTreeSet};
 
 mod files;
+mod stairs;
 
 const SCALE: u32 = 100;
 

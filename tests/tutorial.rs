@@ -82,6 +82,7 @@ fn every_text_builds_what_is_said() {
         "rows.hsd",
         "shop.hsd",
         "street.hsd",
+        "home.hsd",
     ];
     assert_eq!(names, all);
     for (name, text) in &texts {

@@ -182,6 +182,13 @@ pub struct Mark {
     pub shape: Shape,
 }
 
+/// Returns the lines of an arrow with an open head, millimetres.
+pub fn arrow(from: DVec2, tip: DVec2) -> Vec<[DVec2; 2]> {
+    let way = (tip - from).normalize_or_zero();
+    let (back, side) = (tip - way * 1.4, way.perp() * 0.6);
+    vec![[from, tip], [back + side, tip], [back - side, tip]]
+}
+
 impl Mark {
     /// Creates a mark that shows no part.
     pub fn new(role: Role, shape: Shape) -> Mark {

@@ -3,7 +3,7 @@
 use crate::building::EdgeKind;
 use crate::drawing::Settings;
 use crate::drawing::dimension::short;
-use crate::drawing::paper::{Anchor, Mark, Role, Shape};
+use crate::drawing::paper::{Anchor, Mark, Role, Shape, arrow};
 use crate::drawing::seen::Depths;
 use crate::drawing::subject::Subject;
 use glam::{DVec2, DVec3};
@@ -95,15 +95,9 @@ fn fall(corners: &[DVec3], depths: &Depths<'_>, settings: &Settings) -> Vec<Mark
     let most = along.fold(0.0, f64::max) * settings.millimetres();
     let from = middle.truncate() * settings.millimetres();
     let tip = from + way * (most * 0.6);
-    let head = way * 1.4;
-    let lines = vec![
-        [from, tip],
-        [tip - head + way.perp() * 0.6, tip],
-        [tip - head - way.perp() * 0.6, tip],
-    ];
     let rise = format!("{}/10", short(down.length() * 10.0, 1));
     vec![
-        Mark::new(Role::Fall, Shape::Lines(lines)),
+        Mark::new(Role::Fall, Shape::Lines(arrow(from, tip))),
         Mark::label(
             Role::Text,
             from + DVec2::new(0.8, 0.8),

@@ -1,6 +1,7 @@
 //! The views of a subject: plans of storeys, elevations, sections.
 
 mod rooms;
+mod stairs;
 
 use crate::building::Storey;
 use crate::diagnostic::Language;
@@ -30,6 +31,7 @@ pub(super) fn plan(subject: &Subject<'_>, number: u32, settings: &Settings) -> V
     let look = Look::down(scale).cut_at(DVec3::Z * height);
     let mut marks = drawn(subject, look);
     marks.extend(rooms::rooms(subject, number, settings));
+    marks.extend(stairs::stairs(subject, number, settings));
     marks.extend(bays(subject, number, scale));
     let drawn = bounds_of(&marks);
     if number == 1 {

@@ -125,7 +125,7 @@ pub(in crate::parse) static STOREYS: Content = content(
     &[Tag::Storey, Tag::Repeat, Tag::Random, Tag::Replace],
 );
 pub(in crate::parse) static STOREY: Content = repeating(
-    &ROWS,
+    &REPEATED_IN_STOREY,
     "storey",
     &[
         Tag::Row,
@@ -139,6 +139,18 @@ pub(in crate::parse) static STOREY: Content = repeating(
         Tag::Room,
         Tag::Fixture,
         Tag::Brackets,
+    ],
+);
+static REPEATED_IN_STOREY: Content = content(
+    "storey_repeated",
+    &[
+        Tag::Row,
+        Tag::Loop,
+        Tag::Repeat,
+        Tag::Random,
+        Tag::Replace,
+        Tag::Room,
+        Tag::Fixture,
     ],
 );
 pub(in crate::parse) static OUTLINE: Content = content("outline", &[Tag::Hole]);

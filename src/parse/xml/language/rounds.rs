@@ -20,7 +20,7 @@ pub(super) fn is_written_out(
     let holds = |child: &Child<'_>| match child {
         Child::Element(index) => matches!(
             element_ref.child(*index).tag(),
-            Some(Tag::House | Tag::Group | Tag::Place)
+            Some(Tag::House | Tag::Group | Tag::Place | Tag::Loop | Tag::Room | Tag::Fixture)
         ),
         Child::Text(_) => false,
     };

@@ -166,7 +166,7 @@ impl<'t> Reader<'t, '_> {
                 }
                 _ if self.order(schema, child, &mut storey.order) => {}
                 _ => {
-                    let item = self.item(schema, child, schema::STOREY.repeated(), Self::row);
+                    let item = self.item(schema, child, &schema::ROWS, Self::row);
                     own.rows.extend(item);
                 }
             }
