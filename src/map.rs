@@ -27,7 +27,7 @@ mod shapefile;
 mod wkb;
 mod xml;
 
-pub use checked::tidied;
+pub use checked::{crosses, tidied};
 pub use crs::{Crs, Datum, Datums, Mismatch, Outside, Projection, Transform, on_globe};
 pub use fault::{Fault, Faults, Kind, OtherGrid, VertexFault, Which, diagnostic};
 pub use feature::{

@@ -148,7 +148,10 @@ fn a_map_becomes_the_town_that_is_told_of() {
     let page = page("first-town.md");
     let folder = tempfile::tempdir().expect("a folder");
     for name in ["block-houses.geojson", "block-roads.geojson", "shares.csv"] {
-        assert!(page.contains(&format!("(../examples/towns/{name})")), "{name}");
+        assert!(
+            page.contains(&format!("(../examples/towns/{name})")),
+            "{name}"
+        );
         let from = root().join("examples/towns").join(name);
         fs::copy(from, folder.path().join(name)).expect("is there");
     }
@@ -156,7 +159,10 @@ fn a_map_becomes_the_town_that_is_told_of() {
         fs::write(folder.path().join(name), text).expect("is written");
     }
     let mut ran = 0;
-    for shown in fenced(&page).iter().filter_map(|f| f.strip_prefix("console\n")) {
+    for shown in fenced(&page)
+        .iter()
+        .filter_map(|f| f.strip_prefix("console\n"))
+    {
         for command in shown.split("$ ").skip(1) {
             let (line, printed) = command.split_once('\n').expect("has a line");
             let words: Vec<&str> = line.split_whitespace().skip(1).collect();
@@ -182,7 +188,10 @@ fn a_map_becomes_the_town_that_is_told_of() {
     // What is said of the years.
     let types = |name: &str| -> Vec<String> {
         let table = fs::read_to_string(folder.path().join(name)).expect("is written");
-        let cells = table.lines().skip(1).map(|line| line.split(',').collect::<Vec<_>>());
+        let cells = table
+            .lines()
+            .skip(1)
+            .map(|line| line.split(',').collect::<Vec<_>>());
         cells.map(|c| format!("{} {}", c[0], c[3])).collect()
     };
     let (old, new) = (types("1928.decisions.csv"), types("1998.decisions.csv"));

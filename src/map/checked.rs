@@ -159,6 +159,11 @@ impl Found {
     }
 }
 
+/// Returns true if sides of an area cross, or lie on each other.
+pub fn crosses(area: &Area) -> bool {
+    crossing::crosses(area)
+}
+
 /// Returns a geometry without doubled points and parts that are none, its rings the right way round, and what was found.
 ///
 /// # Errors

@@ -284,10 +284,16 @@ fn a_new_sheet_is_read() {
         .notify("workspace/didChangeWatchedFiles", changes);
     hamlet.diagnostics();
     let told = hamlet.hover("{us|e = 'shop'}");
-    assert!(told.ends_with("in 5 of 5 features: inn, shop, home, shed"), "{told}");
+    assert!(
+        told.ends_with("in 5 of 5 features: inn, shop, home, shed"),
+        "{told}"
+    );
     // A file of a list that is not there is told at its place.
     let found = hamlet.change("house*.geojson", "houses.geojson, hoses.geojson");
     let at = hamlet.text.find("hoses.geojson").expect("is there");
-    assert_eq!(found[0]["range"], range(&hamlet.text, at..at + 13, "utf-16"));
+    assert_eq!(
+        found[0]["range"],
+        range(&hamlet.text, at..at + 13, "utf-16")
+    );
     assert!(hamlet.client.finish());
 }
