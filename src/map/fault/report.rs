@@ -11,13 +11,16 @@ use std::sync::Arc;
 /// A kind of fault and its place in a list.
 type Known = (Discriminant<Kind>, usize);
 
+/// The file and the field of a fault.
+type Place = (Arc<str>, Option<Box<str>>);
+
 /// The faults of a map, or of the maps of a layer, counted by file, kind and field. Memory does not grow with their number.
 #[derive(Clone, Debug, Default)]
 pub struct Faults {
     /// The first fault of each file, kind and field, and their number, in the order of their first appearance.
     kinds: Vec<(Fault, usize)>,
     /// Kinds with their places in `kinds`, by file and field.
-    by_field: BTreeMap<(Arc<str>, Option<Box<str>>), Vec<Known>>,
+    by_field: BTreeMap<Place, Vec<Known>>,
 }
 
 impl Faults {
