@@ -108,6 +108,10 @@ impl World for FolderWorld {
         self.roots.find(from, href)
     }
 
+    fn names(&self, from: &str, folder: &str) -> Result<Vec<String>, IncludeError> {
+        self.roots.names(from, folder)
+    }
+
     fn text_bytes(&self, path: &str, limit: usize) -> io::Result<Vec<u8>> {
         self.roots.bytes(path, limit)
     }

@@ -27,8 +27,9 @@ mod shapefile;
 mod wkb;
 mod xml;
 
+pub use checked::{crosses, tidied};
 pub use crs::{Crs, Datum, Datums, Mismatch, Outside, Projection, Transform, on_globe};
-pub use fault::{Fault, Faults, Kind, OtherGrid, Which, diagnostic};
+pub use fault::{Fault, Faults, Kind, OtherGrid, VertexFault, Which, diagnostic};
 pub use feature::{
     Area, Chain, Column, ColumnType, Columns, Feature, Geometry, Layer, Place, Value,
 };
@@ -125,8 +126,21 @@ pub fn open(world: &dyn World, path: &str, options: &Options) -> Result<Box<dyn 
     Ok(Box::new(checked::Checked::new(reader, file, options)))
 }
 
+/// Half of the features of a map in degrees are narrower than this; those of a town in metres are wider.
+const WIDEST: f64 = 3.0;
+
+/// Returns true if features of such widths, in coordinates that may be degrees, can only be in metres: half of them are
+/// several degrees wide, which countries are and houses, lots and streets are not.
+pub fn are_metres(widths: impl Iterator<Item = f64>) -> bool {
+    let mut widths: Vec<f64> = widths.collect();
+    widths.sort_by(f64::total_cmp);
+    widths
+        .get(widths.len() / 2)
+        .is_some_and(|half| *half > WIDEST)
+}
+
 /// Returns true if a path has an extension, in small or large letters.
-fn has_extension(path: &str, extension: &str) -> bool {
+pub fn has_extension(path: &str, extension: &str) -> bool {
     let own = path.rsplit_once('.').map(|(_, own)| own);
     own.is_some_and(|own| own.eq_ignore_ascii_case(extension))
 }

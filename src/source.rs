@@ -45,6 +45,15 @@ pub trait World: Send + Sync {
         Err(IncludeError::Missing)
     }
 
+    /// Returns the names of the files in a folder that the source file `from` names; the empty name is its own folder.
+    ///
+    /// # Errors
+    /// If there is no such folder, or it may not be read.
+    fn names(&self, from: &str, folder: &str) -> Result<Vec<String>, IncludeError> {
+        let _ = (from, folder);
+        Err(IncludeError::Missing)
+    }
+
     /// Returns the bytes of a file found before, which is no longer than `limit`.
     ///
     /// # Errors

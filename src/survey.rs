@@ -3,6 +3,7 @@
 //! | step | file |
 //! |---|---|
 //! | a map is read once: geometry, fields, values | this one |
+//! | files of one kind beside each other become one layer | `sheets` |
 //! | fields get a meaning by their names and values | `fields` |
 //! | the town is written | `text` |
 //!
@@ -10,13 +11,16 @@
 //! and at last from the size of its outlines. Nothing is certain; the town says what was found and how to change it.
 
 mod fields;
+mod sheets;
 mod text;
 
+pub use sheets::{is_map, joined, standing};
 pub use text::town;
 
-use crate::map::{self, Crs, Fault, Faults, Geometry, Options, Value};
+use crate::map::Kind as Wrong;
+use crate::map::{self, Crs, Fault, Faults, Geometry, Options, Outside, Projection, Value};
 use crate::source::World;
-use crate::town::grid::bounds;
+use crate::town::grid::{Bounds, bounds};
 use fields::Fields;
 use glam::DVec2;
 use std::collections::{BTreeMap, BTreeSet};
@@ -53,22 +57,55 @@ pub enum Kind {
 /// A layer of a map.
 #[derive(Debug)]
 pub struct Surveyed {
-    /// The path of its file from the town.
+    /// The path of its file from the town, or what the town says of several.
     pub src: String,
+    /// Its files: the path from the town of each, what is wrong with it, and the box of its features.
+    pub files: Vec<Sheet>,
     /// The theme or layer in the file, if it has several.
     pub layer: Option<&'static str>,
     /// What it is.
     pub kind: Kind,
     /// The number of its features.
     pub features: usize,
-    /// What the town must say of its coordinates, if the file does not.
-    pub crs: Option<&'static str>,
+    /// What its coordinates are.
+    pub plane: Plane,
+    /// True if its files say nothing of that.
+    pub is_silent: bool,
     /// The encoding that the town must name.
     pub encoding: Option<&'static str>,
     /// Its fields.
     pub(in crate::survey) fields: Fields,
+}
+
+/// A file of a layer.
+#[derive(Debug)]
+pub struct Sheet {
+    /// Its path from the town.
+    pub src: String,
     /// What is wrong with it.
     pub faults: Faults,
+    /// The box of its features.
+    pub(in crate::survey) bounds: Option<Bounds>,
+}
+
+/// What the coordinates of a layer are.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Plane {
+    /// As the file says: the name of the system.
+    Said(Box<str>),
+    /// Metres of a survey of its own, as the file says; another file of this kind has other ones.
+    OwnSurvey,
+    /// The file says nothing, and they can be degrees.
+    Degrees,
+    /// The file says nothing, and they can only be metres.
+    Metres,
+}
+
+impl Plane {
+    /// Returns true if the layer lies somewhere on the earth.
+    pub fn is_placed(&self) -> bool {
+        matches!(self, Plane::Said(_) | Plane::Degrees)
+    }
 }
 
 /// A column of a layer and its values.
@@ -112,6 +149,25 @@ impl Seen {
     }
 }
 
+impl Seen {
+    /// Adds what was seen of the column in another file.
+    pub(in crate::survey) fn append(&mut self, other: Seen) {
+        self.is_unique = match (self.filled, other.filled) {
+            (0, _) => other.is_unique,
+            (_, 0) => self.is_unique,
+            _ => self.is_unique && other.is_unique && self.all.is_disjoint(&other.all),
+        };
+        self.filled += other.filled;
+        self.numbers += other.numbers;
+        self.all.extend(other.all);
+        for (value, count) in other.values {
+            if self.values.len() < MOST_VALUES || self.values.contains_key(&value) {
+                *self.values.entry(value).or_default() += count;
+            }
+        }
+    }
+}
+
 /// What was read of a layer.
 #[derive(Default)]
 struct Read {
@@ -119,9 +175,12 @@ struct Read {
     points: usize,
     lines: usize,
     sizes: Vec<f64>,
-    bounds: Option<[DVec2; 2]>,
+    widths: Vec<f64>,
+    bounds: Option<Bounds>,
     seen: Vec<Seen>,
     crs: Option<Crs>,
+    /// True if the file says nothing of its coordinates.
+    is_silent: bool,
     columns: Vec<String>,
     faults: Faults,
 }
@@ -164,12 +223,20 @@ fn survey_grid(world: &dyn World, path: &str, src: &str) -> Result<Surveyed, Fau
     Ok(Surveyed {
         kind: Kind::Heights,
         src: src.to_owned(),
+        files: vec![Sheet {
+            src: src.to_owned(),
+            faults,
+            bounds: None,
+        }],
         layer: None,
         features: 0,
-        crs: heights.crs.is_none().then_some("local"),
+        plane: match heights.crs {
+            Some(crs) => Plane::Said(crs.name),
+            None => Plane::Metres,
+        },
+        is_silent: false,
         encoding: None,
         fields: Fields::new(&[], vec![], 0),
-        faults,
     })
 }
 
@@ -179,31 +246,59 @@ fn survey_layer(
     src: &str,
     layer: Option<&'static str>,
 ) -> Result<Surveyed, Fault> {
-    let options = Options {
+    let mut options = Options {
         layer: layer.map(Into::into),
         ..Options::default()
     };
-    let read = read(world, path, &options)?;
+    let mut found = read(world, path, &options)?;
+    let is_metres = found.is_silent && found.are_metres();
+    if is_metres && found.crs.is_some() {
+        // Features that are no degrees were refused.
+        options.crs = Some(Crs::local());
+        found = read(world, path, &options)?;
+    }
+    let mut read = found;
+    // Sizes in degrees become square metres of the latitude of Japan, which is near enough to tell houses from blocks.
+    let is_degrees = !is_metres && read.crs.as_ref().is_none_or(Crs::is_degrees);
+    if is_degrees && let Some([_, high]) = read.bounds {
+        let metres = 111_320.0 * 111_320.0 * libm::cos(high.y.to_radians());
+        read.sizes.iter_mut().for_each(|size| *size *= metres);
+    }
     let fields = Fields::new(&read.columns, read.seen, read.features);
-    let degrees = read
-        .bounds
-        .is_none_or(|b| b.iter().all(|p| Crs::wgs84().refuses(*p).is_none()));
     let stem = src.rsplit(['/', '\\']).next().unwrap_or(src).to_lowercase();
     let geometry = (read.points, read.lines);
     Ok(Surveyed {
         kind: kind(&stem, layer, &fields, geometry, read.sizes),
         src: src.to_owned(),
+        files: vec![Sheet {
+            src: src.to_owned(),
+            faults: read.faults,
+            bounds: read.bounds,
+        }],
         layer,
         features: read.features,
-        crs: match read.crs {
-            Some(_) => None,
-            None if degrees => None,
-            None => Some("local"),
+        plane: match read.crs {
+            _ if is_metres => Plane::Metres,
+            Some(crs) if crs.projection == Projection::Local => Plane::OwnSurvey,
+            Some(crs) => Plane::Said(crs.name),
+            None => Plane::Degrees,
         },
+        is_silent: read.is_silent || is_metres,
         encoding: None,
         fields,
-        faults: read.faults,
     })
+}
+
+impl Read {
+    /// Returns true if coordinates of which the file says nothing are no degrees.
+    fn are_metres(&self) -> bool {
+        let is_degrees = |p: &DVec2| Crs::wgs84().refuses(*p).is_none();
+        let within = self.bounds.is_none_or(|b| b.iter().all(is_degrees));
+        let is_metres = |seems: &Outside| matches!(seems, Outside::Metres | Outside::Far);
+        let is_refused = |fault: &Fault| matches!(&fault.kind, Wrong::OutsideCrs { seems, .. } if is_metres(seems));
+        let refused = self.faults.iter().any(|(fault, _)| is_refused(fault));
+        !within || refused || map::are_metres(self.widths.iter().copied())
+    }
 }
 
 /// Reads all features of a layer.
@@ -231,6 +326,7 @@ fn read(world: &dyn World, path: &str, options: &Options) -> Result<Read, Fault>
                 read.sizes.push(size.fold(0.0, f64::max));
             }
         }
+        read.widths.extend(feature.geometry.width());
         let own = bounds(feature.geometry.points());
         read.bounds = match (read.bounds, own) {
             (Some([a, b]), Some([c, d])) => Some([a.min(c), b.max(d)]),
@@ -248,16 +344,11 @@ fn read(world: &dyn World, path: &str, options: &Options) -> Result<Read, Fault>
         .into_iter()
         .for_each(|f| read.faults.push(f));
     let known = reader.layer();
+    read.is_silent = known.crs_is_usual || known.crs.is_none();
     read.crs = known.crs.clone();
     let columns = known.columns.list().iter();
     read.columns = columns.map(|c| c.name.to_string()).collect();
     read.seen.resize_with(read.columns.len(), Seen::default);
-    // Sizes in degrees become square metres of the latitude of Japan, which is near enough to tell houses from blocks.
-    let is_degrees = known.crs.as_ref().is_none_or(Crs::is_degrees);
-    if is_degrees && let Some([_, high]) = read.bounds {
-        let metres = 111_320.0 * 111_320.0 * libm::cos(high.y.to_radians());
-        read.sizes.iter_mut().for_each(|size| *size *= metres);
-    }
     Ok(read)
 }
 

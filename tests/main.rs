@@ -67,6 +67,7 @@ mod roof_gallery;
 mod roof_partition;
 mod roof_shapes;
 mod schema;
+mod sheets;
 mod see_through;
 mod seen;
 mod sheet;
@@ -83,6 +84,7 @@ mod tutorial;
 mod twins;
 mod types;
 mod variants;
+mod vertices;
 mod view;
 mod w3c;
 

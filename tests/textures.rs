@@ -320,3 +320,12 @@ fn relief_faces_the_right_way() {
     let lean = |test: fn(u8) -> bool| normals.pixels().filter(|p| test(p.0[1])).count();
     assert!(lean(|green| green < 60) > 4 * lean(|green| green > 195));
 }
+
+/// The blackest plaster reflects as much as soot does, 3 percent of the light: less, and walls look like holes.
+#[test]
+fn black_plaster_is_no_hole() {
+    let linear = |channel: f64| ((channel / 255.0 + 0.055) / 1.055).powf(2.4);
+    let mean = mean(&committed("black_plaster_color.jpg"));
+    let light = mean.map(linear).iter().sum::<f64>() / 3.0;
+    assert!((0.03..0.06).contains(&light), "{light}");
+}

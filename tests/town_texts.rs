@@ -120,3 +120,40 @@ fn a_town_is_not_overwritten_by_its_houses() {
         before
     );
 }
+
+/// A town builds what it can of walls that cross each other, a file of houses does not: such a house is named, and the file
+/// builds the others.
+#[test]
+fn houses_whose_walls_cross_are_named_and_left_out() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let ring = |corners: &str, key: &str| {
+        format!(
+            r#"{{"type":"Feature","properties":{{"key":"{key}"}},"geometry":{{"type":"Polygon","coordinates":[[{corners}]]}}}}"#
+        )
+    };
+    // The wall from 7 10 to 7 7 crosses the one from 12 8 to 6 8.
+    let crossing = "[0,0],[12,0],[12,8],[6,8],[6,10],[7,10],[7,7],[0,7],[0,0]";
+    let sound = "[20,0],[28,0],[28,8],[24,8],[24,6],[20,6],[20,0]";
+    let map = format!(
+        r#"{{"type":"FeatureCollection","features":[{},{}]}}"#,
+        ring(crossing, "a"),
+        ring(sound, "b")
+    );
+    fs::write(folder.path().join("houses.geojson"), map).expect("is written");
+    let town = r#"<Town seed="1"><Layer name="houses" src="houses.geojson" crs="local" key="key"/>
+        <for each="houses"><Place type="hiraya" on="outline"/></for></Town>"#;
+    fs::write(folder.path().join("town.hsd"), town).expect("is written");
+    let output = hsd(folder.path(), &["town", "town.hsd", "-o", "houses.hsd"]);
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        told.contains("1 houses cannot be written by themselves, the first of them `houses a`"),
+        "{told}"
+    );
+    assert_eq!(output.status.code(), Some(1));
+    done(folder.path(), &["check", "houses.hsd"]);
+    let text = fs::read_to_string(folder.path().join("houses.hsd")).expect("is written");
+    assert!(
+        text.contains("houses b") && !text.contains("houses a"),
+        "{text}"
+    );
+}

@@ -1,5 +1,6 @@
 //! Towns: rules evaluated at features, where houses stand, what is reported.
 
+use hsd::diagnostic::Language;
 use hsd::driver::Options;
 use hsd::town::plan::Plan;
 use hsd::town::stream::TownStream;
@@ -20,6 +21,8 @@ pub(crate) struct Built {
     /// Layer, key, code and reason of what was corrected.
     pub(crate) corrected: Vec<[String; 4]>,
     pub(crate) found: Vec<String>,
+    /// The code of each diagnostic, the text at its place, and its message.
+    pub(crate) told: Vec<[String; 3]>,
 }
 
 /// Evaluates a town beside maps of these names and texts.
@@ -56,6 +59,7 @@ pub(crate) fn in_folder(text: &str, folder: &Path, look: impl FnOnce(&Plan)) -> 
         csv: String::new(),
         corrected: vec![],
         found: vec![],
+        told: vec![],
     };
     if let Some(plan) = plan {
         let mut houses = TownStream::new(input, &plan);
@@ -72,11 +76,16 @@ pub(crate) fn in_folder(text: &str, folder: &Path, look: impl FnOnce(&Plan)) -> 
             .collect();
         look(&plan);
     }
-    built.found = out
-        .into_sorted()
-        .iter()
-        .map(|d| d.code.to_string())
-        .collect();
+    for found in out.into_sorted() {
+        let place = found.span().map(|span| &text[source.text_range(span)]);
+        let (code, message) = (
+            found.code.to_string(),
+            found.message.in_language(Language::English).into_owned(),
+        );
+        built.found.push(code.clone());
+        let place = place.unwrap_or_default().to_owned();
+        built.told.push([code, place, message]);
+    }
     built
 }
 

@@ -4,6 +4,7 @@ use crate::support::{assert_none, compile, flaws, root};
 use hsd::diagnostic::Code;
 use serde_json::Value;
 use std::fs;
+use std::process::Command;
 
 const FOLDER: &str = "grammar";
 
@@ -139,4 +140,63 @@ fn both_forms_have_the_same_parts() {
     let (two, rows) = (parts(texts[2].1), parts(texts[3].1));
     assert!(two.len() > 30, "{two:?}");
     assert_eq!(two, rows);
+}
+
+/// The page that leads from a map to a town: its texts are written, its commands run one after another beside the maps that
+/// it names, and they print what is shown.
+#[test]
+fn a_map_becomes_the_town_that_is_told_of() {
+    let page = page("first-town.md");
+    let folder = tempfile::tempdir().expect("a folder");
+    for name in ["block-houses.geojson", "block-roads.geojson", "shares.csv"] {
+        assert!(
+            page.contains(&format!("(../examples/towns/{name})")),
+            "{name}"
+        );
+        let from = root().join("examples/towns").join(name);
+        fs::copy(from, folder.path().join(name)).expect("is there");
+    }
+    for (name, text) in texts(&page) {
+        fs::write(folder.path().join(name), text).expect("is written");
+    }
+    let mut ran = 0;
+    for shown in fenced(&page)
+        .iter()
+        .filter_map(|f| f.strip_prefix("console\n"))
+    {
+        for command in shown.split("$ ").skip(1) {
+            let (line, printed) = command.split_once('\n').expect("has a line");
+            let words: Vec<&str> = line.split_whitespace().skip(1).collect();
+            if words[0] == "view" {
+                continue;
+            }
+            let done = Command::new(env!("CARGO_BIN_EXE_hsd"))
+                .args(&words)
+                .current_dir(folder.path())
+                .env("LC_ALL", "C")
+                .output()
+                .expect("runs");
+            let said = [done.stderr, done.stdout].concat();
+            let said = String::from_utf8_lossy(&said);
+            assert!(done.status.success(), "{line}: {said}");
+            if !printed.trim().is_empty() {
+                assert_eq!(said.trim(), printed.trim(), "{line}");
+            }
+            ran += 1;
+        }
+    }
+    assert_eq!(ran, 6);
+    // What is said of the years.
+    let types = |name: &str| -> Vec<String> {
+        let table = fs::read_to_string(folder.path().join(name)).expect("is written");
+        let cells = table
+            .lines()
+            .skip(1)
+            .map(|line| line.split(',').collect::<Vec<_>>());
+        cells.map(|c| format!("{} {}", c[0], c[3])).collect()
+    };
+    let (old, new) = (types("1928.decisions.csv"), types("1998.decisions.csv"));
+    let changed: Vec<&String> = new.iter().filter(|one| !old.contains(one)).collect();
+    assert_eq!(changed, ["n1 kanban", "n2 kanban", "n5 kanban"]);
+    assert!(old.contains(&"s4 chu-nikai".to_owned()) && old.contains(&"k1 kura".to_owned()));
 }

@@ -49,6 +49,10 @@ pub struct Layer {
     pub crs: Option<Spanned<String>>,
     /// The field that names features.
     pub key: Option<Spanned<String>>,
+    /// The field of points that names the outline to which they belong.
+    pub outline: Option<Spanned<String>>,
+    /// The field that says in which order they do.
+    pub order: Option<Spanned<String>>,
     /// The test that features must pass.
     pub filter: Option<Spanned<String>>,
     /// The source of the map.

@@ -2,7 +2,7 @@
 //! by links.
 
 use crate::source::IncludeError;
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 
@@ -19,19 +19,7 @@ impl Roots {
 
     /// Returns the path of the file that `from` includes as `href`.
     pub(super) fn find(&self, from: &str, href: &str) -> Result<String, IncludeError> {
-        let folder = Path::new(from).parent().unwrap_or(Path::new(""));
-        let mut path = folder.to_owned();
-        for part in Path::new(href).components() {
-            match part {
-                Component::Normal(name) => path.push(name),
-                Component::CurDir => {}
-                Component::ParentDir if ends_in_name(&path) => {
-                    path.pop();
-                }
-                Component::ParentDir => path.push(".."),
-                Component::RootDir | Component::Prefix(_) => return Err(IncludeError::Outside),
-            }
-        }
+        let path = joined(from, href)?;
         // Nothing outside the roots is opened.
         let roots: Vec<PathBuf> = self.list.iter().filter_map(|r| real(r)).collect();
         let folder = real(path.parent().unwrap_or(Path::new("")));
@@ -49,6 +37,20 @@ impl Roots {
             }
             _ => Err(IncludeError::Missing),
         }
+    }
+
+    /// Returns the names of the files in a folder that `from` names as `href`.
+    pub(super) fn names(&self, from: &str, href: &str) -> Result<Vec<String>, IncludeError> {
+        let folder = real(&joined(from, href)?).ok_or(IncludeError::Missing)?;
+        let mut roots = self.list.iter().filter_map(|r| real(r));
+        if !roots.any(|root| folder.starts_with(root)) {
+            return Err(IncludeError::Outside);
+        }
+        let entries = fs::read_dir(folder).map_err(|_| IncludeError::Missing)?;
+        let files = entries.flatten().filter(|entry| entry.path().is_file());
+        Ok(files
+            .filter_map(|entry| entry.file_name().into_string().ok())
+            .collect())
     }
 
     /// Returns whether a path resolves to a file below a root.
@@ -85,6 +87,24 @@ impl Roots {
             false => Err(missing("the file is outside the root folder")),
         }
     }
+}
+
+/// Returns the path that `from` names as `href`.
+fn joined(from: &str, href: &str) -> Result<PathBuf, IncludeError> {
+    let folder = Path::new(from).parent().unwrap_or(Path::new(""));
+    let mut path = folder.to_owned();
+    for part in Path::new(href).components() {
+        match part {
+            Component::Normal(name) => path.push(name),
+            Component::CurDir => {}
+            Component::ParentDir if ends_in_name(&path) => {
+                path.pop();
+            }
+            Component::ParentDir => path.push(".."),
+            Component::RootDir | Component::Prefix(_) => return Err(IncludeError::Outside),
+        }
+    }
+    Ok(path)
 }
 
 fn ends_in_name(path: &Path) -> bool {

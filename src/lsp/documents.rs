@@ -182,11 +182,12 @@ impl Documents {
         }
     }
 
-    /// Discards the analyses of documents that read a changed file.
+    /// Discards the analyses of documents that read a changed file, or the names of the files in its folder.
     pub(super) fn forget(&mut self, path: &Path) {
         self.edition += 1;
         for document in self.open.values_mut() {
-            if document.asked.contains(path) {
+            let folder = path.parent();
+            if document.asked.contains(path) || folder.is_some_and(|f| document.asked.contains(f)) {
                 document.forget();
             }
         }

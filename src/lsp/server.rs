@@ -20,7 +20,7 @@ use std::time::Duration;
 const SETTINGS: &str = "hsd/settings";
 
 /// The files that the client watches: sources, images, tables and maps.
-const WATCHED: &str = "**/*.{hsd,png,jpg,jpeg,PNG,JPG,JPEG,csv,geojson,geojsonl,json,shp,dbf,prj,cpg,gpkg,fgb,parquet,osm,pbf,xml,gml}";
+const WATCHED: &str = "**/*.{hsd,png,jpg,jpeg,PNG,JPG,JPEG,csv,geojson,geojsonl,json,shp,dbf,prj,cpg,gpkg,fgb,parquet,osm,pbf,xml,gml,tif,tiff,asc,txt,tsv,gz}";
 
 /// How often the result of a town that is being checked is asked for.
 const PATIENCE: Duration = Duration::from_millis(10);

@@ -153,6 +153,12 @@ impl World for Overlay<'_> {
         }
     }
 
+    fn names(&self, from: &str, folder: &str) -> Result<Vec<String>, IncludeError> {
+        let asked = Path::new(from).parent().unwrap_or(Path::new(""));
+        self.note(key(&asked.join(folder)));
+        self.disk.names(from, folder)
+    }
+
     fn open(&self, path: &str) -> io::Result<Box<dyn Stream>> {
         self.disk.open(path)
     }

@@ -67,16 +67,15 @@ impl Checked {
         if let Some(kind) = refusal(&feature.geometry, crs, self.points) {
             return Err(self.fault(&feature, kind));
         }
-        let mut found = Found::default();
-        let is_left = tidy(&mut feature.geometry, &mut found);
-        if !is_left {
-            let kind = match found.most_points {
-                0 => Kind::NoGeometry,
-                points => Kind::TooFewPoints { points },
-            };
-            return Err(self.fault(&feature, kind));
-        }
-        for kind in found.kinds() {
+        let geometry = std::mem::replace(&mut feature.geometry, Geometry::Lines(vec![]));
+        let remarks = match tidied(geometry) {
+            Ok((geometry, remarks)) => {
+                feature.geometry = geometry;
+                remarks
+            }
+            Err(kind) => return Err(self.fault(&feature, kind)),
+        };
+        for kind in remarks {
             let remark = self.fault(&feature, kind);
             self.remarks.push(remark);
         }
@@ -157,6 +156,26 @@ impl Found {
     fn drop_part(&mut self, points: usize) {
         self.dropped += 1;
         self.most_points = self.most_points.max(points);
+    }
+}
+
+/// Returns true if sides of an area cross, or lie on each other.
+pub fn crosses(area: &Area) -> bool {
+    crossing::crosses(area)
+}
+
+/// Returns a geometry without doubled points and parts that are none, its rings the right way round, and what was found.
+///
+/// # Errors
+/// If nothing is left.
+pub fn tidied(mut geometry: Geometry) -> Result<(Geometry, Vec<Kind>), Kind> {
+    let mut found = Found::default();
+    match tidy(&mut geometry, &mut found) {
+        true => Ok((geometry, found.kinds().collect())),
+        false => Err(match found.most_points {
+            0 => Kind::NoGeometry,
+            points => Kind::TooFewPoints { points },
+        }),
     }
 }
 

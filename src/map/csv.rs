@@ -21,6 +21,9 @@ const METRES: ([&str; 4], [&str; 4]) = (
     ["y", "north", "northing", "y座標"],
 );
 
+/// Names of columns of heights.
+const HEIGHTS: [&str; 4] = ["z", "標高", "elevation", "z座標"];
+
 /// A reader of tables of text.
 pub(super) struct Csv {
     input: Input,
@@ -30,6 +33,8 @@ pub(super) struct Csv {
     separator: u8,
     /// The columns of east and north.
     coordinates: (usize, usize),
+    /// The column of heights.
+    height: Option<usize>,
     columns: usize,
     number: u64,
     most: usize,
@@ -53,6 +58,7 @@ impl Csv {
             remarks: vec![],
             separator: b',',
             coordinates: (0, 0),
+            height: None,
             columns: 0,
             number: 0,
             most: options.limits.feature_bytes,
@@ -72,6 +78,7 @@ impl Csv {
         let metres = find(&METRES.0).zip(find(&METRES.1));
         let none = || Fault::of_file(file, Kind::NoCoordinates);
         csv.coordinates = degrees.or(metres).ok_or_else(none)?;
+        csv.height = find(&HEIGHTS);
         csv.layer.crs = options
             .crs
             .clone()
@@ -144,6 +151,7 @@ impl Csv {
             coordinate(self.coordinates.0)?,
             coordinate(self.coordinates.1)?,
         );
+        let height = self.height.and_then(|at| values[at].trim().parse().ok());
         let mut fields = vec![];
         for (column, text) in values.iter().enumerate() {
             let value = value(text);
@@ -157,7 +165,10 @@ impl Csv {
         Ok(Feature {
             number,
             id: None,
-            geometry: Geometry::Points(Chain::flat(vec![place])),
+            geometry: Geometry::Points(Chain {
+                points: vec![place],
+                heights: height.into_iter().collect(),
+            }),
             fields,
             place: Place::Byte(at),
         })

@@ -92,6 +92,23 @@ pub enum OtherGrid {
     Unit,
 }
 
+/// Why records of vertices make no outline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum VertexFault {
+    /// A record names none.
+    NoOutline,
+    /// Records of it have no number for their order.
+    NoOrder {
+        /// How many.
+        records: usize,
+    },
+    /// Two of them have the same one, and lie at different places.
+    SameOrder {
+        /// The number.
+        at: f64,
+    },
+}
+
 /// The kinds of faults, with their values.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {
@@ -142,6 +159,8 @@ pub enum Kind {
         /// What they seem to be.
         seems: Outside,
     },
+    /// Records of vertices make no outline.
+    Vertex(VertexFault),
     /// The ring is not closed; it was closed.
     Unclosed,
     /// The ring crosses or touches itself.

@@ -85,6 +85,17 @@ impl Geometry {
         self.chains().flat_map(|chain| chain.points.iter().copied())
     }
 
+    /// Returns the larger side of the box around it; `None` for points, which have none.
+    pub fn width(&self) -> Option<f64> {
+        let is_point = matches!(self, Geometry::Points(_));
+        let (low, high) = self
+            .points()
+            .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), p| {
+                (low.min(p), high.max(p))
+            });
+        (!is_point).then(|| (high - low).max_element())
+    }
+
     /// Returns all sequences of points.
     pub fn chains(&self) -> Box<dyn Iterator<Item = &Chain> + '_> {
         match self {
@@ -293,6 +304,8 @@ pub struct Layer {
     pub columns: Columns,
     /// The reference system of the coordinates; `None` if the file says nothing.
     pub crs: Option<Crs>,
+    /// True if that is what the format has where a file says nothing, as many files in metres do.
+    pub crs_is_usual: bool,
     /// The number of features, if the file says it; a damaged file may say a wrong one.
     pub count: Option<u64>,
 }

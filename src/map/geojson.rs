@@ -63,6 +63,7 @@ impl GeoJson {
         let layer = Layer {
             name: super::stem(file).into(),
             crs: options.crs.clone().or_else(|| Some(Crs::wgs84())),
+            crs_is_usual: options.crs.is_none(),
             ..Layer::default()
         };
         Ok(GeoJson {
@@ -170,7 +171,10 @@ impl GeoJson {
                 self.remarks.push(self.fault(self.scanner.at(), kind));
             }
             _ if self.crs_is_given => {}
-            Some(crs) => self.layer.crs = Some(crs),
+            Some(crs) => {
+                self.layer.crs = Some(crs);
+                self.layer.crs_is_usual = false;
+            }
             None => {
                 self.layer.crs = None;
                 let kind = Kind::UnknownCrs { name: name.into() };

@@ -208,6 +208,17 @@ impl Fields {
         }
     }
 
+    /// Adds the columns of another file of the layer.
+    pub(super) fn append(&mut self, other: Fields) {
+        self.features += other.features;
+        for (name, seen) in other.columns {
+            match self.columns.iter_mut().find(|(own, _)| *own == name) {
+                Some((_, own)) => own.append(seen),
+                None => self.columns.push((name, seen)),
+            }
+        }
+    }
+
     fn get(&self, name: &str) -> Option<&Seen> {
         let found = self.columns.iter().find(|(own, _)| own == name);
         found.map(|(_, seen)| seen).filter(|seen| seen.filled > 0)

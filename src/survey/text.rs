@@ -1,7 +1,8 @@
 //! Writes a first town: layers with what was found, rules that a reader can change, comments that say how.
 
 use super::fields::{Fields, Use};
-use super::{Kind, Surveyed};
+use super::sheets::standing;
+use super::{Kind, Plane, Surveyed};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -12,6 +13,13 @@ const MOST_NAMED: usize = 12;
 
 /// Returns a town over some layers, in the order given; `name` is its name.
 pub fn town(name: &str, layers: &[Surveyed]) -> String {
+    let stands = standing(layers);
+    let of = |wanted: bool| {
+        let all = layers.iter().zip(&stands);
+        let all = all.filter(move |(_, stands)| **stands == wanted);
+        all.map(|(layer, _)| layer).collect::<Vec<&Surveyed>>()
+    };
+    let (layers, apart) = (&of(true)[..], of(false));
     let names = names(layers);
     let mut out = format!(
         "<!-- A first town, written by `hsd town init` from what the maps say. Change anything: the layers say what is known,\n     \
@@ -24,6 +32,7 @@ pub fn town(name: &str, layers: &[Surveyed]) -> String {
     for (layer, name) in layers.iter().zip(&names) {
         write_layer(&mut out, layer, name);
     }
+    left_out(&mut out, &apart);
     let has_houses = layers.iter().any(|l| l.kind == Kind::Houses);
     for (layer, name) in layers.iter().zip(&names) {
         match layer.kind {
@@ -43,9 +52,9 @@ pub fn town(name: &str, layers: &[Surveyed]) -> String {
 }
 
 /// Returns a name for each layer, all different.
-fn names(layers: &[Surveyed]) -> Vec<String> {
+fn names(layers: &[&Surveyed]) -> Vec<String> {
     let mut used: BTreeMap<&str, usize> = BTreeMap::new();
-    let mut of = |layer: &Surveyed| {
+    let mut of = |layer: &&Surveyed| {
         let word = match layer.kind {
             Kind::Houses => "houses",
             Kind::Lots => "lots",
@@ -75,6 +84,23 @@ fn count(layer: &Surveyed) -> String {
     }
 }
 
+/// Writes what is known, or assumed, of the coordinates of a layer.
+fn write_plane(out: &mut String, layer: &Surveyed) {
+    match layer.plane {
+        Plane::Metres => out.push_str(
+            "\n       The file does not say its coordinates, which can be no degrees: they are taken as metres. If they are of a\n       \
+             plane zone, say which: crs=\"EPSG:6674\".",
+        ),
+        Plane::Degrees => out.push_str(
+            "\n       The file does not say its coordinates: they are taken as longitude and latitude.",
+        ),
+        Plane::OwnSurvey => out.push_str(
+            "\n       The file has metres of a survey of its own, and does not say where that lies on the earth.",
+        ),
+        Plane::Said(_) => {}
+    }
+}
+
 fn write_layer(out: &mut String, layer: &Surveyed, name: &str) {
     let what = match layer.kind {
         Kind::Houses => "outlines of buildings",
@@ -100,12 +126,7 @@ fn write_layer(out: &mut String, layer: &Surveyed, name: &str) {
             let _ = write!(out, "  and {} more", fields.len() - MOST_LISTED);
         }
     }
-    if layer.crs.is_some() {
-        out.push_str(
-            "\n       The file does not say its coordinates, which are no degrees: they are taken as metres. If they are of a\n       \
-             plane zone, say which: crs=\"EPSG:6674\".",
-        );
-    }
+    write_plane(out, layer);
     let _ = write!(
         out,
         " -->\n  <Layer name=\"{name}\" src=\"{}\"",
@@ -113,7 +134,7 @@ fn write_layer(out: &mut String, layer: &Surveyed, name: &str) {
     );
     let of = [
         ("layer", layer.layer),
-        ("crs", layer.crs),
+        ("crs", (layer.plane == Plane::Metres).then_some("local")),
         ("encoding", layer.encoding),
         ("key", layer.fields.key()),
     ];
@@ -133,6 +154,22 @@ fn write_layer(out: &mut String, layer: &Surveyed, name: &str) {
             out.push_str("  </Layer>\n");
         }
     }
+}
+
+/// Names the layers that have no place in the town, in a comment.
+fn left_out(out: &mut String, layers: &[&Surveyed]) {
+    if layers.is_empty() {
+        return;
+    }
+    out.push_str(
+        "\n  <!-- Not in this town: their metres have no common zero with the maps above, and nothing says where they lie.\n       \
+         Each can be a town of its own; if you know the plane zone of one, name it as `crs` and take it in.\n",
+    );
+    for layer in layers {
+        let (count, src) = (count(layer), comment(&escaped(&layer.src)));
+        let _ = writeln!(out, "         {count}src=\"{src}\"");
+    }
+    out.push_str("  -->\n");
 }
 
 /// Returns the `Field`s that give plain names to what the rules ask for.
@@ -307,7 +344,7 @@ fn lots(out: &mut String, name: &str) {
 }
 
 /// Writes rules for maps without houses or lots: nothing is built, and it is said how something would be.
-fn nothing(out: &mut String, layers: &[Surveyed], names: &[String]) {
+fn nothing(out: &mut String, layers: &[&Surveyed], names: &[String]) {
     for (layer, name) in layers.iter().zip(names) {
         let how = match layer.kind {
             Kind::Places | Kind::Trees => "<Place type=\"hiraya\" on=\"centre\"/>",

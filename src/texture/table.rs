@@ -106,7 +106,7 @@ pub static SURFACES: &[Surface] = &[
         name: "black_plaster",
         metres: plaster::BLACK_PLASTER,
         looks: &[
-            toned("black_plaster", 0x1C_1B1D),
+            toned("black_plaster", 0x36_3538),
             toned("black_plaster_old", 0x4A_4947),
         ],
         paint: plaster::black_plaster,

@@ -1,12 +1,18 @@
 //! The layers of a town: features of its maps in the frame of the town, with the fields that rules ask for.
 
+mod files;
 mod ground;
 mod join;
 mod kept;
+mod outlined;
 
+pub use files::{MapFile, NoFiles, files};
 pub use ground::{Ground, GroundLayer, NoGround};
 pub use join::{Joined, NoJoin, Unjoined};
 pub use kept::KeptMaps;
+pub use outlined::NoOutlines;
+
+pub(in crate::town) use files::part;
 
 use super::grid::{Bounds, bounds};
 use super::shape::{area, centroid, cleaned};
@@ -166,7 +172,7 @@ pub fn read(world: &dyn World, path: &str, layer: &Layer) -> Result<Raw, Fault> 
     let crs = known.crs.clone().or(named);
     Ok(Raw {
         features,
-        is_guessed: crs.is_none(),
+        is_guessed: crs.is_none() || known.crs_is_usual,
         crs: crs.unwrap_or_else(Crs::wgs84),
         lots: Lots {
             layer: layer.clone(),
@@ -186,10 +192,12 @@ impl Raw {
         Some((bounds(points)?, &self.crs))
     }
 
-    /// Returns true if the coordinates can only be guessed: no system is named, and they are no degrees.
+    /// Returns true if the coordinates can only be guessed: no system is named, and they are no degrees, or features as wide
+    /// as countries if they are.
     pub fn is_nowhere(&self) -> bool {
         let mut points = self.features.iter().flat_map(|f| f.geometry.points());
-        self.is_guessed && points.any(|p| self.crs.refuses(p).is_some())
+        let is_wide = || map::are_metres(self.features.iter().filter_map(|f| f.geometry.width()));
+        self.is_guessed && (points.any(|p| self.crs.refuses(p).is_some()) || is_wide())
     }
 
     /// Returns the number of features.
@@ -202,11 +210,16 @@ impl Raw {
         self.features.is_empty()
     }
 
-    /// Puts the features of a layer as it is written now into the frame of the town.
+    /// Puts the features of a layer as it is written now into the frame of the town. `lead` stands before the keys that the
+    /// file gives, since those of another file may be the same.
     ///
     /// # Errors
     /// If the systems cannot be converted.
-    pub fn placed(self, frame: &TownFrame, written: &Layer) -> Result<Lots, map::Mismatch> {
+    pub fn placed(
+        self,
+        frame: &TownFrame,
+        (written, lead): (&Layer, Option<&str>),
+    ) -> Result<Lots, map::Mismatch> {
         let transform = Transform::new(&self.crs, &frame.crs, Datums::Exact)?;
         let mut lots = self.lots;
         lots.layer = written.clone();
@@ -229,7 +242,7 @@ impl Raw {
                 .and_then(|column| feature.field(column))
                 .and_then(as_text);
             let lot = Lot {
-                key: named.map_or_else(|| feature.key(), String::into_boxed_str),
+                key: named.map_or_else(|| led(lead, &feature.key()), String::into_boxed_str),
                 z: height(&feature.geometry),
                 parts_left: parts(&feature.geometry) - 1,
                 shape: match inside {
@@ -247,7 +260,20 @@ impl Raw {
             };
             lots.lots.push(lot);
         }
+        for which in lots.unread.iter_mut().filter_map(|f| f.feature.as_mut()) {
+            if lead.is_some() {
+                which.id = Some(led(lead, &which.key()));
+            }
+        }
         Ok(lots)
+    }
+}
+
+/// Returns the key of a feature in a layer of several files.
+fn led(lead: Option<&str>, key: &str) -> Box<str> {
+    match lead {
+        Some(lead) => format!("{lead}:{key}").into(),
+        None => key.into(),
     }
 }
 
@@ -298,6 +324,30 @@ pub(super) fn as_text(value: &map::Value) -> Option<String> {
 }
 
 impl Lots {
+    /// Adds the features of another file of the layer.
+    pub fn append(&mut self, other: Lots) {
+        let mut next = self.columns.values().max().map_or(0, |last| last + 1);
+        let mut columns: BTreeMap<usize, usize> = BTreeMap::new();
+        for (name, column) in other.columns {
+            let own = *self.columns.entry(name).or_insert_with(|| {
+                next += 1;
+                next - 1
+            });
+            columns.insert(column, own);
+        }
+        for mut lot in other.lots {
+            for (column, _) in &mut lot.fields {
+                *column = columns.get(column).copied().unwrap_or(*column);
+            }
+            lot.fields.sort_by_key(|(column, _)| *column);
+            self.lots.push(lot);
+        }
+        // What concerns them all is said of the layer's files as they are written.
+        self.file = self.layer.src.value.as_str().into();
+        self.faults.append(other.faults);
+        self.unread.extend(other.unread);
+    }
+
     /// Leaves out the features that do not pass a test; returns how many there were.
     ///
     /// # Errors

@@ -6,6 +6,7 @@ use crate::ast::town::{HouseText, SiteWalls, Stood};
 use crate::ast::{House, Stand, Value};
 use crate::diagnostic::Diagnostics;
 use crate::driver::FeatureHouse;
+use crate::map::{self, Area, Chain};
 use crate::parse::xml::{Trees, escaped};
 use crate::parse::{self, ReadContext};
 use crate::print::essence;
@@ -31,6 +32,13 @@ pub(super) struct Told<'a> {
 
 /// Writes a house, which has this name in the model.
 pub(super) fn write(house: &House, name: &str, told: &Told<'_>) -> HouseText {
+    // What a town builds all the same is an error in a file.
+    if told.stood.walls.as_ref().is_some_and(crosses) {
+        return HouseText {
+            placed: None,
+            own: String::new(),
+        };
+    }
     let is_type = Template::named(told.kind).is_some();
     let own = told.written.map(|written| {
         let kind = word_of(name);
@@ -44,6 +52,15 @@ pub(super) fn write(house: &House, name: &str, told: &Told<'_>) -> HouseText {
         placed: is_type.then(|| place(house, name, told.kind, told, told.parameters)),
         own: own.unwrap_or_default(),
     }
+}
+
+/// Returns true if the walls of an outline cross each other.
+fn crosses(walls: &SiteWalls) -> bool {
+    let chain = |ring: &Vec<DVec2>| Chain::flat(ring.clone());
+    map::crosses(&Area {
+        outline: chain(&walls.ring),
+        holes: walls.holes.iter().map(chain).collect(),
+    })
 }
 
 /// Returns the name of a house as that of a definition, which must not look like a file.

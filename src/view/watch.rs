@@ -20,7 +20,7 @@ const PATIENCE: Duration = Duration::from_millis(if cfg!(target_os = "linux") { 
 /// The extensions of maps, of the tables of towns and of the roots of tiles.
 const MAPS: &[&str] = &[
     "csv", "geojson", "geojsonl", "json", "shp", "dbf", "prj", "cpg", "gpkg", "fgb", "parquet",
-    "osm", "pbf", "gml", "gz",
+    "osm", "pbf", "gml", "gz", "tif", "tiff", "asc", "txt", "tsv",
 ];
 
 /// The watched folders; watching ends on drop.

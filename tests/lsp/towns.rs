@@ -265,3 +265,35 @@ fn names_beside_references_are_renamed_too() {
     assert!(places.contains(&&range(&hamlet.text, used..used + 4, "utf-16")));
     assert!(hamlet.client.finish());
 }
+
+/// A file that comes into a folder of which a pattern of the town names the files.
+#[test]
+fn a_new_sheet_is_read() {
+    let mut hamlet = Hamlet::new();
+    hamlet.diagnostics();
+    let found = hamlet.change("src=\"houses.geojson\"", "src=\"house*.geojson\"");
+    assert_eq!(found, Vec::<Value>::new());
+    let told = hamlet.hover("{us|e = 'shop'}");
+    assert!(told.contains("in 4 of 4 features"), "{told}");
+    let path = hamlet.folder.path().canonicalize().expect("is there");
+    write(&path, "houses-2.geojson", &houses(&[(50, 6, "inn")]));
+    let map = format!("file://{}", path.join("houses-2.geojson").display());
+    let changes = json!({ "changes": [{ "uri": map, "type": 1 }] });
+    hamlet
+        .client
+        .notify("workspace/didChangeWatchedFiles", changes);
+    hamlet.diagnostics();
+    let told = hamlet.hover("{us|e = 'shop'}");
+    assert!(
+        told.ends_with("in 5 of 5 features: inn, shop, home, shed"),
+        "{told}"
+    );
+    // A file of a list that is not there is told at its place.
+    let found = hamlet.change("house*.geojson", "houses.geojson, hoses.geojson");
+    let at = hamlet.text.find("hoses.geojson").expect("is there");
+    assert_eq!(
+        found[0]["range"],
+        range(&hamlet.text, at..at + 13, "utf-16")
+    );
+    assert!(hamlet.client.finish());
+}

@@ -6,14 +6,15 @@ use crate::cli::files::output::{self, Files};
 use crate::cli::files::terminal::counted;
 use crate::cli::options::report;
 use crate::cli::{Exit, Failure, Outcome};
-use crate::diagnostic::{Diagnostics, Language, Origin, noun};
+use crate::diagnostic::{Diagnostics, Language, Origin, Text, noun};
 use crate::fs::FolderWorld;
 use crate::map;
 use crate::report::{Format, Report};
 use crate::source::World;
-use crate::survey::{self, Surveyed};
+use crate::survey::{self, Plane, Surveyed};
 use crate::text;
 use clap::{ArgMatches, Args, Command, Error, FromArgMatches, Subcommand};
+use rayon::prelude::*;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -71,14 +72,16 @@ impl FromArgMatches for TownCommand {
 /// Write a first town from maps: a source file to change and to build.
 ///
 /// Finds what the layers of the maps are (buildings, lots, streets, places) from their geometry and fields, and what
-/// fields mean (storeys, heights, kinds). The maps must lie in the folder of TOWN or below it.
+/// fields mean (storeys, heights, kinds). Files of one kind beside each other, as the sheets of a map, become one layer.
+/// The maps must lie in the folder of TOWN or below it.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   hsd town init buildings.geojson roads.geojson -o kyoto.hsd
+  hsd town init sheets/ -o joetsu.hsd
   hsd town kyoto.hsd -o kyoto.glb")]
 pub(in crate::cli) struct Init {
-    /// Maps: GeoJSON, Shapefile, FlatGeobuf, OpenStreetMap, map XML of the land registry, CityGML, CSV of points, grids of heights (GeoTIFF, ESRI ASCII, GSI).
+    /// Maps: GeoJSON, Shapefile, FlatGeobuf, OpenStreetMap, map XML of the land registry, CityGML, CSV of points, grids of heights (GeoTIFF, ESRI ASCII, GSI). Of a folder, all maps in it.
     #[arg(required = true, value_name = "MAP")]
     maps: Vec<PathBuf>,
 
@@ -102,22 +105,8 @@ impl Init {
         }
         let folder = output::folder_of(&self.output);
         let world = FolderWorld::new(vec![], 0).with_roots(vec![folder.to_owned()]);
-        let from = self.output.to_string_lossy();
-        let (mut layers, mut out): (Vec<Surveyed>, _) = (vec![], Diagnostics::new());
-        for map in &self.maps {
-            let src = below(map, folder)?;
-            let path = world.text(&from, &src).map_err(|_| outside(map))?;
-            match survey::survey(&world, &path, &src) {
-                Ok(found) => layers.extend(found),
-                Err(fault) => {
-                    let (layer, key) = (src.as_str().into(), "-".into());
-                    out.push(map::diagnostic(&fault, 1, Origin::Feature { layer, key }));
-                }
-            }
-        }
-        for layer in &layers {
-            layer.faults.report(&layer.src, None, &mut out);
-        }
+        let mut out = Diagnostics::new();
+        let layers = self.survey(&world, folder, &mut out)?;
         let unread = out.has_errors() && layers.is_empty();
         let list = out.into_sorted();
         if !list.is_empty() {
@@ -132,6 +121,11 @@ impl Init {
             .file_stem()
             .unwrap_or_default()
             .to_string_lossy();
+        let stands = survey::standing(&layers);
+        let lines = layers.iter().zip(&stands);
+        for line in lines.filter_map(|(layer, stands)| assumed(layer, *stands)) {
+            writeln!(io::stderr(), "{}", line.in_language(language))?;
+        }
         let town = survey::town(&name, &layers);
         output::write(&self.output, Files::bytes(town.into_bytes()))?;
         let name = self.output.display();
@@ -143,6 +137,95 @@ impl Init {
         writeln!(io::stderr(), "{}", line.in_language(language))?;
         Ok(Exit::Done)
     }
+
+    /// Surveys all maps; reports what is wrong with them.
+    fn survey(
+        &self,
+        world: &FolderWorld,
+        folder: &Path,
+        out: &mut Diagnostics,
+    ) -> Result<Vec<Surveyed>, Failure> {
+        let from = self.output.to_string_lossy();
+        let mut srcs = vec![];
+        for map in &self.maps {
+            srcs.extend(self.srcs(world, map, folder)?);
+        }
+        let surveyed = srcs.par_iter().map(|(map, src)| {
+            let path = world.text(&from, src).map_err(|_| outside(map))?;
+            Ok((src, survey::survey(world, &path, src)))
+        });
+        let surveyed: Result<Vec<_>, Failure> = surveyed.collect();
+        let mut layers: Vec<Surveyed> = vec![];
+        for (src, found) in surveyed? {
+            match found {
+                Ok(found) => layers.extend(found),
+                Err(fault) => {
+                    let (layer, key) = (src.as_str().into(), "-".into());
+                    out.push(map::diagnostic(&fault, 1, Origin::Feature { layer, key }));
+                }
+            }
+        }
+        let names = |folder: &str| world.names(&from, folder).unwrap_or_default();
+        let layers = survey::joined(layers, &names);
+        for file in layers.iter().flat_map(|layer| &layer.files) {
+            file.faults.report(&file.src, None, out);
+        }
+        Ok(layers)
+    }
+
+    /// Returns the maps that an argument names, with their paths from the folder of the town: itself, or those in it.
+    fn srcs(
+        &self,
+        world: &FolderWorld,
+        map: &Path,
+        folder: &Path,
+    ) -> Result<Vec<(PathBuf, String)>, Failure> {
+        let src = below(map, folder)?;
+        if !map.is_dir() {
+            return Ok(vec![(map.to_owned(), src)]);
+        }
+        let from = self.output.to_string_lossy();
+        let mut names = world.names(&from, &src).map_err(|_| outside(map))?;
+        names.retain(|name| survey::is_map(name));
+        names.sort();
+        if names.is_empty() {
+            let map = map.display();
+            return Err(Failure::Usage(text!([map]
+                "there are no maps in {map}",
+                "{map} に地図がありません"
+            )));
+        }
+        let below = |name: &String| match src.is_empty() {
+            true => name.clone(),
+            false => format!("{src}/{name}"),
+        };
+        let srcs = names.iter().map(|name| (map.join(name), below(name)));
+        Ok(srcs.collect())
+    }
+}
+
+/// Returns what was assumed of the coordinates of a layer of which its file says nothing.
+fn assumed(layer: &Surveyed, stands: bool) -> Option<Text> {
+    let src = &layer.src;
+    Some(match layer.plane {
+        _ if !stands => text!([src]
+            "{src} is left out: its metres have no common zero with the other maps, and nothing says where they lie; it can be a town of its own",
+            "{src} は入れていません。ほかの地図と共通の原点がなく、位置もわからないためです。それだけで一つの町にできます"
+        ),
+        Plane::Metres => text!([src]
+            "{src} does not say its coordinates, and they can be no degrees: taken as metres (`crs=\"local\"`); if they are of a plane zone, write which",
+            "{src} には座標系の記載がなく、値は度ではありえないため、メートルとしました（`crs=\"local\"`）。平面直角座標系なら、その系を書いてください"
+        ),
+        Plane::Degrees => text!([src]
+            "{src} does not say its coordinates: taken as longitude and latitude",
+            "{src} には座標系の記載がありません。経度と緯度としました"
+        ),
+        Plane::OwnSurvey => text!([src]
+            "{src} has metres of a survey of its own: the town stands nowhere on the earth, and no other map can be laid over it",
+            "{src} は任意座標系です。町は地球上の位置を持たず、ほかの地図を重ねられません"
+        ),
+        Plane::Said(_) => return None,
+    })
 }
 
 /// Returns the path of a map from the folder of the town.

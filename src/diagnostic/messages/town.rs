@@ -283,12 +283,31 @@ pub fn nothing_passes(span: Span, features: usize) -> Diagnostic {
 pub fn no_crs(span: Span, path: &str) -> Diagnostic {
     let path = quote(path);
     let message = text!([path]
-        "the file {path} does not say what its coordinates are, and they are no degrees",
-        "{path} には座標系の記載がなく、値は度ではありません"
+        "the file {path} does not say what its coordinates are, and they are too large for degrees",
+        "{path} には座標系の記載がなく、値は度としては大きすぎます"
     );
     Diagnostic::error(1143, span, message).help(text!(
         "say it in the layer: a plane zone such as `crs=\"EPSG:6674\"`, or `crs=\"local\"` for metres as they are",
         "レイヤーに書いてください。平面直角座標系なら `crs=\"EPSG:6674\"` など、そのままのメートルなら `crs=\"local\"`"
+    ))
+}
+
+/// Outlines of features that are no points, or an order of what is no outline.
+#[cold]
+pub fn no_vertices(span: Span, is_order: bool) -> Diagnostic {
+    let message = match is_order {
+        true => text!(
+            "`order` says nothing without `outline`",
+            "`outline` がないので `order` に意味がありません"
+        ),
+        false => text!(
+            "only points are joined to outlines, and this layer has other features",
+            "輪郭に結べるのは点だけですが、このレイヤーには点でない地物があります"
+        ),
+    };
+    Diagnostic::error(1157, span, message).help(text!(
+        "`outline` and `order` are for records of vertices: `<Layer name=\"houses\" src=\"vertices.csv\" outline=\"house\" order=\"number\"/>`",
+        "`outline` と `order` は頂点の記録に使います: `<Layer name=\"houses\" src=\"vertices.csv\" outline=\"house\" order=\"number\"/>`"
     ))
 }
 

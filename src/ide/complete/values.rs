@@ -63,7 +63,7 @@ fn proposals(
             found.extend(listed(request, element, attribute, inner));
             found
         }
-        ("Field", "from") | ("Layer", "key") => {
+        ("Field", "from") | ("Layer", "key" | "outline" | "order") => {
             layer().map_or(vec![], |layer| fields::in_file(layer, inner))
         }
         ("Layer", "where") => match layer() {

@@ -129,7 +129,9 @@ fn attribute_told(request: &Request<'_>, number: usize, attribute: &Attribute) -
         ("use", "name") => computed::piece(request, inner, value),
         ("Place", "type") => computed::house_type(request, inner, value),
         ("include", "href") => computed::file(request, inner, value),
-        ("Field", "from") | ("Layer", "key") => computed::field(request, inner),
+        ("Field", "from") | ("Layer", "key" | "outline" | "order") => {
+            computed::field(request, inner)
+        }
         ("Layer", "where") => computed::field(request, &word_at(request.a.text(), request.at)),
         ("let" | "Param", "name") => {
             computed::value(request, inner, &KnownName::of(request.a, number)?)

@@ -11,25 +11,43 @@ use std::sync::Arc;
 /// A kind of fault and its place in a list.
 type Known = (Discriminant<Kind>, usize);
 
-/// The faults of a map, counted by kind and field. Memory does not grow with their number.
+/// The file and the field of a fault.
+type Place = (Arc<str>, Option<Box<str>>);
+
+/// The faults of a map, or of the maps of a layer, counted by file, kind and field. Memory does not grow with their number.
 #[derive(Clone, Debug, Default)]
 pub struct Faults {
-    /// The first fault of each kind and field, and their number, in the order of their first appearance.
+    /// The first fault of each file, kind and field, and their number, in the order of their first appearance.
     kinds: Vec<(Fault, usize)>,
-    /// Kinds with their places in `kinds`, by field.
-    by_field: BTreeMap<Option<Box<str>>, Vec<Known>>,
+    /// Kinds with their places in `kinds`, by file and field.
+    by_field: BTreeMap<Place, Vec<Known>>,
 }
 
 impl Faults {
     /// Adds a fault.
     pub fn push(&mut self, fault: Fault) {
         let kind = discriminant(&fault.kind);
-        let kinds = self.by_field.entry(fault.field.clone()).or_default();
+        let of = (fault.file.clone(), fault.field.clone());
+        let kinds = self.by_field.entry(of).or_default();
         match kinds.iter().find(|(of, _)| *of == kind) {
             Some((_, at)) => self.kinds[*at].1 += 1,
             None => {
                 kinds.push((kind, self.kinds.len()));
                 self.kinds.push((fault, 1));
+            }
+        }
+    }
+
+    /// Adds the faults of another map.
+    pub fn append(&mut self, other: Faults) {
+        for (fault, count) in other.kinds {
+            let (file, field) = (fault.file.clone(), fault.field.clone());
+            let kind = discriminant(&fault.kind);
+            self.push(fault);
+            // The first case has been counted.
+            let kinds = self.by_field.get(&(file, field)).into_iter().flatten();
+            for (_, at) in kinds.filter(|(of, _)| *of == kind) {
+                self.kinds[*at].1 += count - 1;
             }
         }
     }
@@ -78,6 +96,7 @@ pub fn diagnostic(fault: &Fault, cases: usize, origin: Origin) -> Diagnostic {
         Kind::TooFewPoints { points } => say::too_few_points(origin, at, *points),
         Kind::NotFinite => say::not_finite(origin, at),
         Kind::OutsideCrs { x, y, crs, seems } => say::outside_crs(origin, at, *x, *y, crs, *seems),
+        Kind::Vertex(why) => say::vertex(origin, at, *why),
         Kind::Unclosed => say::unclosed(origin, at),
         Kind::Crossing => say::crossing(origin, at),
         Kind::DoubledPoints { points } => say::doubled_points(origin, at, *points),

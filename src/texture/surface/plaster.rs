@@ -115,7 +115,7 @@ fn black_plaster_at(spot: Spot) -> Texel<2> {
     let strokes = trowel(spot, 143).max(trowel(spot, 144));
     let runs = runs(spot, 145);
     let black = scale(
-        hex(0x1D_1C1E),
+        hex(0x37_3639),
         1.0 + 0.22 * wide + 0.16 * cloud + 0.25 * strokes,
     );
     let bloom = smooth(-0.35, 0.6, cloud + 0.6 * wide);
@@ -127,7 +127,7 @@ fn black_plaster_at(spot: Spot) -> Texel<2> {
     );
     Texel {
         height: 0.0007 * wide + 0.000_15 * cloud - 0.0001 * strokes,
-        colors: [black, mix(chalky, hex(0x2A_2929), 0.7 * crack)],
+        colors: [black, mix(chalky, hex(0x32_3131), 0.7 * crack)],
         rough: 0.26 + 0.10 * bloom,
         metal: 0.0,
     }

@@ -7,14 +7,16 @@ use crate::diagnostic::messages::town as say;
 use crate::map::{self, Crs, Datums, Fault, Mismatch, Projection, Transform};
 use crate::parse::fields::{FieldTest, NoTruth};
 use crate::parse::xml;
-use crate::source::{Source, Span, Spanned};
+use crate::source::{Source, Spanned};
 use crate::text;
 use crate::town::layer::{
-    self, Ground, Joined, KeptMaps, Lots, NoGround, NoJoin, Raw, TownFrame, Unjoined,
+    self, Ground, Joined, KeptMaps, Lots, MapFile, NoFiles, NoGround, NoJoin, NoOutlines, Raw,
+    TownFrame, Unjoined, part,
 };
 use crate::town::plan::Plan;
 use crate::town::table::{NoTable, Rows};
 use glam::DVec2;
+use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -27,20 +29,7 @@ pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<
     let town = &town;
     let mut raw = vec![];
     for written in &town.layers {
-        let path = match path(input, &written.src) {
-            Ok(path) => path,
-            Err(why) => {
-                out.push(say::no_map(written.src.span, &written.src.value, &why));
-                continue;
-            }
-        };
-        match read_map(input, &path, written) {
-            Ok(layer) if layer.is_nowhere() => {
-                out.push(say::no_crs(written.src.span, &written.src.value))
-            }
-            Ok(layer) => raw.push(layer),
-            Err(fault) => out.push(map::diagnostic(&fault, 1, written.src.span.into())),
-        }
+        raw.extend(read_layer(input, written, out));
     }
     let mut tables = vec![];
     for table in &town.tables {
@@ -55,21 +44,18 @@ pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<
     let frame = frame(town, raw.first()?, out)?;
     let mut layers = vec![];
     for (raw, written) in raw.into_iter().zip(&town.layers) {
-        let raw = Arc::try_unwrap(raw).unwrap_or_else(|kept| (*kept).clone());
-        match raw.placed(&frame, written) {
-            Ok(mut lots) => {
-                if written.joins.is_empty() {
-                    keep(&mut lots, out);
-                }
-                lots.faults
-                    .report(&written.name.value, Some(written.src.span), out);
-                layers.push(lots);
-            }
-            Err(why) => {
-                let why = mismatch(&why);
-                out.push(say::no_map(written.src.span, &written.src.value, &why));
-            }
+        let Some(mut lots) = placed(raw, &frame, written, out) else {
+            continue;
+        };
+        if !outline(&mut lots, out) {
+            continue;
         }
+        if written.joins.is_empty() {
+            keep(&mut lots, out);
+        }
+        lots.faults
+            .report(&written.name.value, Some(written.src.span), out);
+        layers.push(lots);
     }
     if layers.len() < town.layers.len() {
         return None;
@@ -82,10 +68,93 @@ pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<
     Some(plan)
 }
 
+/// Reads the files of a layer, in their order; `None` if one of them cannot be read.
+fn read_layer(input: TownInput<'_>, written: &Layer, out: &mut Diagnostics) -> Option<Vec<Sheet>> {
+    let files = match files(input, &written.src) {
+        Ok(files) => files,
+        Err(none) => {
+            out.push(say::no_map(none.span, &none.src, &none.why));
+            return None;
+        }
+    };
+    let count = files.len();
+    let read: Vec<(MapFile, Result<Arc<Raw>, Fault>)> = files
+        .into_par_iter()
+        .map(|file| {
+            let raw = read_map(input, &file.path, written);
+            (file, raw)
+        })
+        .collect();
+    let mut sheets = vec![];
+    for (file, raw) in read {
+        match raw {
+            Ok(raw) if raw.is_nowhere() => out.push(say::no_crs(file.span, &file.src)),
+            Ok(raw) => sheets.push(Sheet { file, raw }),
+            Err(fault) => out.push(map::diagnostic(&fault, 1, file.span.into())),
+        }
+    }
+    (sheets.len() == count).then_some(sheets)
+}
+
+/// A file of a layer, as it has been read.
+struct Sheet {
+    file: MapFile,
+    raw: Arc<Raw>,
+}
+
+/// Puts the files of a layer into the frame of the town, one after another.
+fn placed(
+    sheets: Vec<Sheet>,
+    frame: &TownFrame,
+    written: &Layer,
+    out: &mut Diagnostics,
+) -> Option<Lots> {
+    let mut layer: Option<Lots> = None;
+    let mut is_whole = true;
+    for Sheet { file, raw } in sheets {
+        let raw = Arc::try_unwrap(raw).unwrap_or_else(|kept| (*kept).clone());
+        match raw.placed(frame, (written, file.lead.as_deref())) {
+            Ok(lots) => match &mut layer {
+                Some(layer) => layer.append(lots),
+                None => layer = Some(lots),
+            },
+            Err(why) => {
+                out.push(say::no_map(file.span, &file.src, &mismatch(&why)));
+                is_whole = false;
+            }
+        }
+    }
+    layer.filter(|_| is_whole)
+}
+
+/// Joins the points of a layer to outlines where it says so; returns false if they cannot be.
+fn outline(lots: &mut Lots, out: &mut Diagnostics) -> bool {
+    let outline = lots.layer.outline.clone();
+    match lots.outline() {
+        Ok(()) => return true,
+        Err(NoOutlines::NoPoints) => {
+            if let Some(outline) = outline {
+                out.push(say::no_vertices(outline.span, false));
+            }
+        }
+        Err(NoOutlines::NoField(name, names)) => {
+            let near = xml::nearest(&name.value, names.iter().map(|n| &**n));
+            out.push(say::unknown_field(name.span, &name.value, near, &names));
+        }
+    }
+    false
+}
+
+/// Returns the files that a layer names.
+fn files(input: TownInput<'_>, src: &Spanned<String>) -> Result<Vec<MapFile>, NoFiles> {
+    layer::files(input.world, input.source.name(), src)
+}
+
 /// Returns the town without its layers of heights, which have no features, and these layers.
 fn apart(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> (Town, Vec<Layer>) {
     let is_grid = |layer: &Layer| {
-        path(input, &layer.src).is_ok_and(|path| map::heights::is_grid(input.world, &path))
+        let is_grid = |file: &MapFile| map::heights::is_grid(input.world, &file.path);
+        files(input, &layer.src).is_ok_and(|files| files.iter().all(is_grid))
     };
     let mut town = town.clone();
     let layers = std::mem::take(&mut town.layers).into_iter();
@@ -131,30 +200,42 @@ fn ground(
     let bounds = boxes.map(|lot| lot.shape.bounds());
     let bounds = bounds.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]);
     let bounds = bounds.unwrap_or_default();
-    let mut read = vec![];
+    let (mut read, mut is_whole) = (vec![], true);
     for written in grounds {
         // A path that is not found is no grid.
-        let path = path(input, &written.src).ok()?;
-        let mut remarks = vec![];
-        let place = (frame, bounds);
-        let from = (input.world, input.kept);
-        let found = layer::GroundLayer::read(from, &path, written, place, &mut remarks);
-        let (span, src) = (written.src.span, &written.src.value);
-        for fault in remarks {
-            out.push(map::diagnostic(&fault, 1, span.into()));
-        }
-        out.push(match found {
-            Ok(ground) => {
-                read.push(ground);
-                continue;
+        let files = files(input, &written.src).ok()?;
+        let (mut remarks, mut elsewhere) = (vec![], 0);
+        for file in &files {
+            let from = (input.world, input.kept);
+            let place = (frame, bounds);
+            let found = layer::GroundLayer::read(from, &file.path, written, place, &mut remarks);
+            let (span, src) = (file.span, &file.src);
+            for fault in remarks.drain(..) {
+                out.push(map::diagnostic(&fault, 1, span.into()));
             }
-            Err(NoGround::Fault(fault)) => map::diagnostic(&fault, 1, span.into()),
-            Err(NoGround::NoCrs) => say::no_crs(span, src),
-            Err(NoGround::Mismatch(why)) => say::no_map(span, src, &mismatch(&why)),
-            Err(NoGround::Elsewhere) => say::no_ground_here(span, src),
-        });
+            let why = match found {
+                Ok(ground) => {
+                    read.push(ground);
+                    continue;
+                }
+                Err(NoGround::Elsewhere) => {
+                    elsewhere += 1;
+                    continue;
+                }
+                Err(NoGround::Fault(fault)) => map::diagnostic(&fault, 1, span.into()),
+                Err(NoGround::NoCrs) => say::no_crs(span, src),
+                Err(NoGround::Mismatch(why)) => say::no_map(span, src, &mismatch(&why)),
+            };
+            out.push(why);
+            is_whole = false;
+        }
+        // Sheets of a region reach beyond a town; one at least lies in it.
+        if elsewhere == files.len() {
+            out.push(say::no_ground_here(written.src.span, &written.src.value));
+            is_whole = false;
+        }
     }
-    (read.len() == grounds.len()).then(|| Ground::new(read))
+    is_whole.then(|| Ground::new(read))
 }
 
 /// Reads a map, unless it is kept.
@@ -250,19 +331,6 @@ fn unused(how: &Join, points: &Lots, joined: &Joined) -> Vec<Unjoined> {
     without.chain(left).collect()
 }
 
-/// Returns the place of some bytes of an attribute; the whole of it where it is written with entities.
-fn part(span: Span, value: &str, range: Range<usize>) -> Span {
-    let exact = (span.end - span.start) as usize == value.len() && !range.is_empty();
-    match exact {
-        true => Span {
-            start: span.start + range.start as u32,
-            end: span.start + range.end as u32,
-            ..span
-        },
-        false => span,
-    }
-}
-
 /// Leaves out the features that do not pass the `where` of their layer.
 fn keep(lots: &mut Lots, out: &mut Diagnostics) {
     let Some(written) = lots.layer.filter.clone() else {
@@ -333,10 +401,14 @@ fn read_table(
     })
 }
 
-/// Finds the plane and the origin of a town.
-fn frame(town: &Town, first: &layer::Raw, out: &mut Diagnostics) -> Option<TownFrame> {
+/// Finds the plane and the origin of a town, whose first layer has these files.
+fn frame(town: &Town, first: &[Sheet], out: &mut Diagnostics) -> Option<TownFrame> {
     let local = Crs::local();
-    let (bounds, crs) = first.extent().unwrap_or(([DVec2::ZERO; 2], &local));
+    let mut extents = first.iter().filter_map(|sheet| sheet.raw.extent());
+    let (bounds, crs) = extents.next().unwrap_or(([DVec2::ZERO; 2], &local));
+    let bounds = extents
+        .filter(|(_, own)| own.name == crs.name)
+        .fold(bounds, |[a, b], ([c, d], _)| [a.min(c), b.max(d)]);
     let centre = bounds[0].midpoint(bounds[1]);
     let plane = match &town.crs {
         Some(name) => match Crs::from_name(&name.value) {

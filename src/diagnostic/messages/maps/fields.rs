@@ -1,6 +1,7 @@
 //! Messages about the fields of maps, and about what belongs to a map beside its shapes.
 
 use crate::diagnostic::{Diagnostic, Origin, Text};
+use crate::map::VertexFault;
 use crate::text;
 
 /// Two features of one key.
@@ -65,6 +66,29 @@ pub fn not_a_number(origin: Origin, at: Text, words: &str) -> Diagnostic {
     .help(text!(
         "write a number, or leave the field empty",
         "数を書くか、空にしてください"
+    ))
+}
+
+/// Records of vertices that make no outline.
+#[cold]
+pub fn vertex(origin: Origin, at: Text, why: VertexFault) -> Diagnostic {
+    let message = match why {
+        VertexFault::NoOutline => text!([at]
+            "{at}this vertex names no outline that it belongs to",
+            "{at}この頂点には、どの輪郭のものかが書かれていません"
+        ),
+        VertexFault::NoOrder { records } => text!([at, records]
+            "{at}{records} vertices of the outline have no number for their order",
+            "{at}輪郭の頂点{records}個に、順を示す数がありません"
+        ),
+        VertexFault::SameOrder { at: number } => text!([at, number]
+            "{at}two vertices of the outline have the same number, {number}, at different places",
+            "{at}輪郭の二つの頂点が、違う位置で同じ順 {number} になっています"
+        ),
+    };
+    Diagnostic::warning(1158, origin, message).help(text!(
+        "mend the records: each needs the id of its house, and a number of its own for its place round the outline",
+        "記録を直してください。各頂点には建物の番号と、輪郭の中で一つだけの順の数が要ります"
     ))
 }
 

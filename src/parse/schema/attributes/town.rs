@@ -19,11 +19,13 @@ pub(in crate::parse::schema) const TOWN: &[AttributeSchema] = &[
 #[rustfmt::skip]
 pub(in crate::parse::schema) const LAYER: &[AttributeSchema] = &[
     must("name", Text, "what `for` calls it", "`for` で使う名"),
-    must("src", Text, "the file, from the folder of this one", "地図のファイル。このファイルのフォルダーから数える"),
+    must("src", Text, "the file, from the folder of this one; several with commas between them, or a pattern such as `sheets/*.xml`", "地図のファイル。このファイルのフォルダーから数える。複数ならコンマで並べるか `sheets/*.xml` のような型で書く"),
     may("layer", Text, "", "which layer of the file, where it has several", "ファイルに複数のレイヤーがあるとき、そのどれか"),
     may("encoding", Text, "", "how the texts of its fields are encoded, such as `cp932`, where the file does not say", "属性の文字コード。`cp932` など。ファイルに書いていないとき"),
     may("crs", Text, "", "its coordinates, such as `EPSG:6668`, where the file does not say", "座標系。`EPSG:6668` など。ファイルに書いていないとき"),
     may("key", Text, "", "the field that names its features; without, their id or number", "地物を見分ける属性。無ければ id か番号"),
+    may("outline", Text, "", "of records of vertices: the field that names the house whose outline they are", "頂点の記録で、どの建物の輪郭かを示す属性"),
+    may("order", Text, "", "with `outline`: the field that numbers the vertices of each; without, their order in the file", "`outline` とともに: 輪郭の中で頂点の順を示す属性。無ければファイルの順"),
     may("where", Text, "", "a test on the fields, such as `building = 'house'`: other features are left out", "属性の条件。`building = 'house'` など。合わない地物は読まない"),
     may("evidence", Text, "", "where the map comes from, for tables and models", "地図の出典。表とモデルに残す"),
 ];

@@ -62,6 +62,10 @@ impl<'t> Reader<'t, '_> {
                 AllowedChild::Text(_) => {}
             }
         }
+        let (outline, order) = (self.text(&of, "outline"), self.text(&of, "order"));
+        if let (None, Some(order)) = (&outline, &order) {
+            self.reporter.push(|| town::no_vertices(order.span, true));
+        }
         Some(Layer {
             span: self.start(element),
             name: self.text(&of, "name")?,
@@ -70,6 +74,8 @@ impl<'t> Reader<'t, '_> {
             encoding: self.text(&of, "encoding"),
             crs: self.text(&of, "crs"),
             key: self.text(&of, "key"),
+            outline,
+            order,
             filter: self.text(&of, "where"),
             evidence: self.text(&of, "evidence"),
             fields,

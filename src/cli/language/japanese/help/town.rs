@@ -35,13 +35,14 @@ pub(in crate::cli::language::japanese) static TOWN: &[CommandHelp] = &[
     CommandHelp {
         path: "town init",
         about: "地図から最初の町のファイルを書く。書き換えて使う",
-        more: "地図の層が何か（建物、筆、道、地点）を形と属性から見分け、属性の意味（階数、高さ、種別）を推定します。地図は TOWN のフォルダーか、その下に置きます。",
+        more: "地図の層が何か（建物、筆、道、地点）を形と属性から見分け、属性の意味（階数、高さ、種別）を推定します。図郭ごとのファイルのように、同じ種類で同じ場所にあるものは一つのレイヤーになります。地図は TOWN のフォルダーか、その下に置きます。",
         examples: "\
 例:
   hsd town init buildings.geojson roads.geojson -o kyoto.hsd
+  hsd town init sheets/ -o joetsu.hsd
   hsd town kyoto.hsd -o kyoto.glb",
         arguments: &[
-            ("maps", "地図: GeoJSON、シェープファイル、FlatGeobuf、OpenStreetMap、登記所備付地図の XML、CityGML、地点の CSV、標高の格子(GeoTIFF、ESRI ASCII、国土地理院)", ""),
+            ("maps", "地図: GeoJSON、シェープファイル、FlatGeobuf、OpenStreetMap、登記所備付地図の XML、CityGML、地点の CSV、標高の格子(GeoTIFF、ESRI ASCII、国土地理院)。フォルダーなら、その中の地図すべて", ""),
             ("output", "町をこのファイルに書く", ""),
             ("force", "すでにあるファイルを置き換える", ""),
         ],
