@@ -298,9 +298,8 @@ impl Build<'_> {
                 found = out.clone();
                 made.ledger.report.features = plan.lots().len();
             }
-            let included = read.included.clone();
-            let whole = phase == "near";
-            self.publish((made, &plan.frame), (found, included), whole, scratch)?;
+            let told = (found, read.included.clone());
+            self.publish((made, &plan.frame), told, phase == "near", scratch)?;
         }
         Ok(())
     }
