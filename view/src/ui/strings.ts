@@ -85,7 +85,7 @@ const en = {
   roomCeiling: { battens: 'boards on battens', joists: 'joists of the floor above', none: 'none' } as Record<string, string>,
   floorOfRoom: 'Floor', matsOfRoom: 'Mats', ceilingOfRoom: 'Ceiling', removeRoom: 'Remove room', nextRoom: 'The next room:',
   roomOf: (name: string, floor: string) => `Room ${name || 'without a name'}, ${floor}`, roomChosen: (name: string) => `Room ${name || 'without a name'} is chosen.`,
-  heightOfRoom: 'Height (shaku)',
+  heightOfRoom: 'Ceiling height, shaku',
   fixture: 'Fixture', fixtureKind: {
     tokonoma: 'tokonoma', chigaidana: 'shelves', butsudan: 'altar', 'oshi-ire': 'closet', stairs: 'stairs', 'hako-kaidan': 'chest stairs', kamado: 'kamado', well: 'well', sink: 'sink',
   } as Record<string, string>,
@@ -202,7 +202,7 @@ const ja: Strings = {
   roomCeiling: { battens: '棹縁天井', joists: '大和天井', none: '吹き抜け' },
   floorOfRoom: '床', matsOfRoom: '畳の敷き方', ceilingOfRoom: '天井', removeRoom: '部屋を消す', nextRoom: '次に作る部屋:',
   roomOf: (name, floor) => `部屋「${name || '名前なし'}」、${floor}`, roomChosen: name => `部屋「${name || '名前なし'}」を選びました。`,
-  heightOfRoom: '高さ (尺)',
+  heightOfRoom: '天井の高さ (尺)',
   fixture: '造り付け', fixtureKind: {
     tokonoma: '床の間', chigaidana: '違い棚', butsudan: '仏壇', 'oshi-ire': '押入', stairs: '階段', 'hako-kaidan': '箱階段', kamado: '竈', well: '井戸', sink: '流し',
   },
