@@ -23,6 +23,7 @@ mod undersides;
 mod veranda;
 mod ways;
 
+use crate::ast;
 use crate::building::fittings::{Fitting, FittingKind, Veranda};
 use crate::building::{Fixture, House, HouseRoofs, Ring, Room, Storey, Wall};
 use crate::catalog::Catalog;
@@ -37,6 +38,7 @@ use std::cell::OnceCell;
 use std::sync::Arc;
 use undersides::Undersides;
 
+pub use fixtures::Hindrance;
 pub use plan::InStorey;
 
 /// Works out the fittings of one house. A roof under a finial that replaces the usual jewel is marked as crowned.
@@ -99,6 +101,16 @@ pub fn rooms(house: &House, catalog: &Catalog, out: &mut Diagnostics) -> (Vec<Ro
 /// Returns what there is at a point of a storey, U.
 pub fn in_storey(storey: &Storey, at: DVec2) -> InStorey {
     Plan::of(storey, 0).map_or(InStorey::Outside, |plan| plan.at(at))
+}
+
+/// Returns why a fixture cannot stand in a storey among those of the house that do; the storey is its place in the list.
+pub fn hindrance<'f>(
+    house: &House,
+    level: usize,
+    fixture: &ast::Fixture,
+    standing: impl Iterator<Item = &'f Fixture>,
+) -> Option<Hindrance<'f>> {
+    fixtures::hindrance(house, level, fixture, standing)
 }
 
 /// Lays out the platform, which it adds, and the veranda of the ground storey, which it returns: the flights of both are

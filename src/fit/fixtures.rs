@@ -1,9 +1,9 @@
 //! Fixtures: whether each stands free in a room, and what it stands against.
 
 use crate::ast;
-use crate::building::{Fixture, OUTWARD};
-use crate::diagnostic::Diagnostics;
+use crate::building::{Fixture, House, OUTWARD};
 use crate::diagnostic::messages::plan::fixtures as say;
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::fit::plan::Plan;
 use glam::{DVec2, dvec2};
 
@@ -23,25 +23,16 @@ pub(super) fn placed(
     let mut made: Vec<Fixture> = vec![];
     for written in &plan.storey.fixtures {
         let mut fixture = rectangle(written, plan);
-        let middle = fixture.middle();
-        if !plan.holds(middle) {
-            out.push(say::outside(written, plan.bounds));
+        let standing = made.iter().chain(openings.iter().copied());
+        if let Some(why) = hindered(plan, above, &fixture, standing) {
+            out.push(told(written, why, plan));
             continue;
         }
-        if plan.crosses(&fixture) {
-            out.push(say::through_a_wall(written));
-            continue;
-        }
-        let mut standing = made.iter().chain(openings.iter().copied());
-        if let Some(other) = standing.find(|other| other.overlaps(&fixture)) {
-            out.push(say::in_one_place(written, other));
-            continue;
-        }
-        let walk = plan.areas.around(middle);
+        let walk = plan.areas.around(fixture.middle());
         fixture.walls = OUTWARD.map(|way| plan.areas.on_wall(fixture.edge(way)));
         fixture.height = walk.and_then(&height);
-        if written.kind.climbs() && !leads_up(&mut fixture, written, above, plan, unit, out) {
-            continue;
+        if let Some(above) = above.filter(|_| written.kind.climbs()) {
+            rise(&mut fixture, written, above, plan, unit, out);
         }
         made.push(fixture);
     }
@@ -87,25 +78,94 @@ fn is_free(plan: &Plan<'_>, edge: DVec2, before: DVec2) -> bool {
     plan.holds(before) && !plan.areas.on_wall(edge) && !plan.areas.on_wall(before)
 }
 
-/// Returns true if stairs lead into the storey above.
-fn leads_up(
+/// Why a fixture cannot stand at a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Hindrance<'f> {
+    /// It is outside of the walls, or they do not close.
+    Outside,
+    /// A wall runs through it.
+    Wall,
+    /// Another one stands there.
+    Taken(&'f Fixture),
+    /// No storey is above its stairs.
+    NoStoreyAbove,
+    /// Its stairs end in a wall or outside.
+    BlockedAbove,
+}
+
+/// Returns why a fixture cannot stand in a storey of a house among those that do.
+pub(super) fn hindrance<'f>(
+    house: &House,
+    level: usize,
+    written: &ast::Fixture,
+    standing: impl Iterator<Item = &'f Fixture>,
+) -> Option<Hindrance<'f>> {
+    let plan = |level: usize| {
+        let storey = house.storeys.get(level)?;
+        Plan::of(storey, level).ok().filter(Plan::is_storey)
+    };
+    let Some(own) = plan(level) else {
+        return Some(Hindrance::Outside);
+    };
+    let above = (level + 1..house.storeys.len()).find_map(plan);
+    let above = above.filter(|p| p.storey.number == own.storey.number + 1);
+    let fixture = rectangle(written, &own);
+    let (number, climbs) = (own.storey.number, written.kind.climbs());
+    // Stairs take up as much of the storey above as of their own.
+    let standing = standing.filter(|other| {
+        other.storey == number
+            || other.storey + 1 == number && other.kind.climbs()
+            || other.storey == number + 1 && climbs
+    });
+    hindered(&own, above.as_ref(), &fixture, standing)
+}
+
+fn hindered<'f>(
+    plan: &Plan<'_>,
+    above: Option<&Plan<'_>>,
+    fixture: &Fixture,
+    mut standing: impl Iterator<Item = &'f Fixture>,
+) -> Option<Hindrance<'f>> {
+    if !plan.holds(fixture.middle()) {
+        return Some(Hindrance::Outside);
+    }
+    if plan.crosses(fixture) {
+        return Some(Hindrance::Wall);
+    }
+    if let Some(other) = standing.find(|other| other.overlaps(fixture)) {
+        return Some(Hindrance::Taken(other));
+    }
+    if !fixture.kind.climbs() {
+        return None;
+    }
+    let Some(above) = above else {
+        return Some(Hindrance::NoStoreyAbove);
+    };
+    let back = -fixture.faces.outward();
+    let arrives = is_free(above, fixture.edge(back), Plan::landing(fixture));
+    let leads_up = above.holds(fixture.middle()) && !above.crosses(fixture) && arrives;
+    (!leads_up).then_some(Hindrance::BlockedAbove)
+}
+
+fn told(written: &ast::Fixture, why: Hindrance<'_>, plan: &Plan<'_>) -> Diagnostic {
+    match why {
+        Hindrance::Outside => say::outside(written, plan.bounds),
+        Hindrance::Wall => say::through_a_wall(written),
+        Hindrance::Taken(other) => say::in_one_place(written, other),
+        Hindrance::NoStoreyAbove => say::no_storey_above(written),
+        Hindrance::BlockedAbove => say::blocked_above(written),
+    }
+}
+
+/// Opens the storey above over stairs; that they are too steep is told.
+fn rise(
     stairs: &mut Fixture,
     written: &ast::Fixture,
-    above: Option<&Plan<'_>>,
+    above: &Plan<'_>,
     plan: &Plan<'_>,
     unit: f64,
     out: &mut Diagnostics,
-) -> bool {
-    let Some(above) = above else {
-        out.push(say::no_storey_above(written));
-        return false;
-    };
-    let back = -stairs.faces.outward();
-    let arrives = is_free(above, stairs.edge(back), Plan::landing(stairs));
-    if !above.holds(stairs.middle()) || above.crosses(stairs) || !arrives {
-        out.push(say::blocked_above(written));
-        return false;
-    }
+) {
     stairs.open_above = OUTWARD.map(|way| !above.areas.on_wall(stairs.edge(way)));
     let rise = plan.storey.z1 - plan.storey.z0;
     let (_, depth) = stairs.front_and_depth();
@@ -113,5 +173,4 @@ fn leads_up(
         let needed = (rise / STEEPEST / unit * 4.0).ceil() / 4.0;
         out.push(say::too_steep(written, needed));
     }
-    true
 }

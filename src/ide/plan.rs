@@ -12,8 +12,9 @@
 //!    "rings":[{"hole":false,"inner":false,"closed":true,"walls":[
 //!     {"facade":1,"from":[0,0],"to":[6,0],"file":0,"span":[300,329],"reflection":false,"fixed":null,"units":[
 //!      {"code":"GSI","part":"lattice","from":[0,0],"to":[1,0],"file":0,"span":[300,305],"fixed":null}]}]}],
-//!    "rooms":[{"name":"奥","at":[3,6],"floor":"tatami","mats":"festive","ceiling":"battens","area":[[[0,4],[6,4],[6,8],[0,8]]],
-//!     "laid":[[0,4,2,5]],"file":0,"span":[330,371],"fixed":null}],"regions":[]}],
+//!    "rooms":[{"name":"奥","at":[3,6],"floor":"tatami","mats":"festive","ceiling":"battens","height":null,"area":[[[0,4],[6,4],[6,8],[0,8]]],
+//!     "laid":[[0,4,2,5]],"file":0,"span":[330,371],"fixed":null}],
+//!    "fixtures":[{"kind":"tokonoma","at":[2,7],"size":[2,1],"faces":"F","built":true,"file":0,"span":[380,421],"fixed":null}],"regions":[]}],
 //!   "roofs":[{"shape":"KIR","kind":"K","storey":2,"file":0,"span":[700,740],"rect":[0,0,6,8],"z":4.24,
 //!     "ridge":[[6,4],[0,4]]}]}],
 //!  "views":[{"name":"garden","from":[2,-5,1.6],"to":[-2,0,2],"fov":45,"date":null,"hour":null,"file":0,"span":[12,60]}],
@@ -32,14 +33,14 @@
 mod roofs;
 mod rooms;
 
-pub use rooms::PlanRoom;
+pub use rooms::{PlanFixture, PlanRoom};
 
 use super::Analysis;
 use super::stroke::{house_fixed, storey_fixed};
 use crate::ast::{NamedView, StoreyKind};
 use crate::backend::dump::{Region, region};
 use crate::backend::number::Number;
-use crate::building::{self, HouseRoofs};
+use crate::building;
 use crate::catalog::Catalog;
 use crate::diagnostic::Language;
 use crate::geometry::SHAKU;
@@ -175,6 +176,8 @@ pub struct Storey {
     pub rings: Vec<Ring>,
     /// Its rooms, in the order of the file.
     pub rooms: Vec<PlanRoom>,
+    /// What is built into them, in the order of the file.
+    pub fixtures: Vec<PlanFixture>,
     /// Its automatic roofs in plan.
     pub regions: Vec<Region>,
 }
@@ -348,7 +351,7 @@ impl PlanWriter<'_> {
         let storeys = house.storeys.iter().enumerate();
         let rooms = |level: usize| built.rooms.iter().filter(move |r| r.level == level);
         let storeys = storeys
-            .map(|(level, s)| self.storey(s, rooms(level).collect(), roofs))
+            .map(|(level, s)| self.storey(s, rooms(level).collect(), built))
             .collect();
         let fixed = house_fixed(self.sheet, house);
         House {
@@ -372,11 +375,11 @@ impl PlanWriter<'_> {
         &mut self,
         storey: &building::Storey,
         rooms: Vec<&building::Room>,
-        roofs: &HouseRoofs,
+        built: &building::Built,
     ) -> Storey {
         let is_storey = storey.kind == StoreyKind::Storey;
         let own = |p: &&building::StoreyPlan| is_storey && p.storey == storey.number;
-        let plan = roofs.plans.iter().find(own);
+        let plan = built.roofs.plans.iter().find(own);
         Storey {
             storey: storey.number,
             kind: if is_storey { "storey" } else { "parapet" },
@@ -387,6 +390,7 @@ impl PlanWriter<'_> {
             fixed: self.told(storey_fixed(self.sheet, storey)),
             rings: storey.rings.iter().map(|r| self.ring(r)).collect(),
             rooms: self.rooms(storey, &rooms),
+            fixtures: self.fixtures(storey, &built.fixtures),
             regions: plan.map_or(vec![], |p| p.regions.iter().map(region).collect()),
         }
     }

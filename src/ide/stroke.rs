@@ -26,6 +26,9 @@
 //! {"do":"add-room","house":0,"storey":0,"at":[4.5,9.5],"name":"座敷","floor":"tatami"}
 //! {"do":"set-room","house":0,"storey":0,"room":1,"floor":"boards","ceiling":"none"}
 //! {"do":"remove-room","house":0,"storey":0,"room":1}
+//! {"do":"add-fixture","house":0,"storey":0,"kind":"tokonoma","at":[2,7],"faces":"F"}
+//! {"do":"set-fixture","house":0,"storey":0,"fixture":0,"at":[4,7],"size":[1.5,1]}
+//! {"do":"remove-fixture","house":0,"storey":0,"fixture":0}
 //! ```
 //!
 //! | stroke | does |
@@ -44,8 +47,11 @@
 //! | `draw-wall` | Adds a wall inside the storey through these points, of one part that is repeated as often as it fits; clay wall fills the rest, and is all of it without `part`. |
 //! | `remove-wall` | Removes a walk inside the storey. |
 //! | `add-room` | Adds a room to the area round a point that has none. |
-//! | `set-room` | Writes `name`, `at`, `floor`, `mats` and `ceiling` of a room, those that are given; an empty name removes it. |
+//! | `set-room` | Writes `name`, `at`, `floor`, `mats`, `ceiling` and `height` (shaku) of a room, those that are given; an empty name and a height of 0 remove them. |
 //! | `remove-room` | Removes a room; its area stays, with boards. |
+//! | `add-fixture` | Adds what is built into a room: its `kind`, its least corner `at`, `size` along a and b if it is not the usual one, and the side `faces` of its front (`F`, `B`, `L`, `R`; `F` without). |
+//! | `set-fixture` | Writes those that are given. What turns keeps its width and depth, and without `at` a corner of its place or its middle, whichever fits first. |
+//! | `remove-fixture` | Removes a fixture. |
 //!
 //! Roof lines stay as they are, save those that lay over the whole storey whose wall moves, edges over such a wall and pent
 //! roofs along it, and those whose height was the top of a storey that rises or falls: they follow; where such a height is
@@ -75,17 +81,19 @@ mod write;
 mod xml;
 pub(in crate::ide) mod sheet;
 
+pub(super) use storeys::fixtures::{extent, fixture_fixed};
 pub(super) use storeys::rooms::room_fixed;
 pub(super) use storeys::{house_fixed, storey_fixed};
 
 pub use apply::{Applied, Patch, apply, take_back};
+pub use storeys::fixtures::FixtureWords;
 pub use storeys::rooms::RoomWords;
 
 use super::Analysis;
 use super::format::Edit;
 use crate::diagnostic::Text;
 use crate::ide::stroke::sheet::Sheet;
-use crate::ide::stroke::storeys::{inner, rooms};
+use crate::ide::stroke::storeys::{fixtures, inner, rooms};
 use serde::Deserialize;
 
 /// A stroke of the author. See the [module](self) for the JSON form of each.
@@ -244,6 +252,34 @@ pub enum Stroke {
         /// The room, in the order of the file.
         room: usize,
     },
+    /// Adds what is built into a room.
+    AddFixture {
+        /// The storey.
+        #[serde(flatten)]
+        storey: StoreyAt,
+        /// What is written about it.
+        #[serde(flatten)]
+        words: FixtureWords,
+    },
+    /// Changes a fixture.
+    SetFixture {
+        /// The storey.
+        #[serde(flatten)]
+        storey: StoreyAt,
+        /// The fixture, in the order of the file.
+        fixture: usize,
+        /// What is written about it.
+        #[serde(flatten)]
+        words: FixtureWords,
+    },
+    /// Removes a fixture.
+    RemoveFixture {
+        /// The storey.
+        #[serde(flatten)]
+        storey: StoreyAt,
+        /// The fixture, in the order of the file.
+        fixture: usize,
+    },
 }
 
 /// A storey by its place in the plan.
@@ -363,5 +399,12 @@ fn worked_out(sheet: &Sheet<'_>, stroke: &Stroke) -> Result<Vec<Edit>, Text> {
             words,
         } => rooms::change(sheet, *storey, *room, words),
         Stroke::RemoveRoom { storey, room } => rooms::remove(sheet, *storey, *room),
+        Stroke::AddFixture { storey, words } => fixtures::add(sheet, *storey, words),
+        Stroke::SetFixture {
+            storey,
+            fixture,
+            words,
+        } => fixtures::change(sheet, *storey, *fixture, words),
+        Stroke::RemoveFixture { storey, fixture } => fixtures::remove(sheet, *storey, *fixture),
     }
 }

@@ -57,6 +57,7 @@ pub(super) fn routes(
         .route("/api/town/{id}/files/{*name}", get(towns::file))
         .route("/api/town/{id}/feature", get(towns::feature))
         .route("/api/town/{id}/skipped", get(towns::skipped))
+        .route("/api/town/{id}/place", get(towns::place))
         .route("/api/events", get(events))
         .route("/api/parts", get(parts))
         .route("/api/part", get(part))

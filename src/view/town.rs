@@ -20,6 +20,7 @@ use crate::driver::{self, Options};
 use crate::parse::outline;
 use crate::source::{FileId, Limits, Source, World};
 use crate::tiles::run::{self, Reach, TileJob, TileParts, TiledTown};
+use crate::town::layer::TownFrame;
 use crate::town::{self, KeptMaps, Plan, TownInput};
 use scratch::Scratch;
 use serde::Serialize;
@@ -81,6 +82,8 @@ pub(super) struct BuiltTown {
     pub(super) shown: ShownTown,
     /// Where its files are.
     pub(super) tables: TownTables,
+    /// The frame of its coordinates, where it is known.
+    pub(super) frame: Option<TownFrame>,
     /// The fingerprint of the text.
     text: u64,
     found: Vec<Diagnostic>,
@@ -119,6 +122,7 @@ impl BuiltTown {
                 whole: true,
             },
             tables,
+            frame: None,
             text: 0,
             found: vec![],
             included: vec![],
@@ -294,8 +298,8 @@ impl Build<'_> {
                 found = out.clone();
                 made.ledger.report.features = plan.lots().len();
             }
-            let included = read.included.clone();
-            self.publish(made, (found, included), phase == "near", scratch)?;
+            let told = (found, read.included.clone());
+            self.publish((made, &plan.frame), told, phase == "near", scratch)?;
         }
         Ok(())
     }
@@ -305,13 +309,18 @@ impl Build<'_> {
         let before = lock(&self.slot.built).clone();
         let none = ShownTown::none(self.id);
         let tables = TownTables::of(PathBuf::new(), "", "");
-        let (shown, tables) = match &before {
-            Some(before) => (before.shown.clone(), before.tables.clone()),
-            None => (none, tables),
+        let (shown, tables, frame) = match &before {
+            Some(before) => (
+                before.shown.clone(),
+                before.tables.clone(),
+                before.frame.clone(),
+            ),
+            None => (none, tables, None),
         };
         self.show(BuiltTown {
             shown,
             tables,
+            frame,
             text: self.text,
             found: out.into_sorted(),
             included,
@@ -320,7 +329,7 @@ impl Build<'_> {
 
     fn publish(
         &self,
-        made: TiledTown,
+        (made, frame): (TiledTown, &TownFrame),
         (mut found, mut included): (Diagnostics, Vec<Source>),
         whole: bool,
         scratch: &mut Scratch,
@@ -338,6 +347,7 @@ impl Build<'_> {
                 whole,
             },
             tables: TownTables::of(scratch.folder().to_owned(), &decisions, &report),
+            frame: Some(frame.clone()),
             text: self.text,
             found: found.into_sorted(),
             included,

@@ -4,6 +4,7 @@ mod bench;
 mod ground;
 mod odd;
 mod parts;
+mod fixtures;
 mod rooms;
 mod storeys;
 mod walls;

@@ -127,6 +127,53 @@ fn features_and_what_was_skipped_are_told() {
 }
 
 #[test]
+fn places_are_told_in_the_system_of_the_map() {
+    let place = |text: &str, map: &str, query: &str| {
+        let files = [
+            ("town.hsd", text),
+            ("maps/houses.geojson", map),
+            ("maps/roads.geojson", &roads()),
+        ];
+        let shown = show(&files, Some("town.hsd"), Files::default());
+        built(&shown.web.listen("town.hsd"));
+        let id = shown.web.state("town.hsd")["town"]["id"].clone();
+        shown
+            .web
+            .get(&format!("/api/town/{id}/place?{query}"))
+            .json()
+    };
+    let map = houses(&[("a", 0, 6), ("b", 8, 6)]);
+    let local = place(TOWN, &map, "east=3.5&north=-2");
+    assert_eq!(local["crs"], "local");
+    assert_eq!(local["degrees"], Value::Null);
+    // Metres from the origin of the town, which stands at a whole place of the map.
+    let one = local["at"].as_array().unwrap();
+    let other = place(TOWN, &map, "east=0&north=0")["at"].clone();
+    let away = |k: usize| one[k].as_f64().unwrap() - other[k].as_f64().unwrap();
+    assert_eq!((away(0), away(1)), (3.5, -2.0));
+    // By the centre of Kyoto in zone VI (36 N 136 E), worked out on the sphere of the ellipsoid's radius there: 0.1 degrees west
+    // of the meridian at 35 degrees are 9.13 km, one degree south of the origin 110.9 km.
+    let zone = TOWN.replace("crs=\"local\"", "crs=\"EPSG:6674\"");
+    let zone = place(&zone, &houses_at(-9130.0, -110_940.0), "east=0&north=0");
+    assert_eq!(zone["crs"], "EPSG:6674");
+    let degrees = zone["degrees"].as_array().unwrap();
+    assert!(
+        (degrees[0].as_f64().unwrap() - 135.9).abs() < 0.01,
+        "{zone}"
+    );
+    assert!((degrees[1].as_f64().unwrap() - 35.0).abs() < 0.01, "{zone}");
+}
+
+/// A house at a place.
+fn houses_at(x: f64, y: f64) -> String {
+    let ring = [[0.0, 2.0], [6.0, 2.0], [6.0, 12.0], [0.0, 12.0], [0.0, 2.0]];
+    let ring: Vec<[f64; 2]> = ring.iter().map(|p| [x + p[0], y + p[1]]).collect();
+    json!({ "type": "FeatureCollection", "features": [{ "type": "Feature", "properties": { "id": "a" },
+        "geometry": { "type": "Polygon", "coordinates": [ring] } }] })
+    .to_string()
+}
+
+#[test]
 fn a_saved_town_and_a_saved_map_are_built_again() {
     let shown = hamlet(TOWN);
     let ear = shown.web.listen("town.hsd");

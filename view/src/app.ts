@@ -149,8 +149,8 @@ export class App {
     if (file === null || revision !== undefined && revision === this.state?.revision) return;
     const request = ++this.#request;
     try {
-      // With a known revision, the model is requested in parallel with the state.
-      const early = revision === undefined ? null : this.loader.fetch(file, revision, before);
+      // With a known revision, the model is requested in parallel with the state; a town most likely stays one.
+      const early = revision === undefined || this.town.state ? null : this.loader.fetch(file, revision, before);
       early?.catch(() => {});
       const now = await fetchState(file);
       // A town is no model: its tiles are streamed.

@@ -3,6 +3,7 @@
 import * as THREE from 'three';
 import type { Page } from './page.ts';
 import { hitAt } from './scene/canvas.ts';
+import { trianglesIn } from './walk/surfaces.ts';
 
 declare global {
   var hsd: ReturnType<typeof scriptInterface>;
@@ -42,6 +43,10 @@ export function scriptInterface({ app, plan, draw }: Page) {
     /** The first point of the town's tiles in a direction, metres. */
     surface: (from: number[], way: number[]) =>
       app.town.tiles?.pointAt(new THREE.Raycaster(new THREE.Vector3().fromArray(from), new THREE.Vector3().fromArray(way)))?.toArray() ?? null,
+    /** A ray from a place in a direction. */
+    ray: (from: number[], way: number[]) => new THREE.Raycaster(new THREE.Vector3().fromArray(from), new THREE.Vector3().fromArray(way)),
+    /** The corners of all triangles that a walker may meet: nine numbers each. */
+    triangles: () => trianglesIn(new THREE.Box3(new THREE.Vector3().setScalar(-1e4), new THREE.Vector3().setScalar(1e4)), app.meshes()),
     /** Where the centre of a part is drawn, CSS pixels of the canvas. */
     positionOf(part: number) {
       const { x, y } = app.model!.parts[part]!.box.getCenter(viewport.camera.position.clone()).project(viewport.camera);

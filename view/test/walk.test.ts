@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import * as THREE from 'three';
 import { Obstacles, RADIUS, type Spot } from '../src/walk/obstacles.ts';
-import { startNear } from '../src/walk/start.ts';
+import { startIndoors, startNear } from '../src/walk/start.ts';
 import { nearestCorner, trianglesIn } from '../src/walk/surfaces.ts';
 
 const EVERYWHERE = new THREE.Box3(new THREE.Vector3(-100, -100, -100), new THREE.Vector3(100, 100, 100));
@@ -118,4 +118,15 @@ test('a walk begins outside, where a way leads somewhere, and looks along it', (
   }
   const within = startNear(street, [0, 0], 0)!, along = Math.abs(Math.sin(within.heading));
   assert.ok(along > 0.9, `it looks to ${within.heading}`);
+});
+
+test('who looks at a room from inside begins there, who hovers over a house does not', () => {
+  // A floor with two steps up to it, walls, and a ceiling.
+  const room = among(boxes([-4, 0, -4, 4, 0.5, 4], [-4, 0.5, -4.2, 4, 3, -4], [-4, 3, -4, 4, 3.2, 4]));
+  const start = startIndoors(room, [0, 0], 1.6, 1)!;
+  assert.deepEqual([start.spot, start.heading], [[0, 0], 1]);
+  near(start.ground, 0.5, 1e-6);
+  assert.equal(startIndoors(room, [0, 0], 4.5, 1), null, 'over the roof');
+  assert.equal(startIndoors(room, [0, 6], 1.6, 1), null, 'outside');
+  assert.equal(startIndoors(room, [0, -3.9], 1.6, 1), null, 'in the wall');
 });

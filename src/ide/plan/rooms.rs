@@ -1,10 +1,10 @@
-//! The rooms of a plan.
+//! The rooms of a plan and what is built into them.
 
 use super::{PlanPlace, PlanWriter, place, point};
-use crate::ast::{Flooring, MatOrder, RoomCeiling};
+use crate::ast::{Flooring, MatOrder, RoomCeiling, Side};
 use crate::backend::number::Number;
 use crate::building;
-use crate::ide::stroke::room_fixed;
+use crate::ide::stroke::{extent, fixture_fixed, room_fixed};
 use serde::Serialize;
 
 /// A room.
@@ -20,6 +20,8 @@ pub struct PlanRoom {
     pub mats: &'static str,
     /// `battens`, `joists` or `none`.
     pub ceiling: &'static str,
+    /// From its floor to its ceiling, shaku; null for that of the storey.
+    pub height: Option<Number>,
     /// Corners of its outline, then of each opening in it; none where its point is in no area of its own.
     pub area: Vec<Vec<[Number; 2]>>,
     /// Its mats: a0, b0, a1, b1.
@@ -31,7 +33,50 @@ pub struct PlanRoom {
     pub fixed: Option<&'static str>,
 }
 
+/// What is built into a room.
+#[derive(Debug, Serialize)]
+pub struct PlanFixture {
+    /// `tokonoma`, `stairs`, ...
+    pub kind: &'static str,
+    /// Its least corner.
+    pub at: [Number; 2],
+    /// Its extent along a and b.
+    pub size: [Number; 2],
+    /// The side of its front: `F`, `B`, `L` or `R`.
+    pub faces: char,
+    /// False if it does not fit and is left out.
+    pub built: bool,
+    /// Its place in the file.
+    #[serde(flatten)]
+    pub place: PlanPlace,
+    /// The reason why no stroke can change it.
+    pub fixed: Option<&'static str>,
+}
+
 impl PlanWriter<'_> {
+    /// Returns the fixtures of a storey, of which these are built.
+    pub(super) fn fixtures(
+        &mut self,
+        storey: &building::Storey,
+        built: &[building::Fixture],
+    ) -> Vec<PlanFixture> {
+        let fixture = |fixture: &crate::ast::Fixture| {
+            let (a, b) = fixture.at.value;
+            let (along_a, along_b) = extent(fixture);
+            let mut sides = Side::ALL.into_iter();
+            PlanFixture {
+                kind: fixture.kind.word(),
+                at: [Number(a), Number(b)],
+                size: [Number(along_a), Number(along_b)],
+                faces: sides.find(|s| s.1 == fixture.faces).map_or('F', |s| s.0),
+                built: built.iter().any(|b| b.span == fixture.span),
+                place: place(fixture.span),
+                fixed: self.told(fixture_fixed(self.sheet, fixture)),
+            }
+        };
+        storey.fixtures.iter().map(fixture).collect()
+    }
+
     /// Returns the rooms of a storey, of which these have an area.
     pub(super) fn rooms(
         &mut self,
@@ -49,6 +94,7 @@ impl PlanWriter<'_> {
                 floor: word(&Flooring::ALL, room.floor),
                 mats: word(&MatOrder::ALL, room.mats),
                 ceiling: word(&RoomCeiling::ALL, room.ceiling),
+                height: room.height.map(Number),
                 area: own.map_or(vec![], |b| {
                     let ring = |ring: &Vec<_>| ring.iter().map(|p| point(*p)).collect();
                     b.area.iter().map(ring).collect()

@@ -283,3 +283,59 @@ pub(super) fn outer_wall() -> Text {
         "これは外壁です。代わりに動かしてください"
     )
 }
+
+/// The height of a ceiling is out of bounds.
+pub(super) fn odd_ceiling(least: f64, most: f64) -> Text {
+    text!([least, most]
+        "a ceiling is between {least} and {most} shaku above the floor; leave it empty for that of the storey",
+        "天井の高さは {least} 尺から {most} 尺までです。空にすると階の高さになります"
+    )
+}
+
+/// The size of a fixture is out of bounds.
+pub(super) fn odd_size(least: f64, most: f64) -> Text {
+    text!([least, most]
+        "a fixture is between {least} and {most} units wide and deep",
+        "造り付けの幅と奥行は {least} から {most} ユニットまでです"
+    )
+}
+
+/// The fixture is outside of the walls.
+pub(super) fn fixture_outside() -> Text {
+    text!(
+        "this is outside of the walls, or they do not close: place it inside of them",
+        "壁の外か、壁が閉じていません。壁の内側に置いてください"
+    )
+}
+
+/// A wall runs through the fixture.
+pub(super) fn through_a_wall() -> Text {
+    text!(
+        "a wall would run through it: place it beside the wall, or make it smaller",
+        "壁が横切ります。壁の脇に置くか、小さくしてください"
+    )
+}
+
+/// Another fixture is there.
+pub(super) fn fixture_there(kind: &str) -> Text {
+    text!([kind]
+        "another one (`{kind}`) stands there, or stairs come up: place it beside them",
+        "そこにはほかの造り付け（{kind}）があるか、階段が上がってきます。その脇に置いてください"
+    )
+}
+
+/// Stairs without a storey above.
+pub(super) fn no_storey_above() -> Text {
+    text!(
+        "no storey stands above: add one before its stairs",
+        "上に階がありません。先に階を加えてください"
+    )
+}
+
+/// Stairs end in a wall or outside.
+pub(super) fn blocked_above() -> Text {
+    text!(
+        "upstairs a wall is in the way, or the stairs end outside: they rise from their front to the opposite side and need room beyond it",
+        "上の階で壁に当たるか、階の外に出ます。階段は正面から反対側へ上り、その先に場所が要ります"
+    )
+}

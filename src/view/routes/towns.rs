@@ -1,12 +1,14 @@
 //! The files of towns in tiles, and what their tables tell.
 
 use super::{ApiError, ApiResult, Shared, work};
+use crate::map::{Crs, Datums, Transform};
 use crate::view::model_file;
 use crate::view::town::SkippedList;
 use axum::extract::{Path, Query, State};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Json, Response};
-use serde::Deserialize;
+use glam::dvec2;
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::fs;
 use std::path::{Component, Path as FilePath};
@@ -91,6 +93,46 @@ pub(super) async fn skipped(
     let found = work(&workspace, move |workspace| {
         let town = workspace.town(id).ok_or_else(missing)?;
         Ok(town.tables.skipped()?)
+    });
+    found.await.map(Json)
+}
+
+/// Metres east and north of a town's origin.
+#[derive(Deserialize)]
+pub(super) struct PlaceQuery {
+    east: f64,
+    north: f64,
+}
+
+/// A place in the system of a town's map: `MapPlace` in `view/src/server/api.ts`.
+#[derive(Serialize)]
+pub(super) struct MapPlace {
+    /// `EPSG:6674`, or the name that the map gives.
+    crs: Box<str>,
+    /// East and north in it, metres.
+    at: [f64; 2],
+    /// Longitude and latitude, degrees; `None` where the system lies nowhere on the globe.
+    degrees: Option<[f64; 2]>,
+}
+
+/// Returns a place in the system of a town's map; `null` for a town of which it is not known.
+pub(super) async fn place(
+    State(workspace): Shared,
+    Path(id): Path<u64>,
+    Query(of): Query<PlaceQuery>,
+) -> ApiResult<Json<Option<MapPlace>>> {
+    let found = work(&workspace, move |workspace| {
+        let town = workspace.town(id).ok_or_else(missing)?;
+        Ok(town.frame.as_ref().map(|frame| {
+            let at = frame.origin + dvec2(of.east, of.north);
+            let to_degrees = Transform::new(&frame.crs, &Crs::wgs84(), Datums::Exact).ok();
+            let degrees = to_degrees.and_then(|t| t.apply(at));
+            MapPlace {
+                crs: frame.crs.name.clone(),
+                at: at.into(),
+                degrees: degrees.map(Into::into),
+            }
+        }))
     });
     found.await.map(Json)
 }

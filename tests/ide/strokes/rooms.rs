@@ -223,5 +223,8 @@ fn rooms_of_the_examples_are_in_the_plan_with_areas_that_hold_their_points() {
         assert!(area2(&room["area"][0]) > 1.0, "{room}");
     }
     let zashiki = rooms.iter().find(|r| r["name"] == "座敷 十畳").unwrap();
-    assert_eq!(zashiki["laid"].as_array().unwrap().len(), 10);
+    let mats = zashiki["laid"].as_array().unwrap().iter();
+    let [a0, b0, a1, b1] = [0, 1, 2, 3].map(|k| move |m: &Value| m[k].as_f64().unwrap());
+    let area: f64 = mats.map(|m| (a1(m) - a0(m)) * (b1(m) - b0(m))).sum();
+    assert_eq!(area, 20.0, "ten mats of two units");
 }

@@ -23,6 +23,9 @@ fn others(plan: &Value, at: &At) -> Value {
             // They follow the walls.
             (room["area"], room["laid"]) = (Value::Null, Value::Null);
         }
+        for fixture in storey["fixtures"].as_array_mut().unwrap() {
+            fixture["built"] = Value::Null;
+        }
     }
     house["storeys"][at.storey]["rings"][at.ring] = Value::Null;
     plan

@@ -6,6 +6,7 @@ import { button, field, h, isField, newId, checkbox } from '../ui/dom.ts';
 import type { PlanView } from '../plan/plan-view.ts';
 import { toggleButton } from '../ui/toolbar.ts';
 import { strings } from '../ui/strings.ts';
+import { FixtureTool } from './fixture-tool.ts';
 import { EditSession } from './session.ts';
 import { InnerTool } from './inner-tool.ts';
 import { OutlineTool } from './outline-tool.ts';
@@ -16,11 +17,11 @@ import { RoomTool } from './room-tool.ts';
 import { SurveyTool } from './survey-tool.ts';
 import { WallTool } from './wall-tool.ts';
 
-const TOOLS = ['part', 'wall', 'break', 'inner', 'room', 'outline', 'survey', 'place', 'turn'] as const;
+const TOOLS = ['part', 'wall', 'break', 'inner', 'room', 'fixture', 'outline', 'survey', 'place', 'turn'] as const;
 type Tool = (typeof TOOLS)[number];
 
 /** Tools that draw anywhere, so that a drag does not move the sheet. */
-const FREE = new Set<Tool>(['outline', 'survey', 'inner', 'room']);
+const FREE = new Set<Tool>(['outline', 'survey', 'inner', 'room', 'fixture']);
 
 /** How far the sheet moves at once while a drag points out of it, CSS pixels. */
 const FOLLOWED = 10;
@@ -40,6 +41,7 @@ export class DrawTool {
   #survey: SurveyTool;
   #inner: InnerTool;
   #rooms: RoomTool;
+  #fixtures: FixtureTool;
   #help = h('p', { class: 'quiet' });
   #house = h('select', { onchange: () => this.#fill() });
   #houses = field(strings.planHouse, this.#house);
@@ -64,6 +66,7 @@ export class DrawTool {
     this.#survey = new SurveyTool(plan, this.session);
     this.#inner = new InnerTool(plan, this.session, () => this.#palette.chosen?.code ?? null);
     this.#rooms = new RoomTool(plan, this.session);
+    this.#fixtures = new FixtureTool(plan, this.session);
     this.#palette.changed = () => this.session.report(strings.partChosen(partName(this.#palette.chosen!)));
     const name = newId();
     this.#bar = h('div', { class: 'draw', hidden: true },
@@ -72,7 +75,7 @@ export class DrawTool {
       h('div', { class: 'buttons' },
         button(strings.undo, () => void this.session.undo(), { 'data-do': 'undo', title: 'Ctrl+Z' }),
         button(strings.redo, () => void this.session.redo(), { 'data-do': 'redo', title: 'Ctrl+Shift+Z' })),
-      this.#allStoreys, this.#wholeGroup, this.#help, this.#rooms.element, this.#inner.remove, this.#palette.element, this.#houses,
+      this.#allStoreys, this.#wholeGroup, this.#help, this.#rooms.element, this.#fixtures.element, this.#inner.remove, this.#palette.element, this.#houses,
       h('div', { class: 'buttons' },
         button(strings.addStorey, () => void this.#addStorey(), { 'data-do': 'add-storey' }),
         button(strings.removeStorey, () => void this.#removeStorey(), { 'data-do': 'remove-storey' }),
@@ -118,6 +121,7 @@ export class DrawTool {
     this.#walls.breaks = tool === 'break';
     this.#palette.element.hidden = tool !== 'part' && tool !== 'inner';
     this.#rooms.element.hidden = tool !== 'room';
+    this.#fixtures.element.hidden = tool !== 'fixture';
     this.#inner.remove.hidden = tool !== 'inner';
     this.#allStoreys.hidden = tool !== 'wall';
     this.#wholeGroup.hidden = tool !== 'place' && tool !== 'turn';
@@ -156,13 +160,14 @@ export class DrawTool {
       case 'survey': return this.#survey;
       case 'inner': return this.#inner;
       case 'room': return this.#rooms;
+      case 'fixture': return this.#fixtures;
       case 'place': case 'turn': return this.#places;
       default: return this.#walls;
     }
   }
 
   #release() {
-    for (const tool of [this.#walls, this.#outline, this.#survey, this.#places, this.#inner, this.#rooms]) tool.release();
+    for (const tool of [this.#walls, this.#outline, this.#survey, this.#places, this.#inner, this.#rooms, this.#fixtures]) tool.release();
   }
 
   /** Cancels a drag. */
@@ -174,7 +179,7 @@ export class DrawTool {
   }
 
   #enable() {
-    const tools = [[this.#walls, ['wall', 'break']], [this.#places, ['place', 'turn']], [this.#parts, ['part']], [this.#survey, ['survey']], [this.#inner, ['inner']], [this.#rooms, ['room']]] as const;
+    const tools = [[this.#walls, ['wall', 'break']], [this.#places, ['place', 'turn']], [this.#parts, ['part']], [this.#survey, ['survey']], [this.#inner, ['inner']], [this.#rooms, ['room']], [this.#fixtures, ['fixture']]] as const;
     // What another tool has made focusable is taken back first.
     for (const [tool] of tools) tool.enable(false);
     for (const [tool, names] of tools) if (this.on && (names as readonly Tool[]).includes(this.tool)) tool.enable(true);

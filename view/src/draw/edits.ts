@@ -3,7 +3,7 @@
 
 import type { House, Point, State, Wall } from '../server/api.ts';
 import { toHouse, type XY } from '../plan/coordinates.ts';
-import type { RoomIndex, UnitIndex, WallIndex } from '../plan/drawing.ts';
+import type { FixtureIndex, RoomIndex, UnitIndex, WallIndex } from '../plan/drawing.ts';
 
 export type Edit =
   | { do: 'set-part'; part: string } & UnitIndex
@@ -22,10 +22,16 @@ export type Edit =
   | { do: 'add-room'; house: number; storey: number; at: Point } & RoomWords
   | { do: 'set-room'; at?: Point } & RoomIndex & RoomWords
   | { do: 'remove-room' } & RoomIndex
+  | { do: 'add-fixture'; house: number; storey: number; at: Point; kind: string } & FixtureWords
+  | { do: 'set-fixture' } & FixtureIndex & FixtureWords
+  | { do: 'remove-fixture' } & FixtureIndex
   | { do: 'set-height'; house: number; storey: number; height: number };
 
 /** What an edit writes about a room; the rest stays as it is. */
-export interface RoomWords { name?: string; floor?: string; mats?: string; ceiling?: string }
+export interface RoomWords { name?: string; floor?: string; mats?: string; ceiling?: string; height?: number }
+
+/** What an edit writes about a fixture; the rest stays as it is. */
+export interface FixtureWords { kind?: string; at?: Point; size?: Point; faces?: string }
 
 /** A stretch of a wall, in units from its `from` end. */
 export interface Stretch { from: number; to: number }
@@ -88,11 +94,12 @@ export function sameTarget(edit: Edit, meant: State, now: State): boolean {
     const storey = 'storey' in edit ? house?.storeys[edit.storey] : undefined;
     const wall = 'wall' in edit ? storey?.rings[edit.ring]?.walls[edit.wall] : undefined;
     const room = 'room' in edit ? storey?.rooms[edit.room] : undefined;
+    const fixture = 'fixture' in edit ? storey?.fixtures[edit.fixture] : undefined;
     const inner = edit.do === 'remove-wall' ? storey?.rings[edit.ring]?.walls.map(wall => [wall.from, wall.to]) : undefined;
     const unit = 'unit' in edit ? wall?.units[edit.unit] : undefined;
     const ends = (of?: Pick<Wall, 'from' | 'to'>) => of && [...of.from, ...of.to];
     const place = 'place' in edit ? plan.places[edit.place] : 'corner' in edit ? plan.outlines[edit.outline] : undefined;
-    return JSON.stringify([place, house?.name, storey?.storey, ends(wall), unit?.code, ends(unit), room?.at, room?.name, inner]);
+    return JSON.stringify([place, house?.name, storey?.storey, ends(wall), unit?.code, ends(unit), room?.at, room?.name, fixture?.kind, fixture?.at, inner]);
   });
   return before === after;
 }

@@ -41,6 +41,8 @@ export class RoomTool {
   #floor = this.#select('floor', strings.roomFloor);
   #mats = this.#select('mats', strings.roomMats);
   #ceiling = this.#select('ceiling', strings.roomCeiling);
+  /** Empty for the height of the storey, which edits write as 0. */
+  #height = h('input', { type: 'number', min: 1, max: 100, step: 0.1, 'data-room': 'height', onchange: () => this.#change({ height: this.#height.valueAsNumber || 0 }) });
   #title = h('p', { class: 'quiet' });
   #remove = button(strings.removeRoom, () => void this.#drop(this.#chosen), { 'data-do': 'remove-room' });
 
@@ -49,7 +51,7 @@ export class RoomTool {
     this.#session = session;
     this.element = h('fieldset', { class: 'room-panel', hidden: true }, h('legend', {}, strings.kind['room']!), this.#title,
       h('div', { class: 'buttons' }, field(strings.name, this.#name), field(strings.floorOfRoom, this.#floor), field(strings.matsOfRoom, this.#mats),
-        field(strings.ceilingOfRoom, this.#ceiling), this.#remove));
+        field(strings.ceilingOfRoom, this.#ceiling), field(strings.heightOfRoom, this.#height), this.#remove));
     this.#fill();
   }
 
@@ -164,6 +166,9 @@ export class RoomTool {
     if (room) {
       if (document.activeElement !== this.#name) this.#name.value = room.name;
       [this.#floor.value, this.#mats.value, this.#ceiling.value] = [room.floor, room.mats, room.ceiling];
+      if (document.activeElement !== this.#height) this.#height.value = room.height === null ? '' : `${Number(room.height.toFixed(3))}`;
+      const { house, storey } = this.#chosen!;
+      this.#height.placeholder = `${Number(this.#plan.state!.plan.houses[house]!.storeys[storey]!.height.toFixed(2))}`;
     }
     this.#mats.disabled = this.#floor.value !== 'tatami';
   }
@@ -193,8 +198,10 @@ export class RoomTool {
   async #add({ house, storey, at }: { house: number; storey: number; at: Point }) {
     const made = { house, storey, room: this.#plan.state?.plan.houses[house]?.storeys[storey]?.rooms.length ?? 0 };
     const name = this.#chosen ? '' : this.#name.value.trim();
+    // What is shown of the chosen room is not meant for the next one.
+    const height = this.#chosen || !this.#height.value ? {} : { height: this.#height.valueAsNumber };
     this.#cursor = null;
-    if (!await this.#session.send({ do: 'add-room', house, storey, at, name, floor: this.#floor.value, mats: this.#mats.value, ceiling: this.#ceiling.value })) return;
+    if (!await this.#session.send({ do: 'add-room', house, storey, at, name, floor: this.#floor.value, mats: this.#mats.value, ceiling: this.#ceiling.value, ...height })) return;
     // What is typed next is its name.
     this.#choose(made);
     this.#name.focus();

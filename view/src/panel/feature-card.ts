@@ -3,12 +3,14 @@
 import type { App } from '../app.ts';
 import { button, h } from '../ui/dom.ts';
 import { strings } from '../ui/strings.ts';
+import { placeText } from '../town/town.ts';
 
 export function featureCard(app: App): HTMLElement {
   const element = h('section', { class: 'feature-card', 'aria-label': strings.feature, hidden: true });
   const show = () => {
-    const { selected } = app.town;
-    element.hidden = !selected;
+    const { selected, ground } = app.town, close = () => button('×', () => app.town.clearSelection(), { class: 'close', 'aria-label': strings.close });
+    element.hidden = !selected && !ground;
+    if (!selected && ground) element.replaceChildren(h('h2', {}, strings.ground), close(), h('p', { class: 'ground-place' }, placeText(ground)));
     if (!selected) return;
     const { house, decision } = selected, rule = house?.rule || Number(decision?.['rule'] ?? 0);
     const location = app.lineLocation(house?.line ?? 0) ?? app.ruleLocation(rule), line = location && app.lineAt(location);
@@ -25,7 +27,7 @@ export function featureCard(app: App): HTMLElement {
       [strings.measures, of('measures')],
     ];
     element.replaceChildren(
-      h('h2', {}, selected.key), button('×', () => app.town.clearSelection(), { class: 'close', 'aria-label': strings.close }),
+      h('h2', {}, selected.key), close(),
       h('dl', {}, ...rows.filter(([, value]) => value).flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value as string)])),
       ...(line ? [h('pre', { class: 'line', 'aria-label': strings.sourceLine, tabindex: 0 }, h('code', {}, line.text.trim()))] : []),
       h('div', { class: 'buttons' },

@@ -2,11 +2,11 @@
 // units.
 
 import { s } from '../ui/dom.ts';
-import type { House, Point, Ring, Room, State, Storey, Unit, Wall } from '../server/api.ts';
+import type { Fixture, House, Point, Ring, Room, State, Storey, Unit, Wall } from '../server/api.ts';
 import { strings } from '../ui/strings.ts';
 import { bounds, path, toPlan, type XY } from './coordinates.ts';
 import { type WallLength, wallLength } from './lengths.ts';
-import { roomShape } from './rooms.ts';
+import { fixtureShape, roomShape } from './rooms.ts';
 import { fallArrow, type Line, ridgeLines } from './ridges.ts';
 
 /** Indices from 0, as in edits. */
@@ -23,6 +23,12 @@ export interface RoomIndex {
   room: number;
 }
 
+export interface FixtureIndex {
+  house: number;
+  storey: number;
+  fixture: number;
+}
+
 export interface UnitIndex extends WallIndex { unit: number }
 
 /** The drawn layers, with the units and walls behind their elements. */
@@ -31,6 +37,7 @@ export interface PlanDrawing {
   units: Map<SVGGElement, { at: UnitIndex; unit: Unit }>;
   walls: Map<SVGGElement, { at: WallIndex; wall: Wall; house: House }>;
   rooms: Map<SVGGElement, { at: RoomIndex; room: Room; house: House }>;
+  fixtures: Map<SVGGElement, { at: FixtureIndex; fixture: Fixture; house: House }>;
   lengths: WallLength[];
 }
 
@@ -51,7 +58,7 @@ export const extent = ({ plan }: State) => bounds(plan.houses.flatMap(house => [
 const cornersOf = ([a0, b0, a1, b1]: [number, number, number, number]): Point[] => [[a0, b0], [a1, b0], [a1, b1], [a0, b1]];
 
 export function drawStorey(state: State, number: number): PlanDrawing {
-  const drawn: PlanDrawing = { layers: [], units: new Map(), walls: new Map(), rooms: new Map(), lengths: [] };
+  const drawn: PlanDrawing = { layers: [], units: new Map(), walls: new Map(), rooms: new Map(), fixtures: new Map(), lengths: [] };
   const layer = (name: string) => {
     const group = s('g', { class: name });
     drawn.layers.push(group);
@@ -59,7 +66,7 @@ export function drawStorey(state: State, number: number): PlanDrawing {
   };
   const floors = layer('floors'), regions = layer('regions'), roofs = layer('roofs'), below = layer('below');
   // Above the roofs, so that rooms can be clicked.
-  const rooms = layer('rooms'), walls = layer('walls');
+  const rooms = layer('rooms'), fixtures = layer('fixtures'), walls = layer('walls');
   for (const [houseIndex, house] of state.plan.houses.entries()) {
     for (const [storeyIndex, storey] of house.storeys.entries()) {
       if (storey.storey === number - 1 && storey.kind === 'storey') outlines(house, storey, below);
@@ -70,6 +77,11 @@ export function drawStorey(state: State, number: number): PlanDrawing {
         const shape = roomShape(house, own);
         drawn.rooms.set(shape, { at: { house: houseIndex, storey: storeyIndex, room }, room: own, house });
         rooms.append(shape);
+      }
+      for (const [fixture, own] of storey.fixtures.entries()) {
+        const shape = fixtureShape(house, own);
+        drawn.fixtures.set(shape, { at: { house: houseIndex, storey: storeyIndex, fixture }, fixture: own, house });
+        fixtures.append(shape);
       }
       for (const [ringIndex, ring] of storey.rings.entries()) {
         for (const [wallIndex, wall] of ring.walls.entries()) {

@@ -16,7 +16,7 @@ export class PlanView {
   /** Overlay for the drawing tools. */
   readonly marks = s('g', { class: 'marks' });
   readonly tools = h('div', { class: 'plan-tools' });
-  drawn: PlanDrawing = { layers: [], units: new Map(), walls: new Map(), rooms: new Map(), lengths: [] };
+  drawn: PlanDrawing = { layers: [], units: new Map(), walls: new Map(), rooms: new Map(), fixtures: new Map(), lengths: [] };
   storey = 1;
   /** Called when a unit is clicked; returns true if a tool has handled it. */
   onUnitClick: (shape: SVGGElement) => boolean = () => false;

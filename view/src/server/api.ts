@@ -117,6 +117,8 @@ export interface Room {
   floor: 'boards' | 'tatami' | 'earth';
   mats: 'festive' | 'rows';
   ceiling: 'battens' | 'joists' | 'none';
+  /** From its floor to its ceiling, shaku; null for that of the storey. */
+  height: number | null;
   /** Its outline, then each opening in it. */
   area: Point[][];
   laid: [a0: number, b0: number, a1: number, b1: number][];
@@ -124,6 +126,22 @@ export interface Room {
   span: ByteRange;
   fixed: string | null;
 }
+
+/** What is built into a room: its least corner, and its extent along a and b. */
+export interface Fixture {
+  kind: string;
+  at: Point;
+  size: Point;
+  /** The side of its front. */
+  faces: Faces;
+  /** False if it does not fit and is left out. */
+  built: boolean;
+  file: number;
+  span: ByteRange;
+  fixed: string | null;
+}
+
+export type Faces = 'F' | 'B' | 'L' | 'R';
 
 export interface Storey {
   storey: number;
@@ -137,6 +155,7 @@ export interface Storey {
   fixed: string | null;
   rings: Ring[];
   rooms: Room[];
+  fixtures: Fixture[];
   regions: Region[];
 }
 
@@ -238,6 +257,15 @@ export interface TownFeature {
 /** The line of a feature in the table of decisions, by the names of its columns. */
 export type Decision = Record<string, string>;
 
+/** A place in the system of a town's map. */
+export interface MapPlace {
+  crs: string;
+  /** East and north in it, metres. */
+  at: [east: number, north: number];
+  /** Longitude and latitude; null where the system lies nowhere on the globe. */
+  degrees: [longitude: number, latitude: number] | null;
+}
+
 /** A feature on which nothing stands. */
 export interface Skipped {
   layer: string;
@@ -286,6 +314,10 @@ export const townFiles = (id: number) => `/api/town/${id}/files/`;
 /** Fetches the decision about a feature, of any layer if none is named; null if there is no such feature. */
 export const fetchFeature = async (id: number, layer: string, key: string) =>
   answer<Decision | null>(await fetch(`/api/town/${id}/feature?layer=${encodeURIComponent(layer)}&key=${encodeURIComponent(key)}`));
+
+/** Fetches a place, metres east and north of the town's origin, in the system of its map; null if that is not known. */
+export const fetchPlace = async (id: number, east: number, north: number) =>
+  answer<MapPlace | null>(await fetch(`/api/town/${id}/place?east=${east}&north=${north}`));
 
 /** Fetches the first of the features on which nothing stands. */
 export const fetchSkipped = async (id: number) => answer<{ total: number; list: Skipped[] }>(await fetch(`/api/town/${id}/skipped`));

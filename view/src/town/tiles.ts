@@ -63,9 +63,9 @@ function boxOf({ boundingVolume: { box } }: TileJson): THREE.Box3 | null {
   return new THREE.Box3(middle.clone().sub(half), middle.add(half));
 }
 
-/** A surface of a feature that was hit. */
+/** A surface that was hit: of a feature, or of the ground. */
 export interface TileHit {
-  feature: TownFeature;
+  feature: TownFeature | null;
   point: THREE.Vector3;
 }
 
@@ -206,7 +206,7 @@ export class TownTiles {
   /** The number of images that the page's tiles use. */
   get textures(): number { return texturesInUse(); }
 
-  /** The feature that a ray meets first. */
+  /** The feature or the ground that a ray meets first. */
   hit(ray: THREE.Raycaster): TileHit | null {
     const found = ray.intersectObject(this.#tiles.group, true).find(({ object }) => object instanceof THREE.Mesh);
     if (!found?.face) return null;
@@ -216,7 +216,7 @@ export class TownTiles {
       scene.traverse(node => { holds ||= node === mesh; });
       if (holds && metadata && id !== undefined) return { feature: featureOf(metadata, id), point: found.point };
     }
-    return null;
+    return { feature: null, point: found.point };
   }
 
   /** The point that a ray meets first. */

@@ -4,7 +4,7 @@
 import * as THREE from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import type { App } from '../app.ts';
-import { fetchFeature, fetchSkipped, townFiles, type Decision, type Skipped, type TownFeature, type TownProgress, type TownState } from '../server/api.ts';
+import { fetchFeature, fetchPlace, fetchSkipped, townFiles, type Decision, type MapPlace, type Skipped, type TownFeature, type TownProgress, type TownState } from '../server/api.ts';
 import { EYE_HEIGHT } from '../scene/views.ts';
 import { strings } from '../ui/strings.ts';
 import type { TownTiles } from './tiles.ts';
@@ -18,6 +18,9 @@ const NEAR = 28;
 /** Height of the mark of a feature on which nothing stands, metres. */
 const PIN = 6;
 
+/** Around the town its ground goes on for so far, metres. */
+const AROUND = 200;
+
 /** A selected feature: what its tile says, and its line in the table of decisions. */
 export interface SelectedFeature {
   /** Null where nothing stands on it. */
@@ -27,11 +30,19 @@ export interface SelectedFeature {
   decision: Decision | null;
 }
 
+/** A place on the ground that was clicked: metres east and north of the town's origin, and its height above the lowest ground. */
+export interface GroundPlace {
+  point: THREE.Vector3;
+  /** Null until it is known, and for a town of which it is not. */
+  place: MapPlace | null;
+}
+
 export class Town {
   /** Null if the file is no town. */
   state: TownState | null = null;
   progress: TownProgress | null = null;
   selected: SelectedFeature | null = null;
+  ground: GroundPlace | null = null;
   skipped: { total: number; list: Skipped[] } = { total: 0, list: [] };
   tiles: TownTiles | null = null;
   #app: App;
@@ -85,7 +96,7 @@ export class Town {
     this.#next?.dispose();
     this.tiles = this.#next = this.#box = null;
     this.#root = '';
-    this.progress = this.selected = null;
+    this.progress = this.selected = this.ground = null;
     this.skipped = { total: 0, list: [] };
     this.#app.viewport.extent = null;
     this.#mark();
@@ -154,7 +165,7 @@ export class Town {
     const { selected, tiles } = this;
     const found = selected && tiles ? tiles.shapeOf(selected.layer, selected.key) : null;
     const place = selected && !found ? placeOf(selected.decision, 'x', 'y') : null;
-    this.#app.selected.show(found ? [found.shape] : place ? [pin(place)] : []);
+    this.#app.selected.show(found ? [found.shape] : place ? [pin(place)] : this.ground ? [pin(this.ground.point, 1)] : []);
     this.#box = found?.shape.boundingBox ?? this.#box;
     if (found && selected && !selected.house) {
       selected.house = found.feature;
@@ -165,8 +176,23 @@ export class Town {
   /** Selects what is drawn at a ray. */
   pick(ray: THREE.Raycaster) {
     const found = this.tiles?.hit(ray);
-    if (!found) return this.clearSelection();
-    void this.choose(found.feature.layer, found.feature.key, found.feature);
+    if (found?.feature) return void this.choose(found.feature.layer, found.feature.key, found.feature);
+    this.clearSelection();
+    const point = found?.point ?? this.surfaceAt(ray);
+    if (point && this.box?.clone().expandByScalar(AROUND).containsPoint(point)) void this.#choosePlace(point);
+  }
+
+  /** Chooses a place on the ground, which is then told in the system of the map. */
+  async #choosePlace(point: THREE.Vector3) {
+    const { state } = this, ground: GroundPlace = { point, place: null };
+    if (!state) return;
+    this.ground = ground;
+    this.#mark();
+    this.#app.emit('town');
+    ground.place = await fetchPlace(state.id, point.x, -point.z).catch(() => null);
+    if (this.ground !== ground) return;
+    this.#app.emit('town');
+    this.#app.announce(placeText(ground));
   }
 
   /** The point of a house, or else of the ground, that a ray meets first. */
@@ -176,7 +202,7 @@ export class Town {
   }
 
   clearSelection() {
-    this.selected = this.#box = null;
+    this.selected = this.ground = this.#box = null;
     this.#mark();
     this.#app.emit('town');
   }
@@ -188,7 +214,7 @@ export class Town {
     const decision = await fetchFeature(state.id, layer, key).catch(() => null);
     if (this.state?.id !== state.id || !decision && !house) return false;
     const own = decision?.['layer'] ?? layer;
-    this.#box = null;
+    this.#box = this.ground = null;
     this.selected = { house, layer: own, key, decision };
     this.#mark();
     this.#app.emit('town');
@@ -242,10 +268,18 @@ export class Town {
   }
 }
 
-/** A mark where nothing stands: a post in a ring. */
-function pin(place: THREE.Vector3): THREE.BufferGeometry {
-  const post = new THREE.CylinderGeometry(0.2, 0.2, PIN, 8).translate(place.x, PIN / 2, place.z);
-  const ring = new THREE.TorusGeometry(1.6, 0.12, 6, 24).rotateX(Math.PI / 2).translate(place.x, 0.15, place.z);
+/** What is said of a place on the ground. */
+export function placeText({ point, place }: GroundPlace): string {
+  const metres = (n: number) => n.toFixed(2), degrees = place?.degrees?.map(n => n.toFixed(6)).reverse();
+  const [east, north] = place?.at ?? [point.x, -point.z];
+  return [strings.groundAt(metres(east), metres(north), place?.crs ?? strings.townOrigin), degrees && strings.degreesAt(degrees[0]!, degrees[1]!), strings.groundHeight(metres(point.y))]
+    .filter(Boolean).join(strings.comma);
+}
+
+/** A mark where nothing stands: a post in a ring, of some size. */
+function pin(place: THREE.Vector3, height = PIN): THREE.BufferGeometry {
+  const post = new THREE.CylinderGeometry(height / 30, height / 30, height, 8).translate(place.x, place.y + height / 2, place.z);
+  const ring = new THREE.TorusGeometry(height * 0.27, height / 50, 6, 24).rotateX(Math.PI / 2).translate(place.x, place.y + 0.15, place.z);
   return mergeGeometries([post, ring]);
 }
 

@@ -7,8 +7,8 @@ import { hit } from '../model/parts.ts';
 import { type Model, rangesOf } from '../model/model.ts';
 import { strings } from '../ui/strings.ts';
 
-/** Codes of doors and screens. */
-const DOOR = /^(T|GDE)/;
+/** Codes of doors and screens; `TTB` is the box for shutters. */
+const DOOR = /^T(?!TB)/;
 
 /** As far as a hand reaches with a key, and with the pointer, metres. */
 const NEAR = 1.6, FAR = 6;
@@ -51,6 +51,9 @@ export class Doors {
     app.on('model', () => this.shut());
   }
 
+  /** True while one slides. */
+  get busy(): boolean { return this.#sliding.size > 0; }
+
   /** Shuts all doors at once. */
   shut() {
     for (const moved of this.#moved.values()) place(moved, 0);
@@ -60,7 +63,10 @@ export class Doors {
   }
 
   /** Slides the door that a walker faces; false if there is none. */
-  use(ray: THREE.Raycaster): boolean { return this.#slide(this.#along(ray, NEAR) ?? this.#beside(ray)); }
+  use(ray: THREE.Raycaster): boolean { return this.#slide(this.faced(ray)); }
+
+  /** The door that a walker faces; null if there is none within reach. */
+  faced(ray: THREE.Raycaster): number | null { return this.#along(ray, NEAR) ?? this.#beside(ray); }
 
   /** Slides the door under a pointer; false if there is none. */
   press(ray: THREE.Raycaster): boolean { return this.#slide(this.#along(ray, FAR)); }

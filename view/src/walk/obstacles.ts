@@ -15,6 +15,12 @@ const HEIGHT = 1.6;
 /** Longest way at once: a body never jumps over a wall. */
 const STRIDE = 0.15;
 
+/** Nearer than this one is in the middle of what has come, metres. */
+const WITHIN = 0.02;
+
+/** The most steps at once. */
+const MOST = 1000;
+
 /** Upward part of the normal of a surface on which one can stand. */
 const WALKABLE = 0.6;
 
@@ -98,25 +104,29 @@ export class Obstacles {
 
   /** Walks a way from a spot, along what stands in it; returns where it ends, and the ground there. */
   walk(from: Spot, ground: number, way: Spot): { spot: Spot; ground: number } {
-    const strides = Math.ceil(Math.hypot(...way) / STRIDE);
-    let spot = from;
-    for (let i = 0; i < strides; i++) {
-      const next = this.#stride(spot, ground, [spot[0] + way[0] / strides, spot[1] + way[1] / strides]);
+    const long = Math.hypot(...way);
+    let spot = from, gone = 0;
+    for (let i = 0; gone < long - 1e-9 && i < MOST; i++) {
+      const { far } = this.nearest(spot, ground);
+      // Who touches something, since a door has slid there or a nearer level of detail has come, takes steps too short to get through.
+      const step = Math.min(long - gone, far < RADIUS - 1e-3 && far > WITHIN ? Math.min(STRIDE, far / 2) : STRIDE);
+      const next = this.#stride(ground, [spot[0] + way[0] / long * step, spot[1] + way[1] / long * step], far, step);
       if (!next) break;
+      gone += step;
       ground = this.ground(spot = next, ground);
     }
     return { spot, ground };
   }
 
-  /** Where a body comes to that wants to a spot; null if it stays. */
-  #stride(from: Spot, ground: number, to: Spot): Spot | null {
-    // Who already touches something, since a nearer level of detail has come, may go away from it.
-    const least = Math.min(RADIUS, this.nearest(from, ground).far) - 1e-4;
+  /** Where a body comes to by a step to a spot from one at which it is so far from what is nearest; null if it stays. */
+  #stride(ground: number, to: Spot, away: number, step: number): Spot | null {
+    // Who touches something may go away from it; who is in the middle of it, out of it.
+    const least = away < WITHIN ? away + step / 2 : Math.min(RADIUS, away) - 1e-4;
     let [x, z] = to;
     for (let push = 0; push < 4; push++) {
       const { far, at } = this.nearest([x, z], this.ground([x, z], ground));
       if (far >= least) return [x, z];
-      if (far < 1e-6) return null;
+      if (far < 1e-6 || away < WITHIN) return null;
       x += (x - at[0]) / far * (RADIUS - far);
       z += (z - at[1]) / far * (RADIUS - far);
     }

@@ -1,6 +1,6 @@
-// Where a walk begins: on the ground, under no roof, with a way ahead.
+// Where a walk begins: in the room that is looked at from inside, else on the ground, under no roof, with a way ahead.
 
-import { Obstacles, type Spot } from './obstacles.ts';
+import { Obstacles, RADIUS, type Spot } from './obstacles.ts';
 
 /** How far from the place that was looked at. */
 export const SEARCHED = 40;
@@ -19,11 +19,21 @@ const ROOF = 1, SLOPE = 0.15;
 
 const HEADINGS = 24;
 
+/** How high above its floor a room is looked at from inside. */
+const LOWEST = 0.4, HIGHEST = 2.2;
+
 export interface Start {
   spot: Spot;
   ground: number;
   /** Clockwise from north, radians. */
   heading: number;
+}
+
+/** The start in a room, for eyes at a spot in it; null if they are outside, or too near to something. */
+export function startIndoors(obstacles: Obstacles, spot: Spot, eyes: number, heading: number): Start | null {
+  if (obstacles.top(spot) <= eyes) return null;
+  const ground = obstacles.ground(spot, eyes - LOWEST), high = eyes - ground;
+  return high >= LOWEST && high <= HIGHEST && obstacles.nearest(spot, ground).far >= RADIUS ? { spot, ground, heading } : null;
 }
 
 /** The nearest place to a spot at which a walk can begin; null if there is none. The heading is the wanted one if a way leads there. */

@@ -7,7 +7,7 @@ import { rayAt } from '../scene/canvas.ts';
 import { Doors } from './doors.ts';
 import { Lamp } from './lamp.ts';
 import { Obstacles, type Spot } from './obstacles.ts';
-import { FARTHEST, SEARCHED, startNear } from './start.ts';
+import { FARTHEST, SEARCHED, startIndoors, startNear } from './start.ts';
 import { nearestCorner, trianglesIn } from './surfaces.ts';
 
 /** Height of the eyes above the ground, metres. */
@@ -107,18 +107,19 @@ export class Walk {
     if (town.selected) town.standBefore();
     const low = camera.position.y < environment.level + LOW, place = low ? camera.position : controls.target;
     const ahead = camera.getWorldDirection(new THREE.Vector3()), facing = Math.atan2(ahead.x, -ahead.z);
+    const { x, y, z } = camera.position, room = startIndoors(this.#around([x, z]), [x, z], y, facing);
     let spot: Spot = [place.x, place.z], around = this.#around(spot);
     // Among houses rather than on open land.
     const house = !low && around.none && nearestCorner(place, this.#app.meshes());
     if (house) around = this.#around(spot = [house.x, house.z]);
-    const start = startNear(around, spot, facing);
+    const start = room ?? startNear(around, spot, facing);
     if (!start) {
       this.#app.announce(strings.noRoomToWalk);
       return false;
     }
     this.on = true;
     // Who stands on the street already goes on to look at the same front.
-    [this.#spot, this.#ground, this.#heading] = [start.spot, start.ground, low ? facing : start.heading];
+    [this.#spot, this.#ground, this.#heading] = [start.spot, start.ground, low || room ? facing : start.heading];
     this.#eyes = start.ground + EYES;
     this.#tilt = 0;
     this.#obstacles = null;

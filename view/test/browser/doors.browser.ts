@@ -25,8 +25,9 @@ const door = () => page.evaluate(() => {
 /** Goes ahead until one stands for a while. */
 async function ahead() {
   await page.keyboard.down('KeyW');
-  for (let last = NaN, still = 0; still < 4;) {
-    await page.waitForTimeout(200);
+  for (let last = NaN, still = 0; still < 2;) {
+    const frames = await page.evaluate(() => hsd.stats.frames);
+    await until(() => page.evaluate(frames => hsd.stats.frames > frames + 3, frames), 'frames are drawn', 30_000);
     const now = await south();
     still = Math.abs(now - last) < 0.01 ? still + 1 : 0;
     last = now;
@@ -47,10 +48,24 @@ test('from the street a shut door stops a walker, and an open one leads into the
   assert.ok(stopped > z + 0.2, `stopped at ${stopped}, before the door at ${z}`);
   await page.keyboard.press('KeyE');
   await until(async () => /^Opened: /.test(await live()), 'it is told');
-  await page.waitForTimeout(500);
+  await until(() => page.evaluate(() => !hsd.app.walk.doors.busy), 'it has slid');
   await ahead();
   const inside = await south();
   assert.ok(inside < z - 1, `${inside} is behind the door at ${z}`);
+});
+
+test('who looks at a room from inside begins to walk there, with the eyes above its floor', async () => {
+  await does(page, 'leave-walk').click();
+  await page.evaluate(() => hsd.app.visit(hsd.app.state!.plan.views.find(({ name }) => name === 'zashiki')!));
+  await page.evaluate(() => hsd.settled());
+  await does(page, 'walk').click();
+  const { place, eyes, from, floor, origin } = await page.evaluate(() => {
+    const { houses: [house], views } = hsd.app.state!.plan;
+    return { place: hsd.app.walk.place, eyes: hsd.camera[1]!, from: views.find(({ name }) => name === 'zashiki')!.from, floor: house!.storeys[0]!.z0 + house!.origin[2], origin: hsd.app.model!.origin.toArray() };
+  });
+  assert.ok(Math.hypot(place[0] + origin[0]! - from[0], place[2] + origin[2]! + from[1]) < 0.01, `${place} is not where the view is`);
+  assert.ok(Math.abs(place[1] + origin[1]! - floor) < 0.7, `it stands at ${place[1]}, the floor is at ${floor}`);
+  await until(async () => { const now = await page.evaluate(() => hsd.camera[1]! - hsd.app.walk.place[1]); return Math.abs(now - 1.5) < 0.05; }, `the eyes are at ${eyes}`);
 });
 
 test('the lamp is lit and put out by a key, and its button says so', async () => {

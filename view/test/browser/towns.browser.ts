@@ -75,7 +75,26 @@ test('a click on a house tells its feature, type, parameters and evidence, and l
   await until(async () => (await page.locator('.source-line .spot').first().innerText()).includes('<Place'), 'its line is marked');
   await card(page).locator('[data-do=open]').click();
   assert.deepEqual((await preview.sent()).slice(0, 2), ['block.hsd', house!.line]);
-  await page.mouse.click(30, 300); // The ground clears the selection.
+  await page.evaluate(() => hsd.app.town.clearSelection());
+});
+
+test('a click on the ground tells its place in the system of the map, and its height', async () => {
+  const spot = await page.evaluate(() => {
+    const { canvas, camera, environment } = hsd.viewport, { left, top } = canvas.getBoundingClientRect(), { min, max } = hsd.app.town.box!;
+    const at = camera.position.clone().set((min.x + max.x) / 2, environment.level, max.z + 1.5), seen = at.clone().project(camera);
+    return { at: at.toArray(), x: left + (seen.x + 1) / 2 * canvas.clientWidth, y: top + (1 - seen.y) / 2 * canvas.clientHeight };
+  });
+  await page.mouse.click(spot.x, spot.y);
+  await until(async () => /local/.test(await card(page).innerText()), 'the place is told');
+  const told = (await card(page).locator('.ground-place').innerText()).match(/^x (-?[\d.]+) m, y (-?[\d.]+) m \(local\), height (-?[\d.]+) m$/)!.slice(1).map(Number);
+  // The map counts from elsewhere: the houses of the town tell from where.
+  const origin = await page.evaluate(async () => (await (await fetch(`/api/town/${hsd.app.town.state!.id}/place?east=0&north=0`)).json() as { at: number[] }).at);
+  assert.ok(Math.abs(told[0]! - origin[0]! - spot.at[0]!) < 0.3 && Math.abs(told[1]! - origin[1]! + spot.at[2]!) < 0.3, `${told}, not ${spot.at} from ${origin}`);
+  assert.ok(Math.abs(told[2]!) < 0.5, `the ground at ${told[2]}`);
+  assert.equal(await page.locator('.live').innerText(), await card(page).locator('.ground-place').innerText());
+  await page.locator('canvas.viewport').focus();
+  await page.keyboard.press('Escape');
+  await until(async () => !await card(page).isVisible(), 'Escape clears it');
 });
 
 test('without a pointer: a house is found by its key, and Enter selects what is under the crosshair', async () => {

@@ -11,9 +11,10 @@ use crate::ide::stroke::find;
 use crate::ide::stroke::refuse;
 use crate::ide::stroke::sheet::{Reason, Sheet, name};
 use crate::ide::stroke::xml::{gap_before, gone, plain, without};
-use crate::source::FileId;
+use crate::source::{FileId, Span};
 use glam::{DVec2, dvec2};
 use serde::Deserialize;
+use std::ops::RangeInclusive;
 
 /// What a stroke writes about a room; what it leaves out stays as it is.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -33,6 +34,9 @@ pub struct RoomWords {
     /// `battens`, `joists` or `none`.
     #[serde(default)]
     pub ceiling: Option<String>,
+    /// From the floor to the ceiling, shaku; 0 for that of the storey.
+    #[serde(default)]
+    pub height: Option<f64>,
 }
 
 /// Adds a room at a point.
@@ -66,11 +70,22 @@ pub(in crate::ide::stroke) fn change(
     if let Some(to) = words.at {
         free(level, to, Some(number))?;
     }
+    rewritten(sheet, element, written(words)?, usual)
+}
+
+/// Returns the edits that give attributes of an element these values; empty ones remove them, those that are `usual` need
+/// not be written.
+pub(super) fn rewritten(
+    sheet: &Sheet<'_>,
+    element: usize,
+    words: Vec<(&'static str, String)>,
+    usual: fn(&str) -> Option<&'static str>,
+) -> Result<Vec<Edit>, Text> {
     let own = &sheet.outline.elements[element];
     let end = own.attributes.iter().map(|a| a.range.end).max();
     let end = end.unwrap_or(own.name.end);
     let mut edits = vec![];
-    for (word, value) in written(words)? {
+    for (word, value) in words {
         match own.attribute(word) {
             Some(given) if !given.expressions.is_empty() => return Err(Reason::Computed.text()),
             Some(given) if value.is_empty() => edits.push(without(sheet, &given.range)),
@@ -106,14 +121,19 @@ pub(in crate::ide::stroke) fn remove(
 
 /// Returns the reason why no stroke can change a room.
 pub(in crate::ide) fn room_fixed(sheet: &Sheet<'_>, room: &Room) -> Option<Reason> {
-    if room.span.file != FileId(0) {
+    fixed(sheet, room.span, "Room")
+}
+
+/// Returns the reason why no stroke can change the element of a span.
+pub(super) fn fixed(sheet: &Sheet<'_>, span: Span, called: &str) -> Option<Reason> {
+    if span.file != FileId(0) {
         return Some(Reason::Include);
     }
-    match find::element(sheet, room.span) {
-        Some(element) if name(&sheet.outline.elements[element]) == "Room" => {
+    match find::element(sheet, span) {
+        Some(element) if name(&sheet.outline.elements[element]) == called => {
             sheet.around_fixed(element)
         }
-        _ => Some(sheet.made_by(sheet.a.source.text_range(room.span).start)),
+        _ => Some(sheet.made_by(sheet.a.source.text_range(span).start)),
     }
 }
 
@@ -158,10 +178,6 @@ fn written(words: &RoomWords) -> Result<Vec<(&'static str, String)>, Text> {
         let at = dvec2(a, b);
         all.push(("at", format!("{} {}", plain(at.x), plain(at.y))));
     }
-    let one_of = |value: &str, known: &[&str]| match known.contains(&value) {
-        true => Ok(value.to_owned()),
-        false => Err(refuse::no_such_place()),
-    };
     let floors = Flooring::ALL.map(|(word, _)| word);
     let orders = MatOrder::ALL.map(|(word, _)| word);
     let ceilings = RoomCeiling::ALL.map(|(word, _)| word);
@@ -174,8 +190,25 @@ fn written(words: &RoomWords) -> Result<Vec<(&'static str, String)>, Text> {
             all.push((word, one_of(value, known)?));
         }
     }
+    match words.height {
+        None => {}
+        Some(0.0) => all.push(("height", String::new())),
+        Some(height) if HEIGHTS.contains(&height) => all.push(("height", plain(height))),
+        Some(_) => return Err(refuse::odd_ceiling(*HEIGHTS.start(), *HEIGHTS.end())),
+    }
     Ok(all)
 }
+
+/// Checks that a word is one of those that are known.
+pub(super) fn one_of(word: &str, known: &[&str]) -> Result<String, Text> {
+    match known.contains(&word) {
+        true => Ok(word.to_owned()),
+        false => Err(refuse::no_such_place()),
+    }
+}
+
+/// How high ceilings can be drawn, shaku.
+const HEIGHTS: RangeInclusive<f64> = 1.0..=100.0;
 
 /// The longest name, characters.
 const LONGEST_NAME: usize = 100;

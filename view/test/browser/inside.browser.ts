@@ -1,0 +1,35 @@
+// A walker gets from the street to every room by the doors that open, up the stairs, and nowhere through a wall.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import type { Page } from 'playwright-core';
+import { explore } from './explorer.ts';
+import { Preview } from './preview.ts';
+
+let preview: Preview;
+
+before(async () => { preview = await Preview.of(['rooms.hsd', 'tsushi.hsd']); });
+after(async () => { await preview?.close(); });
+
+for (const file of ['rooms.hsd', 'tsushi.hsd']) {
+  let page: Page;
+  test(`${file}: shut doors keep a walker out of the rooms`, async () => {
+    page = await preview.open(`?file=${file}`);
+    const { rooms, through, stands } = await explore(page, false);
+    assert.deepEqual(through, []);
+    // The bay beside the great door stands open.
+    assert.deepEqual([...rooms], ['1: 通り庭']);
+    assert.ok(stands.length > 100, `${stands.length} places outside`);
+  });
+
+  test(`${file}: a walker who opens doors gets to every room, and never through a wall`, async () => {
+    const { missed, opened, through, afloat } = await explore(page, true);
+    assert.deepEqual(through, []);
+    assert.deepEqual(afloat, [], 'the way up is by stairs alone');
+    assert.deepEqual(missed, []);
+    assert.ok(opened.length >= 8, `${opened}`);
+    await page.context().close();
+  });
+}
+
+test('no requests to other hosts, no errors', () => preview.assertClean());
