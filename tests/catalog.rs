@@ -13,8 +13,8 @@ fn codes(catalog: &Catalog, ids: &[hsd::catalog::PartId]) -> Vec<String> {
 #[test]
 fn every_part_is_found_by_its_code() {
     let catalog = hsd::parse::builtin();
-    // Those of the specification, those of monuments behind them, and fusuma.
-    assert_eq!(catalog.parts().len(), 82 + 7 + 1);
+    // Those of the specification, those of monuments behind them, and fusuma with and without a transom.
+    assert_eq!(catalog.parts().len(), 82 + 7 + 2);
     for part in catalog.parts() {
         let id = catalog.find(&CodeText::new(part.code())).expect("found");
         assert_eq!(catalog.part(id).code(), part.code());

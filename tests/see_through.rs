@@ -40,9 +40,11 @@ const fn front(bay: f64, height: f64, post: f64, round: bool) -> Front {
     }
 }
 
-/// Parts that stand open, and fences, which have no house behind them: every other part closes its bay.
-const OPEN: [&str; 10] = [
-    "AKI  ", "AKI 2", "ANO  ", "ANL  ", "ANM  ", "ATN  ", "AFU  ", "KTB  ", "KDB  ", "KIB  ",
+/// Parts that stand open, the transom above doors within the house, and fences, which have no house behind them: every other
+/// part closes its bay.
+const OPEN: [&str; 11] = [
+    "AKI  ", "AKI 2", "ANO  ", "ANL  ", "ANM  ", "ATN  ", "AFU  ", "TFR 2", "KTB  ", "KDB  ",
+    "KIB  ",
 ];
 
 /// Parts that close their bay.

@@ -130,4 +130,5 @@ pub(super) const WITHOUT_FIX: &[(u16, &str)] = &[
     (1113, "what a place needs, only the author knows"),
     (1114, "which maps there are, only the author knows"),
     (1144, "where a storey stands is the author's choice"),
+    (1157, "which field tells the outline, only the author knows"),
 ];
