@@ -173,8 +173,11 @@ function movable(model: Model, part: number): Moved {
     }
   }
   const width = Math.max(0, high - low - LEFT), middle = box.getCenter(new THREE.Vector3());
-  // To the side on which the wall goes on.
-  const there = (side: number) => (wall?.box.distanceToPoint(middle.clone().addScaledVector(along, side * width)) ?? 0) < 0.1;
-  const way = along.multiplyScalar(there(1) || !there(-1) ? width : -width).addScaledVector(front, BEFORE);
+  // To a side on which the wall goes on, rather not before another door: two that stood open side by side would shut each other.
+  const beside = (side: number) => middle.clone().addScaledVector(along, side * width);
+  const there = (side: number) => (wall?.box.distanceToPoint(beside(side)) ?? 0) < 0.1;
+  const isDoor = (side: number) => model.parts.some(({ kind, code, box }, other) => other !== part && kind === 'part' && DOOR.test(code ?? '') && box.containsPoint(beside(side)));
+  const worth = (side: number) => (there(side) ? 2 : 0) + (isDoor(side) ? 0 : 1);
+  const way = along.clone().multiplyScalar(worth(1) >= worth(-1) ? width : -width).addScaledVector(front, BEFORE);
   return { leaves, way, open: false, at: 0 };
 }

@@ -6,9 +6,24 @@ import type { Page } from 'playwright-core';
 import { explore } from './explorer.ts';
 import { Preview } from './preview.ts';
 
+/** A room behind two pairs of fusuma side by side. */
+const PAIRS = `<House name="pairs">
+  <Storey height="9">
+    <Row>TKD 2KTU  KTU  KTU  </Row>
+    <Row><repeat num="6"><Part code="KTU"/></repeat></Row>
+    <Row><repeat num="5"><Part code="KTU"/></repeat></Row>
+    <Row><repeat num="6"><Part code="KTU"/></repeat></Row>
+    <Loop inner="yes" start="0 3"><Row>KTU  TFU 2TFU 2</Row></Loop>
+    <Room name="a" at="2 1"/>
+    <Room name="b" at="2 5"/>
+  </Storey>
+  <Roofs kind="K" shape="KIR"/>
+</House>
+`;
+
 let preview: Preview;
 
-before(async () => { preview = await Preview.of(['rooms.hsd', 'tsushi.hsd']); });
+before(async () => { preview = await Preview.of(['rooms.hsd', 'tsushi.hsd', ['pairs.hsd', PAIRS], ['mirrored.hsd', PAIRS.replace('KTU  TFU 2TFU 2', 'TFU 2TFU 2KTU  ')]]); });
 after(async () => { await preview?.close(); });
 
 for (const file of ['rooms.hsd', 'tsushi.hsd']) {
@@ -31,5 +46,12 @@ for (const file of ['rooms.hsd', 'tsushi.hsd']) {
     await page.context().close();
   });
 }
+
+for (const file of ['pairs.hsd', 'mirrored.hsd']) test(`${file}: pairs of doors side by side do not shut each other`, async () => {
+  const page = await preview.open(`?file=${file}`), { missed, opened, through } = await explore(page, true);
+  assert.deepEqual([missed, through], [[], []]);
+  assert.deepEqual(opened.filter(code => code === 'TFU 2').length, 2);
+  await page.context().close();
+});
 
 test('no requests to other hosts, no errors', () => preview.assertClean());
