@@ -222,7 +222,7 @@ pub struct Storey {
     /// Its rooms, in the order of the file.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub rooms: Vec<Room>,
-    /// What is built into them, in the order of the file.
+    /// Its fixtures, such as stairs and alcoves, in the order of the file.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub fixtures: Vec<Fixture>,
     /// `random` and `replace` directly in the storey: edits of all its rows.

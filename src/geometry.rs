@@ -72,6 +72,11 @@ pub fn holds(polygon: &[DVec2], p: DVec2) -> bool {
     crossed.count() % 2 == 1
 }
 
+/// Returns true if polygons with holes contain a point: an odd number of their outlines does.
+pub fn in_rings(rings: &[Vec<DVec2>], p: DVec2) -> bool {
+    rings.iter().filter(|ring| holds(ring, p)).count() % 2 == 1
+}
+
 /// Returns twice the signed area of a closed polygon; positive = interior on the right of the walk.
 pub fn area2(corners: &[DVec2]) -> f64 {
     let next = corners.iter().cycle().skip(1);

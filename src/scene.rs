@@ -232,7 +232,7 @@ pub enum Kind {
     Member,
     /// The floor and ceiling of a room.
     Room,
-    /// What is built into a room.
+    /// A fixture of a room: an alcove, stairs, a stove.
     Fixture,
     /// A roof.
     Roof,

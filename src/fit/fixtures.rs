@@ -157,7 +157,7 @@ fn told(written: &ast::Fixture, why: Hindrance<'_>, plan: &Plan<'_>) -> Diagnost
     }
 }
 
-/// Opens the storey above over stairs; that they are too steep is told.
+/// Notes which sides of the opening above the stairs have no wall, and warns of stairs that are too steep.
 fn rise(
     stairs: &mut Fixture,
     written: &ast::Fixture,

@@ -5,6 +5,7 @@
 
 use crate::ast::MatOrder;
 use crate::building::Mat;
+use crate::geometry::in_rings;
 use glam::{DVec2, dvec2};
 
 /// The most cells of a room with mats; a hall of a thousand mats has two thousand.
@@ -41,12 +42,6 @@ pub(super) fn lay(area: &[Vec<DVec2>], order: MatOrder) -> Option<Vec<Mat>> {
     Some(floor.mats(&layout, area))
 }
 
-/// Returns true for a point in an area of several rings.
-fn inside(area: &[Vec<DVec2>], p: DVec2) -> bool {
-    let rings = area.iter().filter(|ring| crate::geometry::holds(ring, p));
-    rings.count() % 2 == 1
-}
-
 impl Floor {
     fn new(area: &[Vec<DVec2>]) -> Option<Floor> {
         let points = || area.iter().flatten();
@@ -65,7 +60,7 @@ impl Floor {
                 ring.iter().zip(next)
             });
             let mut edges = edges.map(|(p, q)| (*p - corner, *q - corner));
-            inside(area, corner + 0.5) && !edges.any(|(p, q)| cuts_cell(p, q))
+            in_rings(area, corner + 0.5) && !edges.any(|(p, q)| cuts_cell(p, q))
         });
         Some(Floor {
             low,
@@ -143,7 +138,7 @@ impl Floor {
                 };
                 let cells = size.dot(across).round() as usize;
                 let mut middles = (0..cells).map(|i| from + across * (i as f64 + 0.5));
-                middles.any(|p| !inside(area, p))
+                middles.any(|p| !in_rings(area, p))
             };
             Mat {
                 low,

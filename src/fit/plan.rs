@@ -3,7 +3,7 @@
 use crate::ast::StoreyKind;
 use crate::building::{Fixture, Storey};
 use crate::fit::areas::{Areas, MOST};
-use crate::geometry::holds;
+use crate::geometry::{holds, in_rings};
 use glam::DVec2;
 
 /// The plan of a storey.
@@ -25,7 +25,7 @@ pub(super) enum NoPlan {
     Crowded,
 }
 
-/// What there is at a point of a storey.
+/// What lies at a point of a storey: a wall, a room, an area without one, or nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InStorey {
     /// A wall.
@@ -38,7 +38,7 @@ pub enum InStorey {
     Free,
 }
 
-/// An outline, then those of what stands free in it.
+/// A polygon with holes: its outline, then the outlines of the holes; U.
 pub(super) type Area = Vec<Vec<DVec2>>;
 
 /// From the edge of a fixture to the place before it where one stands, U.
@@ -110,7 +110,7 @@ impl<'h> Plan<'h> {
         Plan::before(stairs, -stairs.faces.outward())
     }
 
-    /// Returns what other areas leave of these; `None` for none, and for those that meet walls in too many places.
+    /// Cuts other areas out of those of the storey; `None` if there are none, or if walls and outlines meet in too many places.
     pub(super) fn without(&self, taken: Vec<Area>) -> Option<Rest<'_, 'h>> {
         if taken.is_empty() {
             return None;
@@ -128,7 +128,7 @@ impl<'h> Plan<'h> {
     }
 }
 
-/// What other areas leave of the areas of a storey.
+/// The areas of a storey with other areas cut out of them.
 pub(super) struct Rest<'p, 'h> {
     plan: &'p Plan<'h>,
     areas: Areas,
@@ -141,7 +141,7 @@ impl Rest<'_, '_> {
         self.areas.walks().filter_map(move |part| {
             let point = self.areas.point_in(part)?;
             let own = self.plan.areas.around(point) == Some(walk);
-            own.then(|| (part, self.taken.iter().any(|area| contains(area, point))))
+            own.then(|| (part, self.taken.iter().any(|area| in_rings(area, point))))
         })
     }
 
@@ -161,12 +161,6 @@ impl Rest<'_, '_> {
         let mut parts = self.parts(walk).peekable();
         parts.peek().is_some() && parts.all(|(_, taken)| taken)
     }
-}
-
-/// Returns true for a point in an area and not in what stands free in it.
-fn contains(area: &Area, p: DVec2) -> bool {
-    let mut rings = area.iter();
-    rings.next().is_some_and(|outer| holds(outer, p)) && !rings.any(|hole| holds(hole, p))
 }
 
 /// Returns the ends of all walls, U.

@@ -176,7 +176,7 @@ pub struct Storey {
     pub rings: Vec<Ring>,
     /// Its rooms, in the order of the file.
     pub rooms: Vec<PlanRoom>,
-    /// What is built into them, in the order of the file.
+    /// Its fixtures, in the order of the file.
     pub fixtures: Vec<PlanFixture>,
     /// Its automatic roofs in plan.
     pub regions: Vec<Region>,

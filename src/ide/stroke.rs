@@ -229,7 +229,7 @@ pub enum Stroke {
         /// The storey.
         #[serde(flatten)]
         storey: StoreyAt,
-        /// What is written about it.
+        /// The attributes to write.
         #[serde(flatten)]
         words: RoomWords,
     },
@@ -240,7 +240,7 @@ pub enum Stroke {
         storey: StoreyAt,
         /// The room, in the order of the file.
         room: usize,
-        /// What is written about it.
+        /// The attributes to write.
         #[serde(flatten)]
         words: RoomWords,
     },
@@ -252,12 +252,12 @@ pub enum Stroke {
         /// The room, in the order of the file.
         room: usize,
     },
-    /// Adds what is built into a room.
+    /// Adds a fixture.
     AddFixture {
         /// The storey.
         #[serde(flatten)]
         storey: StoreyAt,
-        /// What is written about it.
+        /// The attributes to write.
         #[serde(flatten)]
         words: FixtureWords,
     },
@@ -268,7 +268,7 @@ pub enum Stroke {
         storey: StoreyAt,
         /// The fixture, in the order of the file.
         fixture: usize,
-        /// What is written about it.
+        /// The attributes to write.
         #[serde(flatten)]
         words: FixtureWords,
     },

@@ -5,7 +5,7 @@ use crate::diagnostic::{Language, visible};
 use crate::drawing::Settings;
 use crate::drawing::paper::{Anchor, Mark, Role, Shape};
 use crate::drawing::subject::Subject;
-use crate::geometry::holds;
+use crate::geometry::in_rings;
 use glam::{DVec2, dvec2};
 use std::collections::BTreeSet;
 
@@ -111,8 +111,7 @@ fn middle(room: &Room) -> DVec2 {
     let low = corners().reduce(DVec2::min).unwrap_or(room.at);
     let high = corners().reduce(DVec2::max).unwrap_or(room.at);
     let middle = (low + high) / 2.0;
-    let around = room.area.iter().filter(|ring| holds(ring, middle));
-    if around.count() % 2 == 1 {
+    if in_rings(&room.area, middle) {
         middle
     } else {
         room.at

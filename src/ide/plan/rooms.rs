@@ -33,7 +33,7 @@ pub struct PlanRoom {
     pub fixed: Option<&'static str>,
 }
 
-/// What is built into a room.
+/// A fixture of a room, as the page draws it.
 #[derive(Debug, Serialize)]
 pub struct PlanFixture {
     /// `tokonoma`, `stairs`, ...
