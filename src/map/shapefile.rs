@@ -125,9 +125,9 @@ impl Shapefile {
     fn record(&mut self) -> Option<Result<Record, Fault>> {
         let Some(records) = &mut self.records else {
             // A table alone ends with its last record.
-            let ends = self.table.as_ref().is_none_or(|t| self.number >= t.count());
+            let goes_on = self.table.as_mut().is_some_and(Table::has_row);
             let (at, content) = (0, 0u32.to_le_bytes().to_vec());
-            return (!ends).then_some(Ok(Record { at, content }));
+            return goes_on.then_some(Ok(Record { at, content }));
         };
         let mut head = [0; 8];
         let at = self.at;
@@ -170,15 +170,20 @@ impl Shapefile {
         Some(Err(Fault::of_file(&self.file, kind).at(at)))
     }
 
-    /// Reports records of the table that no shape belongs to.
+    /// Reports records of the table that no shape belongs to, and rows that a table alone should have.
     fn end(&mut self) {
         self.is_over = true;
-        let Some(table) = self.table.as_ref().filter(|_| self.records.is_some()) else {
+        let Some(table) = &self.table else {
             return;
         };
         let (said, found) = (table.count(), self.number);
         if said != found {
-            let kind = Kind::CountsDiffer { said, found };
+            let kind = match self.records {
+                Some(_) => Kind::CountsDiffer { said, found },
+                None => Kind::Damaged {
+                    what: "the file ends in the middle",
+                },
+            };
             self.remarks.push(Fault::of_file(&self.file, kind));
         }
     }

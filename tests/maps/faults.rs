@@ -222,6 +222,23 @@ fn faults_are_counted_once_a_kind() {
     assert!(ja.contains("ほか2件"), "{ja}");
 }
 
+/// Found by fuzzing: a table of a few bytes whose head speaks of 134 million rows kept its reader busy for half an hour.
+#[test]
+fn a_table_ends_with_its_file() {
+    let mut table = vec![3, 121, 6, 8];
+    table.extend(134_217_728_u32.to_le_bytes());
+    table.extend([65, 0, 6, 0]);
+    table.resize(32, 0);
+    table.extend(*b"name\0\0\0\0\0\0\0C\0\0\0\0\x05");
+    table.resize(64, 0);
+    table.extend(*b"\r one   two  \x1a");
+    let read = read_bytes(&[("a.dbf", table)], &Options::default()).unwrap();
+    assert_eq!(read.counts(), (2, 0), "{:?}", read.lost);
+    let (_, remarks) = kinds(&read);
+    let ends = remarks.iter().filter(|kind| matches!(kind, Kind::Damaged { .. }));
+    assert_eq!(ends.count(), 1, "{remarks:?}");
+}
+
 #[test]
 fn lots_of_the_registry_are_read() {
     let read = read_bytes(&[("a.xml", MOJ.into())], &Options::default()).unwrap();

@@ -5,7 +5,7 @@ use crate::map::feature::{Columns, Layer, Value};
 use crate::map::input::encoding_named;
 use crate::source::Stream;
 use encoding_rs::Encoding;
-use std::io::{BufReader, Read};
+use std::io::{BufRead, BufReader, Read};
 use std::sync::Arc;
 
 /// A table, read row by row.
@@ -124,6 +124,13 @@ impl Table {
             length: usize::from(descriptor[16]) + 256 * high,
         };
         Some((field, name))
+    }
+
+    /// Whether there is another row: the head may say more rows than the file has.
+    pub(super) fn has_row(&mut self) -> bool {
+        // 0x1a ends a table of dBase.
+        let more = self.rows.fill_buf().is_ok_and(|left| !matches!(left, [] | [0x1a]));
+        self.at < self.count && more
     }
 
     /// Returns the number of rows that the head says.
