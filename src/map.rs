@@ -129,14 +129,28 @@ pub fn open(world: &dyn World, path: &str, options: &Options) -> Result<Box<dyn 
 /// Half of the features of a map in degrees are narrower than this; those of a town in metres are wider.
 const WIDEST: f64 = 3.0;
 
-/// Returns true if features of such widths, in coordinates that may be degrees, can only be in metres: half of them are
-/// several degrees wide, which countries are and houses, lots and streets are not.
-pub fn are_metres(widths: impl Iterator<Item = f64>) -> bool {
-    let mut widths: Vec<f64> = widths.collect();
-    widths.sort_by(f64::total_cmp);
-    widths
-        .get(widths.len() / 2)
-        .is_some_and(|half| *half > WIDEST)
+/// The widths of features, as far as they tell degrees from metres.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Widths {
+    narrow: usize,
+    all: usize,
+}
+
+impl Widths {
+    /// Adds that of a feature, if it has one.
+    pub fn add(&mut self, width: Option<f64>) {
+        let Some(width) = width else {
+            return;
+        };
+        self.all += 1;
+        self.narrow += usize::from(width <= WIDEST);
+    }
+
+    /// Returns true if features of such widths, in coordinates that may be degrees, can only be in metres: half of them are
+    /// several degrees wide, which countries are and houses, lots and streets are not.
+    pub fn are_metres(&self) -> bool {
+        self.all > 0 && self.narrow <= self.all / 2
+    }
 }
 
 /// Returns true if a path has an extension, in small or large letters.

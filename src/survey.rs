@@ -175,7 +175,7 @@ struct Read {
     points: usize,
     lines: usize,
     sizes: Vec<f64>,
-    widths: Vec<f64>,
+    widths: map::Widths,
     bounds: Option<Bounds>,
     seen: Vec<Seen>,
     crs: Option<Crs>,
@@ -297,7 +297,7 @@ impl Read {
         let is_metres = |seems: &Outside| matches!(seems, Outside::Metres | Outside::Far);
         let is_refused = |fault: &Fault| matches!(&fault.kind, Wrong::OutsideCrs { seems, .. } if is_metres(seems));
         let refused = self.faults.iter().any(|(fault, _)| is_refused(fault));
-        !within || refused || map::are_metres(self.widths.iter().copied())
+        !within || refused || self.widths.are_metres()
     }
 }
 
@@ -326,7 +326,7 @@ fn read(world: &dyn World, path: &str, options: &Options) -> Result<Read, Fault>
                 read.sizes.push(size.fold(0.0, f64::max));
             }
         }
-        read.widths.extend(feature.geometry.width());
+        read.widths.add(feature.geometry.width());
         let own = bounds(feature.geometry.points());
         read.bounds = match (read.bounds, own) {
             (Some([a, b]), Some([c, d])) => Some([a.min(c), b.max(d)]),

@@ -237,7 +237,7 @@ fn hills(p: DVec2) -> f64 {
 /// The pieces of a ground with their meshes at all levels.
 fn pieces(plan: &Plan) -> BTreeMap<Cell, Vec<GroundMesh>> {
     let size = plan.town.tiles.size;
-    let all = cells(plan, &plan.town.tiles);
+    let all = cells(plan, &plan.town.tiles).expect("nothing waits in a spool");
     let patch = |cell: Cell| Some((cell, Patch::new(&plan.ground, cell, size)?));
     let meshes = |patch: &Patch| Detail::ALL.map(|d| patch.mesh(tolerance(d))).to_vec();
     all.into_iter()

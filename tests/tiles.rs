@@ -1,14 +1,17 @@
 //! Towns in tiles: the rules of 3D Tiles, checked by an own reader; the same bytes from any number of threads and after any
 //! interruption; only what has changed is made again.
 
+mod lodged;
 pub(crate) mod rules;
 
 use crate::support::root;
 use hsd::ast::town::Tiles;
+use hsd::backend::spool;
 use hsd::driver::Options;
 use hsd::glam::dvec3;
 use hsd::tiles::TileStore;
 use hsd::tiles::run::{Reach, TileJob, TiledTown, run};
+use hsd::town::plan::Lodging;
 use hsd::town::{self, TownInput};
 use hsd::{Diagnostics, FileId, FolderWorld, Source};
 use rules::{Glb, checked};
@@ -58,6 +61,7 @@ impl TileStore for Memory {
 /// A town that has been built.
 pub(crate) struct Built {
     pub(crate) town: TiledTown,
+    decisions: String,
     files: BTreeMap<String, Vec<u8>>,
     tileset: Value,
 }
@@ -65,7 +69,7 @@ pub(crate) struct Built {
 impl Built {
     /// The bytes of everything.
     pub(crate) fn all(&self) -> (String, BTreeMap<String, Vec<u8>>, String) {
-        let decisions = self.town.ledger.decisions.clone();
+        let decisions = self.decisions.clone();
         (self.tileset.to_string(), self.files.clone(), decisions)
     }
 }
@@ -76,11 +80,11 @@ pub(crate) fn build(
     store: &Memory,
     threads: usize,
 ) -> io::Result<Built> {
-    build_within(Reach::All, text, folder, store, threads)
+    build_within((Reach::All, false), text, folder, store, threads)
 }
 
 fn build_within(
-    reach: Reach,
+    (reach, spooled): (Reach, bool),
     text: &str,
     folder: &Path,
     store: &Memory,
@@ -100,7 +104,13 @@ fn build_within(
         kept: None,
         texts: false,
     };
-    let plan = town::run::plan(input, &written, &mut out).expect("its maps are read");
+    let lodging = spooled.then_some(Lodging {
+        new: &spool::in_memory,
+        from: 0,
+    });
+    let plan = town::run::plan_lodged(input, &written, lodging, &mut out)?;
+    let plan = plan.expect("its maps are read");
+    assert_eq!(plan.lodged.is_some(), spooled);
     let division: Tiles = written.tiles.clone();
     let job = TileJob {
         input,
@@ -112,13 +122,17 @@ fn build_within(
         division: &division,
         reach,
         threads,
+        spool: spooled.then_some(&spool::in_memory),
     };
-    let town = run(job, store, &|_| {}, &mut out)?;
+    let mut town = run(job, store, &|_| {}, &mut out)?;
     assert!(!out.has_errors(), "{:?}", out.iter().collect::<Vec<_>>());
     let tileset = serde_json::from_slice(&town.tileset(&plan)).expect("is JSON");
     let files = store.files.lock().expect("no test panics").clone();
+    let mut decisions = vec![];
+    town.ledger.decisions.write(&mut decisions)?;
     Ok(Built {
         town,
+        decisions: String::from_utf8(decisions).expect("is text"),
         files,
         tileset,
     })
@@ -251,7 +265,7 @@ fn the_middle_comes_first_and_is_a_part_of_the_whole() {
     let text = text(RULES, "<Tiles size=\"20\" detail=\"0\"/>");
     let whole = build(&text, folder.path(), &Memory::default(), 1).expect("nothing fails");
     let store = Memory::default();
-    let middle = build_within(Reach::Middle(9), &text, folder.path(), &store, 2);
+    let middle = build_within((Reach::Middle(9), false), &text, folder.path(), &store, 2);
     let middle = middle.expect("nothing fails");
     assert!(middle.town.ledger.report.features >= 9);
     assert!(middle.town.tiles.len() * 2 < whole.town.tiles.len());

@@ -65,8 +65,8 @@ pub(crate) fn in_folder(text: &str, folder: &Path, look: impl FnOnce(&Plan)) -> 
         let mut houses = TownStream::new(input, &plan);
         built.houses = houses.by_ref().count();
         let (ledger, _) = houses.finish(&mut out);
-        built.rows = rows(&ledger.decisions);
-        built.csv = ledger.decisions;
+        built.rows = rows(ledger.decisions.text());
+        built.csv = ledger.decisions.text().to_owned();
         built.features = ledger.report.features;
         built.built = ledger.report.built;
         built.skipped = ledger.report.skipped.len();

@@ -15,7 +15,6 @@ use crate::scene::Detail;
 use crate::source::Source;
 use crate::town::Plan;
 use crate::town::decision::problems;
-use crate::town::run::TownHouses;
 use crate::town::stream::Ledger;
 use serde_json::{Map, Value};
 use std::io;
@@ -45,10 +44,9 @@ pub fn houses(
     };
     let details: Vec<Detail> = levels.iter().map(|(_, detail)| *detail).collect();
     let (input, options) = (job.input, job.input.options);
-    let town = TownHouses::new(input, job.plan);
     let driver = TileDriver::new(input.source, job.catalog, (input.world, options), &details);
     let salt = TileSalt::new(input, &details, (job.parts, job.written));
-    let mut ledger = Ledger::default();
+    let mut ledger = Ledger::new(job.spool)?;
     let scope = job.catalog.known_in(0, 0);
     let opening = |code: &str| {
         let part = job.catalog.find_in(scope, &CodeText::new(code))?;
@@ -57,7 +55,7 @@ pub fn houses(
     // Objects of a city are told apart by their names; features of one key have the same.
     let mut unique = Names::default();
     for tile in tiles(job.plan, job.division) {
-        let mut input = evaluate(&town, &tile, (job.plan, job.input.source), job.year, &salt);
+        let mut input = evaluate(&tile, (job.plan, job.input), job.year, &salt)?;
         let houses = std::mem::take(&mut input.houses);
         let names: Vec<String> = houses
             .iter()
@@ -83,13 +81,13 @@ pub fn houses(
                 }
             }
         }
-        ledger.add(input.chunk);
+        ledger.add(input.chunk)?;
         ledger.report.corrected.extend(problems(&found));
         out.append(found);
         all.into_iter().flatten().try_for_each(&mut *take)?;
     }
     grounds(job, details[details.len() - 1], &mut unique, take)?;
-    Ok(ledger.finish(job.plan, out))
+    ledger.finish(job.plan, out)
 }
 
 /// Makes the ground of a town.
@@ -99,7 +97,7 @@ fn grounds(
     unique: &mut Names,
     take: &mut dyn FnMut(CityHouse) -> io::Result<()>,
 ) -> io::Result<()> {
-    for (patch, mesh) in terrain::meshes(job.plan, detail) {
+    for (patch, mesh) in terrain::meshes(job.plan, detail)? {
         let known = attributes(&piece::row((job.plan, job.input.source), patch.cell));
         let id = unique.unique(&patch.name());
         let shape = (&*mesh.positions, &*mesh.indices);

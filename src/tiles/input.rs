@@ -10,8 +10,10 @@ use crate::print::essence;
 use crate::scene::Detail;
 use crate::source::Source;
 use crate::town::decision::Record;
-use crate::town::run::{Chunk, TownHouses};
+use crate::town::run::{self, Chunk};
 use crate::town::{Plan, TownInput};
+use glam::DVec3;
+use std::io;
 use twox_hash::XxHash3_128;
 
 /// Counts up when the files of a tile change their form.
@@ -27,6 +29,8 @@ pub struct TileInput {
     pub row_of: Vec<u32>,
     /// The features on which houses stand.
     pub rows: Vec<FeatureRow>,
+    /// The place from which its vertices count, whole metres.
+    pub centre: DVec3,
     /// The hash of all that its files depend on.
     pub hash: String,
 }
@@ -75,35 +79,40 @@ fn named_by(hasher: &XxHash3_128) -> String {
 }
 
 /// Evaluates the rules at the features of a tile. `year` is the year of the town, if it has one.
+///
+/// # Errors
+/// Those of the spool in which the features wait.
 pub fn evaluate(
-    town: &TownHouses<'_>,
     tile: &Tile,
-    (plan, source): (&Plan, &Source),
+    (plan, town): (&Plan, TownInput<'_>),
     year: Option<&str>,
     salt: &TileSalt,
-) -> TileInput {
-    let mut chunk = town.evaluate(&tile.lots);
+) -> io::Result<TileInput> {
+    let (mut chunk, centre) = tile.with(plan, |part, lots, centre| {
+        (run::evaluate(town, part, lots), centre)
+    })?;
     let houses = std::mem::take(&mut chunk.houses);
     let (mut rows, mut row_of) = (vec![], vec![]);
     for record in chunk.records.iter().filter(|record| record.houses > 0) {
         row_of.extend(std::iter::repeat_n(rows.len() as u32, record.houses));
-        rows.push(row(record, (plan, source), year));
+        rows.push(row(record, (plan, town.source), year));
     }
     let mut hasher = XxHash3_128::new();
     hasher.write(&salt.0);
-    hasher.write(format!("{:?} {rows:?}", tile.centre).as_bytes());
+    hasher.write(format!("{centre:?} {rows:?}").as_bytes());
     for house in &houses {
         hasher.write(house.name.as_bytes());
         hasher.write(&essence(&house.house));
         hasher.write(&essence(&house.plain));
     }
-    TileInput {
+    Ok(TileInput {
         chunk,
         houses,
         row_of,
         rows,
+        centre,
         hash: named_by(&hasher),
-    }
+    })
 }
 
 /// Returns what the table of a tile tells of a feature.

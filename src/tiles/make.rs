@@ -41,12 +41,13 @@ pub fn make(
 ) -> io::Result<MadeTile> {
     let mut found = Diagnostics::new();
     let (row_of, rows, hash) = (input.row_of, input.rows, input.hash);
+    let centre = input.centre;
     let made = driver.houses(input.houses, &mut found)?;
     let mut files = Files::default();
     for detail in levels {
         let level = driver.level(&made, *detail, &mut found);
         let shown = TileImages(&level.library);
-        let mut writer = TileWriter::new(*detail, tile.centre);
+        let mut writer = TileWriter::new(*detail, centre);
         for (nodes, row) in level.houses.iter().zip(&row_of) {
             writer.add(level.scene.part(nodes.clone()), *row, &shown);
         }

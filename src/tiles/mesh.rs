@@ -2,69 +2,107 @@
 
 use crate::ast::town::Tiles;
 use crate::town::Plan;
-use crate::town::plan::LotId;
+pub use crate::town::plan::TileKey;
+use crate::town::plan::{Lodged, LotId};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
-use twox_hash::XxHash3_128;
+use std::io;
 
-/// The name of a tile.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum TileKey {
-    /// The cell of a square mesh, counted eastwards and northwards from the town's origin.
-    Cell(i64, i64),
-    /// The value of a field; empty for features without one.
-    Named(String),
-}
-
-impl TileKey {
-    /// Returns the beginning of the names of its files.
-    pub fn stem(&self) -> String {
-        match self {
-            TileKey::Cell(east, north) => format!("{east}_{north}"),
-            TileKey::Named(name) => {
-                let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
-                let short: String = name.chars().take(24).map(plain).collect();
-                // Names that differ in what is left out must not share a file.
-                format!(
-                    "{short}-{:08x}",
-                    XxHash3_128::oneshot(name.as_bytes()) as u32
-                )
-            }
-        }
-    }
-}
-
-/// A tile: its features, in the order of their files.
+/// A tile.
 #[derive(Clone, Debug)]
 pub struct Tile {
     /// Its name.
     pub key: TileKey,
     /// Its features.
-    pub lots: Vec<LotId>,
-    /// The place from which its vertices count, whole metres.
+    pub lots: TileLots,
+    /// The place from which its vertices count, whole metres; of a named tile whose features wait in a spool only roughly.
     pub centre: DVec3,
+}
+
+/// The features of a tile.
+#[derive(Clone, Debug)]
+pub enum TileLots {
+    /// In the order of their files.
+    Here(Vec<LotId>),
+    /// They wait in a spool: its number there, and how many.
+    Lodged(usize, usize),
+}
+
+impl Tile {
+    /// Returns the number of its features.
+    pub fn features(&self) -> usize {
+        match &self.lots {
+            TileLots::Here(lots) => lots.len(),
+            TileLots::Lodged(_, features) => *features,
+        }
+    }
+
+    /// Hands the tile to `make`, with its features and a town in which they have all that they depend on.
+    ///
+    /// # Errors
+    /// Those of the spool in which they wait.
+    pub fn with<T>(
+        &self,
+        plan: &Plan,
+        make: impl FnOnce(&Plan, &[LotId], DVec3) -> T,
+    ) -> io::Result<T> {
+        match (&self.lots, &plan.lodged) {
+            (TileLots::Lodged(number, _), Some(lodged)) => {
+                let (part, lots) = plan.part(lodged, *number)?;
+                let size = part.town.tiles.size;
+                let centre = centre(&self.key, size, || middle(&part, &lots));
+                Ok(make(&part, &lots, centre))
+            }
+            (TileLots::Here(lots), _) => Ok(make(plan, lots, self.centre)),
+            (TileLots::Lodged(..), None) => Ok(make(plan, &[], self.centre)),
+        }
+    }
 }
 
 /// Divides the features of a town into tiles, in the order of their keys.
 pub fn tiles(plan: &Plan, division: &Tiles) -> Vec<Tile> {
+    if let Some(lodged) = &plan.lodged {
+        return lodged_tiles(lodged, division);
+    }
     let mut all: BTreeMap<TileKey, Vec<LotId>> = BTreeMap::new();
     for id in plan.lots() {
-        all.entry(key(plan, id, division)).or_default().push(id);
+        let key = TileKey::of(&plan.layers[id.0], plan.lot(id), division);
+        all.entry(key).or_default().push(id);
     }
     let made = |(key, lots): (TileKey, Vec<LotId>)| {
-        let centre = match &key {
-            TileKey::Cell(east, north) => {
-                (DVec2::new(*east as f64, *north as f64) + 0.5) * division.size
-            }
-            TileKey::Named(_) => {
-                let sum: DVec2 = lots.iter().map(|id| plan.lot(*id).shape.centre()).sum();
-                sum / lots.len() as f64
-            }
-        };
-        let centre = centre.round().extend(0.0);
+        let centre = centre(&key, division.size, || middle(plan, &lots));
+        let lots = TileLots::Here(lots);
         Tile { key, lots, centre }
     };
     all.into_iter().map(made).collect()
+}
+
+fn lodged_tiles(lodged: &Lodged, division: &Tiles) -> Vec<Tile> {
+    let tiles = lodged.tiles.iter().enumerate().map(|(number, tile)| Tile {
+        key: tile.key.clone(),
+        lots: TileLots::Lodged(number, tile.features),
+        centre: centre(&tile.key, division.size, || {
+            tile.bounds[0].midpoint(tile.bounds[1])
+        }),
+    });
+    let mut tiles: Vec<Tile> = tiles.collect();
+    tiles.sort_by(|a, b| a.key.cmp(&b.key));
+    tiles
+}
+
+/// Returns the place from which the vertices of a tile count; `middle` is that of its features.
+fn centre(key: &TileKey, size: f64, middle: impl FnOnce() -> DVec2) -> DVec3 {
+    let centre = match key {
+        TileKey::Cell(east, north) => (DVec2::new(*east as f64, *north as f64) + 0.5) * size,
+        TileKey::Named(_) => middle(),
+    };
+    centre.round().extend(0.0)
+}
+
+/// Returns the middle of some features.
+fn middle(plan: &Plan, lots: &[LotId]) -> DVec2 {
+    let sum: DVec2 = lots.iter().map(|id| plan.lot(*id).shape.centre()).sum();
+    sum / lots.len() as f64
 }
 
 /// Which tiles of a town are made.
@@ -90,25 +128,11 @@ impl Reach {
         tiles.sort_by(|a, b| away(a).total_cmp(&away(b)).then_with(|| a.key.cmp(&b.key)));
         let mut features = 0;
         let enough = tiles.iter().position(|tile| {
-            features += tile.lots.len();
+            features += tile.features();
             features >= wanted
         });
         tiles.truncate(enough.map_or(tiles.len(), |last| last + 1));
         tiles.sort_by(|a, b| a.key.cmp(&b.key));
         tiles
-    }
-}
-
-fn key(plan: &Plan, id: LotId, division: &Tiles) -> TileKey {
-    let lot = plan.lot(id);
-    match &division.by {
-        Some(field) => {
-            let value = plan.layers[id.0].word(lot, &field.value);
-            TileKey::Named(value.unwrap_or_default())
-        }
-        None => {
-            let cell = (lot.shape.centre() / division.size).floor();
-            TileKey::Cell(cell.x as i64, cell.y as i64)
-        }
     }
 }

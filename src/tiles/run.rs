@@ -10,6 +10,7 @@ use super::record::{TileRecord, record_file};
 use super::terrain::{self, Cell, Patch};
 use crate::ast::WrittenPart;
 use crate::ast::town::Tiles;
+use crate::backend::spool::NewSpool;
 use crate::backend::tileset;
 use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
@@ -17,10 +18,10 @@ use crate::driver::{Options, Read, TileDriver};
 use crate::map::on_globe;
 use crate::scene::Detail;
 use crate::source::Source;
-use crate::town::run::{Chunk, TownHouses};
+use crate::town::run::Chunk;
 use crate::town::stream::Ledger;
 use crate::town::{Plan, TownInput};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -47,6 +48,8 @@ pub struct TileJob<'a> {
     pub reach: Reach,
     /// The number of threads.
     pub threads: usize,
+    /// Where its table of decisions waits until it is whole; in memory if nowhere.
+    pub spool: Option<NewSpool<'a>>,
 }
 
 /// What a town file says beside its layers and rules, as far as its tiles depend on it.
@@ -87,6 +90,7 @@ impl<'a> TileParts<'a> {
             division,
             reach: Reach::All,
             threads: rayon::current_num_threads(),
+            spool: None,
         }
     }
 }
@@ -109,8 +113,8 @@ pub struct TiledTown {
 /// What a thread made of a tile, or of a piece of ground.
 #[derive(Default)]
 struct Done {
-    /// What became of its features.
-    ledger: Option<Ledger>,
+    /// What became of its features, without the houses.
+    chunk: Option<Chunk>,
     record: Option<TileRecord>,
     found: Diagnostics,
     kept: bool,
@@ -130,7 +134,7 @@ pub fn run(
     let tiles = tiles(job.plan, job.division);
     let levels: Vec<Detail> = levels(job.division);
     let tiles = job.reach.of(tiles);
-    let mut pieces = terrain::cells(job.plan, job.division);
+    let mut pieces = terrain::cells(job.plan, job.division)?;
     if job.reach != Reach::All {
         let near = |cell: &Cell| tiles.iter().any(|t| t.key == TileKey::Cell(cell.0, cell.1));
         pieces.retain(near);
@@ -138,7 +142,6 @@ pub fn run(
     let maker = Maker {
         job,
         store,
-        town: TownHouses::new(job.input, job.plan),
         driver: TileDriver::new(
             job.input.source,
             job.catalog,
@@ -149,27 +152,26 @@ pub fn run(
         levels,
     };
     let mut town = TiledTown {
-        ledger: Ledger::default(),
+        ledger: Ledger::new(job.spool)?,
         tiles: vec![],
         kept: 0,
         included: vec![],
         placed: false,
     };
-    for done in maker.all((&tiles, &pieces), progress)? {
-        if let Some(ledger) = done.ledger {
-            town.ledger.merge(ledger);
+    maker.all((&tiles, &pieces), progress, &mut |done| {
+        if let Some(chunk) = done.chunk {
+            town.ledger.add(chunk)?;
         }
         town.kept += usize::from(done.kept);
         if let Some(record) = done.record {
-            town.ledger
-                .report
-                .corrected
-                .extend(record.corrected.clone());
+            let corrected = record.corrected.iter().cloned();
+            town.ledger.report.corrected.extend(corrected);
             town.tiles.push(record);
         }
         out.append(done.found);
-    }
-    let (ledger, included) = town.ledger.finish(job.plan, out);
+        Ok(())
+    })?;
+    let (ledger, included) = town.ledger.finish(job.plan, out)?;
     let frame = &job.plan.frame;
     let transform = on_globe(&frame.crs, frame.origin);
     Ok(TiledTown {
@@ -211,27 +213,49 @@ fn levels(division: &Tiles) -> Vec<Detail> {
     numbers.into_iter().map(level).collect()
 }
 
+/// What was made of tiles, which come in any order and are taken in theirs.
+struct Ordered<'t> {
+    waiting: BTreeMap<usize, Done>,
+    next: usize,
+    take: &'t mut (dyn FnMut(Done) -> io::Result<()> + Send),
+}
+
+impl Ordered<'_> {
+    fn add(&mut self, number: usize, done: Done) -> io::Result<()> {
+        self.waiting.insert(number, done);
+        while let Some(done) = self.waiting.remove(&self.next) {
+            self.next += 1;
+            (self.take)(done)?;
+        }
+        Ok(())
+    }
+}
+
 struct Maker<'a> {
     job: TileJob<'a>,
     store: &'a dyn TileStore,
-    town: TownHouses<'a>,
     driver: TileDriver<'a>,
     salt: TileSalt,
     levels: Vec<Detail>,
 }
 
 impl Maker<'_> {
-    /// Makes all tiles; returns what was made in their order. The first error stops all threads.
+    /// Makes all tiles and hands over what was made, in their order. The first error stops all threads.
     fn all(
         &self,
         (tiles, pieces): (&[Tile], &[Cell]),
         progress: &(dyn Fn(usize) + Sync),
-    ) -> io::Result<Vec<Done>> {
+        take: &mut (dyn FnMut(Done) -> io::Result<()> + Send),
+    ) -> io::Result<()> {
         let next = AtomicUsize::new(0);
         let count = tiles.len() + pieces.len();
-        let made: Mutex<Vec<Option<Done>>> = Mutex::new((0..count).map(|_| None).collect());
+        let made = Mutex::new(Ordered {
+            waiting: BTreeMap::new(),
+            next: 0,
+            take,
+        });
         let one = |number: usize| match tiles.get(number) {
-            Some(tile) => (self.one(tile, number == 0), tile.lots.len()),
+            Some(tile) => (self.one(tile, number == 0), tile.features()),
             None => (self.piece(pieces[number - tiles.len()]), 0),
         };
         let failed: Mutex<Option<io::Error>> = Mutex::new(None);
@@ -247,13 +271,10 @@ impl Maker<'_> {
                     Ok(pool) => pool.install(|| one(number)),
                     Err(_) => one(number),
                 };
-                match done {
-                    Ok(done) => locked(&made)[number] = Some(done),
-                    Err(error) => {
-                        next.store(count, Ordering::Relaxed);
-                        locked(&failed).get_or_insert(error);
-                        return;
-                    }
+                if let Err(error) = done.and_then(|done| locked(&made).add(number, done)) {
+                    next.store(count, Ordering::Relaxed);
+                    locked(&failed).get_or_insert(error);
+                    return;
                 }
                 progress(features);
             }
@@ -263,30 +284,28 @@ impl Maker<'_> {
                 scope.spawn(work);
             }
         });
-        if let Some(error) = failed.into_inner().unwrap_or_else(PoisonError::into_inner) {
-            return Err(error);
+        match failed.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            Some(error) => Err(error),
+            None => Ok(()),
         }
-        let made = made.into_inner().unwrap_or_else(PoisonError::into_inner);
-        Ok(made.into_iter().flatten().collect())
     }
 
     /// Makes a tile, unless it is there. Only the first tells which files were read.
     fn one(&self, tile: &Tile, first: bool) -> io::Result<Done> {
-        let (plan, input) = (self.job.plan, self.job.input);
-        let (source, world) = ((plan, input.source), input.world);
-        let mut input = evaluate(&self.town, tile, source, self.job.year, &self.salt);
+        let of = (self.job.plan, self.job.input);
+        let mut input = evaluate(tile, of, self.job.year, &self.salt)?;
         if !first {
             input.chunk.included.clear();
         }
         let mut done = Done {
-            ledger: Some(Ledger::of(Chunk {
+            chunk: Some(Chunk {
                 houses: vec![],
                 records: std::mem::take(&mut input.chunk.records),
                 found: std::mem::take(&mut input.chunk.found),
                 missing: std::mem::take(&mut input.chunk.missing),
                 included: std::mem::take(&mut input.chunk.included),
                 values: std::mem::take(&mut input.chunk.values),
-            })),
+            }),
             record: None,
             found: Diagnostics::new(),
             kept: false,
@@ -299,7 +318,13 @@ impl Maker<'_> {
             done.record = Some(known);
             return Ok(done);
         }
-        let made = make(&self.driver, tile, input, &self.levels, world)?;
+        let made = make(
+            &self.driver,
+            tile,
+            input,
+            &self.levels,
+            self.job.input.world,
+        )?;
         self.keep(&made)?;
         done.found = made.found;
         done.record = Some(made.record);

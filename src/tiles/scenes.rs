@@ -11,7 +11,6 @@ use crate::scene::{Detail, Scene};
 use crate::source::Source;
 use crate::tessellate::{SceneBuilder, ground};
 use crate::town::decision::problems;
-use crate::town::run::TownHouses;
 use crate::town::stream::Ledger;
 use std::io;
 
@@ -30,14 +29,13 @@ pub fn scenes(
 ) -> io::Result<(Ledger, Vec<Source>)> {
     let (input, details) = (job.input, [detail]);
     let of_world = (input.world, input.options);
-    let town = TownHouses::new(input, job.plan);
     let driver = TileDriver::new(input.source, job.catalog, of_world, &details);
     let salt = TileSalt::new(input, &details, (job.parts, job.written));
-    let mut ledger = Ledger::default();
+    let mut ledger = Ledger::new(job.spool)?;
     for tile in tiles(job.plan, job.division) {
-        let mut made = evaluate(&town, &tile, (job.plan, input.source), job.year, &salt);
+        let mut made = evaluate(&tile, (job.plan, input), job.year, &salt)?;
         let houses = std::mem::take(&mut made.houses);
-        ledger.add(made.chunk);
+        ledger.add(made.chunk)?;
         if houses.is_empty() {
             continue;
         }
@@ -48,10 +46,10 @@ pub fn scenes(
         out.append(found);
         take(&tile.key.stem(), &level.scene, &level.library)?;
     }
-    for (patch, mesh) in terrain::meshes(job.plan, detail) {
+    for (patch, mesh) in terrain::meshes(job.plan, detail)? {
         let mut scene = SceneBuilder::new(detail);
         scene.add(ground(&patch.name(), patch.centre(), &mesh));
         take(&patch.name(), &scene.finish(vec![]), &Library::default())?;
     }
-    Ok(ledger.finish(job.plan, out))
+    ledger.finish(job.plan, out)
 }

@@ -12,6 +12,7 @@ use crate::town::Plan;
 use crate::town::layer::Ground;
 use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
+use std::io;
 
 /// How far the border of pieces may be from the heights, metres.
 const BORDER: f64 = 0.05;
@@ -38,25 +39,27 @@ pub fn tolerance(detail: Detail) -> f64 {
 }
 
 /// Returns the pieces of a town's ground: under all features that rules name, and between them; none without heights.
-pub fn cells(plan: &Plan, division: &Tiles) -> Vec<Cell> {
+///
+/// # Errors
+/// Those of the spool in which the features wait.
+pub fn cells(plan: &Plan, division: &Tiles) -> io::Result<Vec<Cell>> {
     if plan.ground.is_empty() {
-        return vec![];
+        return Ok(vec![]);
     }
     let number = |p: DVec2| {
         let cell = (p / division.size).floor();
         (cell.x as i64, cell.y as i64)
     };
     let mut all = BTreeSet::new();
-    for id in plan.lots() {
-        let shape = &plan.lot(id).shape;
-        let [low, high] = shape.bounds();
+    plan.each(&mut |lot| {
+        let [low, high] = lot.shape.bounds();
         let ((x0, y0), (x1, y1)) = (number(low - AROUND), number(high + AROUND));
         if (x1 - x0 + 1).saturating_mul(y1 - y0 + 1) > MOST {
-            all.insert(number(shape.centre()));
-            continue;
+            all.insert(number(lot.shape.centre()));
+            return;
         }
         all.extend((x0..=x1).flat_map(|x| (y0..=y1).map(move |y| (x, y))));
-    }
+    })?;
     let filled = |all: &BTreeSet<Cell>| -> Vec<Cell> {
         let pairs = all.iter().zip(all.iter().skip(1));
         let close = pairs.filter(|(a, b)| a.0 == b.0 && b.1 - a.1 <= GAP);
@@ -69,23 +72,33 @@ pub fn cells(plan: &Plan, division: &Tiles) -> Vec<Cell> {
     let columns = filled(&all);
     all.extend(columns);
     all.extend(rows);
-    all.into_iter().collect()
+    Ok(all.into_iter().collect())
 }
 
 /// Returns the whole ground of a town at a level of detail, a piece after the other.
-pub fn meshes(plan: &Plan, detail: Detail) -> impl Iterator<Item = (Patch, GroundMesh)> + '_ {
+///
+/// # Errors
+/// Those of the spool in which the features wait.
+pub fn meshes(
+    plan: &Plan,
+    detail: Detail,
+) -> io::Result<impl Iterator<Item = (Patch, GroundMesh)> + '_> {
     let division = &plan.town.tiles;
-    let patches = cells(plan, division).into_iter();
+    let patches = cells(plan, division)?.into_iter();
     let patches = patches.filter_map(|cell| Patch::new(&plan.ground, cell, division.size));
-    patches.map(move |patch| {
+    Ok(patches.map(move |patch| {
         let mesh = patch.mesh(tolerance(detail));
         (patch, mesh)
-    })
+    }))
 }
 
 /// Returns the same as parts of a scene.
-pub fn drafts(plan: &Plan, detail: Detail) -> impl Iterator<Item = HouseDrafts> + '_ {
-    meshes(plan, detail).map(|(patch, mesh)| ground(&patch.name(), patch.centre(), &mesh))
+///
+/// # Errors
+/// Those of the spool in which the features wait.
+pub fn drafts(plan: &Plan, detail: Detail) -> io::Result<impl Iterator<Item = HouseDrafts> + '_> {
+    let meshes = meshes(plan, detail)?;
+    Ok(meshes.map(|(patch, mesh)| ground(&patch.name(), patch.centre(), &mesh)))
 }
 
 /// The heights of a piece.

@@ -103,7 +103,7 @@ impl Record {
             }
         }
         Record {
-            id,
+            id: (id.0, lot.number as usize),
             span: None,
             layer: layer.clone(),
             key: lot.key.clone(),
@@ -252,7 +252,7 @@ impl Record {
 }
 
 /// What the ledger of a town keeps of a feature.
-#[derive(Debug)]
+#[derive(Debug, Deserialize, Serialize)]
 pub struct Entry {
     /// The feature.
     pub id: LotId,

@@ -5,12 +5,15 @@ mod ground;
 mod join;
 mod kept;
 mod outlined;
+mod packed;
+mod raw;
 
 pub use files::{MapFile, NoFiles, files};
 pub use ground::{Ground, GroundLayer, NoGround};
 pub use join::{Joined, NoJoin, Unjoined};
 pub use kept::KeptMaps;
 pub use outlined::NoOutlines;
+pub use raw::{NotPlaced, Raw, read};
 
 pub(in crate::town) use files::part;
 
@@ -18,9 +21,8 @@ use super::grid::{Bounds, bounds};
 use super::shape::{area, centroid, cleaned};
 use crate::ast::town::{FieldType, Known, Layer};
 use crate::ast::{self, Value};
-use crate::map::{self, Crs, Datums, Fault, Faults, Geometry, Kind, Options, Transform};
+use crate::map::{self, Crs, Fault, Faults, Geometry};
 use crate::parse::fields::{FieldTest, NoTruth};
-use crate::source::World;
 use glam::DVec2;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -28,6 +30,8 @@ use std::sync::Arc;
 /// A feature in the frame of the town.
 #[derive(Clone, Debug)]
 pub struct Lot {
+    /// Its number in its layer, after what the layer leaves out.
+    pub number: u32,
     /// Its name in the layer.
     pub key: Box<str>,
     /// Its geometry.
@@ -55,6 +59,14 @@ impl Lot {
     /// Returns its fields as the file has them, by column.
     pub(super) fn fields(&self) -> &[(usize, map::Value)] {
         &self.fields
+    }
+
+    /// Gives its fields the columns of a layer of several files.
+    pub(in crate::town) fn renumber(&mut self, columns: &BTreeMap<usize, usize>) {
+        for (column, _) in &mut self.fields {
+            *column = columns.get(column).copied().unwrap_or(*column);
+        }
+        self.fields.sort_by_key(|(column, _)| *column);
     }
 }
 
@@ -103,8 +115,10 @@ impl Shape {
 pub struct Lots {
     /// As written.
     pub layer: Layer,
-    /// In the order of the file.
+    /// In the order of the file; none once the features of the town wait in a spool.
     pub lots: Vec<Lot>,
+    /// The box of those that wait in a spool since they were read.
+    pub bounds: Option<Bounds>,
     /// Columns of the file by name.
     columns: BTreeMap<Box<str>, usize>,
     /// What is wrong with the map, counted by kind.
@@ -115,16 +129,6 @@ pub struct Lots {
     file: Arc<str>,
 }
 
-/// Features in the coordinates of their file.
-#[derive(Clone, Debug)]
-pub struct Raw {
-    features: Vec<map::Feature>,
-    crs: Crs,
-    /// True if neither the file nor the layer says what the coordinates are.
-    is_guessed: bool,
-    lots: Lots,
-}
-
 /// The frame of a town.
 #[derive(Clone, Debug)]
 pub struct TownFrame {
@@ -132,141 +136,6 @@ pub struct TownFrame {
     pub crs: Crs,
     /// Metres east and north in it that are 0 0 of the model.
     pub origin: DVec2,
-}
-
-/// Reads the features of a map, a path that the world has found.
-///
-/// # Errors
-/// If it cannot be read at all.
-pub fn read(world: &dyn World, path: &str, layer: &Layer) -> Result<Raw, Fault> {
-    let text =
-        |t: &Option<crate::source::Spanned<String>>| t.as_ref().map(|t| t.value.as_str().into());
-    let named = layer
-        .crs
-        .as_ref()
-        .and_then(|crs| Crs::from_name(&crs.value));
-    let options = Options {
-        layer: text(&layer.layer),
-        encoding: text(&layer.encoding),
-        crs: named.clone(),
-        ..Options::default()
-    };
-    let mut reader = map::open(world, path, &options)?;
-    let (mut features, mut faults, mut unread) = (vec![], Faults::default(), vec![]);
-    while let Some(next) = reader.next() {
-        match next {
-            Ok(feature) => features.push(feature),
-            Err(fault) => {
-                faults.push(fault.clone());
-                unread.push(fault);
-            }
-        }
-        reader.remarks().into_iter().for_each(|f| faults.push(f));
-    }
-    reader.remarks().into_iter().for_each(|f| faults.push(f));
-    let known = reader.layer();
-    let columns = known.columns.list().iter().enumerate();
-    let columns = columns
-        .map(|(n, column)| (column.name.clone(), n))
-        .collect();
-    let crs = known.crs.clone().or(named);
-    Ok(Raw {
-        features,
-        is_guessed: crs.is_none() || known.crs_is_usual,
-        crs: crs.unwrap_or_else(Crs::wgs84),
-        lots: Lots {
-            layer: layer.clone(),
-            lots: vec![],
-            columns,
-            faults,
-            unread,
-            file: path.into(),
-        },
-    })
-}
-
-impl Raw {
-    /// Returns the box of all points and the system that they are in.
-    pub fn extent(&self) -> Option<(Bounds, &Crs)> {
-        let points = self.features.iter().flat_map(|f| f.geometry.points());
-        Some((bounds(points)?, &self.crs))
-    }
-
-    /// Returns true if the coordinates can only be guessed: no system is named, and they are no degrees, or features as wide
-    /// as countries if they are.
-    pub fn is_nowhere(&self) -> bool {
-        let mut points = self.features.iter().flat_map(|f| f.geometry.points());
-        let is_wide = || map::are_metres(self.features.iter().filter_map(|f| f.geometry.width()));
-        self.is_guessed && (points.any(|p| self.crs.refuses(p).is_some()) || is_wide())
-    }
-
-    /// Returns the number of features.
-    pub fn len(&self) -> usize {
-        self.features.len()
-    }
-
-    /// Returns true if there are none.
-    pub fn is_empty(&self) -> bool {
-        self.features.is_empty()
-    }
-
-    /// Puts the features of a layer as it is written now into the frame of the town. `lead` stands before the keys that the
-    /// file gives, since those of another file may be the same.
-    ///
-    /// # Errors
-    /// If the systems cannot be converted.
-    pub fn placed(
-        self,
-        frame: &TownFrame,
-        (written, lead): (&Layer, Option<&str>),
-    ) -> Result<Lots, map::Mismatch> {
-        let transform = Transform::new(&self.crs, &frame.crs, Datums::Exact)?;
-        let mut lots = self.lots;
-        lots.layer = written.clone();
-        let key = lots
-            .layer
-            .key
-            .as_ref()
-            .and_then(|k| lots.columns.get(&*k.value).copied());
-        for mut feature in self.features {
-            let mut inside = true;
-            for chain in feature.geometry.chains_mut() {
-                for point in &mut chain.points {
-                    match transform.apply(*point) {
-                        Some(placed) => *point = placed - frame.origin,
-                        None => inside = false,
-                    }
-                }
-            }
-            let named = key
-                .and_then(|column| feature.field(column))
-                .and_then(as_text);
-            let lot = Lot {
-                key: named.map_or_else(|| led(lead, &feature.key()), String::into_boxed_str),
-                z: height(&feature.geometry),
-                parts_left: parts(&feature.geometry) - 1,
-                shape: match inside {
-                    true => shape(feature.geometry),
-                    false => {
-                        // A place where the projection has none.
-                        let fault = Fault::of_file(&lots.file, Kind::NotFinite);
-                        let fault = fault.of_feature(feature.number, feature.id);
-                        lots.faults.push(fault.clone());
-                        lots.unread.push(fault);
-                        continue;
-                    }
-                },
-                fields: feature.fields,
-            };
-            lots.lots.push(lot);
-        }
-        for which in lots.unread.iter_mut().filter_map(|f| f.feature.as_mut()) {
-            if lead.is_some() {
-                which.id = Some(led(lead, &which.key()));
-            }
-        }
-        Ok(lots)
-    }
 }
 
 /// Returns the key of a feature in a layer of several files.
@@ -325,27 +194,57 @@ pub(super) fn as_text(value: &map::Value) -> Option<String> {
 
 impl Lots {
     /// Adds the features of another file of the layer.
-    pub fn append(&mut self, other: Lots) {
+    pub fn append(&mut self, mut other: Lots) {
+        let lots = std::mem::take(&mut other.lots);
+        let columns = self.adopt(&other);
+        self.lots.extend(lots.into_iter().map(|mut lot| {
+            lot.renumber(&columns);
+            lot
+        }));
+        self.merge_faults(other);
+    }
+
+    /// Adds the columns of another file of the layer; returns the numbers that they have here.
+    pub(in crate::town) fn adopt(&mut self, other: &Lots) -> BTreeMap<usize, usize> {
         let mut next = self.columns.values().max().map_or(0, |last| last + 1);
-        let mut columns: BTreeMap<usize, usize> = BTreeMap::new();
-        for (name, column) in other.columns {
-            let own = *self.columns.entry(name).or_insert_with(|| {
+        let mut columns = BTreeMap::new();
+        for (name, column) in &other.columns {
+            let own = *self.columns.entry(name.clone()).or_insert_with(|| {
                 next += 1;
                 next - 1
             });
-            columns.insert(column, own);
-        }
-        for mut lot in other.lots {
-            for (column, _) in &mut lot.fields {
-                *column = columns.get(column).copied().unwrap_or(*column);
-            }
-            lot.fields.sort_by_key(|(column, _)| *column);
-            self.lots.push(lot);
+            columns.insert(*column, own);
         }
         // What concerns them all is said of the layer's files as they are written.
         self.file = self.layer.src.value.as_str().into();
+        columns
+    }
+
+    /// Adds what is wrong with another file of the layer.
+    pub(in crate::town) fn merge_faults(&mut self, other: Lots) {
         self.faults.append(other.faults);
         self.unread.extend(other.unread);
+    }
+
+    /// Returns the layer without features and faults.
+    pub(in crate::town) fn head(&self) -> Lots {
+        Lots {
+            layer: self.layer.clone(),
+            lots: vec![],
+            bounds: None,
+            columns: self.columns.clone(),
+            faults: Faults::default(),
+            unread: vec![],
+            file: self.file.clone(),
+        }
+    }
+
+    /// Returns whether a feature passes a test.
+    ///
+    /// # Errors
+    /// If the test has no truth.
+    pub(in crate::town) fn passes(&self, lot: &Lot, test: &FieldTest) -> Result<bool, NoTruth> {
+        test.holds(|name| self.field(lot, name))
     }
 
     /// Leaves out the features that do not pass a test; returns how many there were.
@@ -357,7 +256,7 @@ impl Lots {
         let lots = std::mem::take(&mut self.lots);
         let mut kept = vec![];
         for lot in lots {
-            if test.holds(|name| self.field(&lot, name))? {
+            if self.passes(&lot, test)? {
                 kept.push(lot);
             }
         }

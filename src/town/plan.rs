@@ -1,5 +1,15 @@
 //! A town with its maps: all features in one frame, with the streets and an index of outlines.
 
+mod blocks;
+mod key;
+mod lodged;
+mod shelves;
+
+pub use key::TileKey;
+pub(in crate::town) use lodged::Lodger;
+pub use lodged::{Lodged, LodgedTile, Lodging};
+pub(in crate::town) use shelves::Shelves;
+
 use super::frontage::first_front;
 use super::grid::{Grid, wider};
 use super::layer::{Ground, Lot, Lots, Shape, TownFrame, Unjoined};
@@ -8,8 +18,11 @@ use super::shape::Segment;
 use super::street::{FAR, Piece, Streets, StreetsBuilder, class_width};
 use super::table::Rows;
 use crate::ast::town::Town;
+use blocks::Blocks;
 use glam::DVec2;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::io;
+use std::sync::Arc;
 
 /// How far the houses are looked at that stand between a house and its street, metres.
 const AROUND: f64 = 40.0;
@@ -18,19 +31,22 @@ const AROUND: f64 = 40.0;
 #[derive(Debug)]
 pub struct Plan {
     /// As written.
-    pub town: Town,
+    pub town: Arc<Town>,
     /// Its frame.
     pub frame: TownFrame,
     /// Its layers.
     pub layers: Vec<Lots>,
     /// Its tables.
-    pub tables: Vec<Rows>,
+    pub tables: Arc<Vec<Rows>>,
     /// Its ground.
-    pub ground: Ground,
+    pub ground: Arc<Ground>,
     /// The points of layers whose fields no outline takes, with the reason.
     pub unjoined: Vec<Unjoined>,
     /// The streets of each layer of streets, by name; the empty name stands for all that count by default.
-    streets: BTreeMap<String, Streets>,
+    streets: Arc<BTreeMap<String, Streets>>,
+    blocks: Arc<Blocks>,
+    /// Its features, if they wait in a spool: then no layer has any.
+    pub lodged: Option<Lodged>,
     /// Outlines on which houses may stand: layer and feature.
     outlines: Vec<(usize, usize)>,
     index: Grid,
@@ -41,11 +57,12 @@ pub type LotId = (usize, usize);
 
 impl Plan {
     /// Prepares a town.
-    pub fn new(town: Town, frame: TownFrame, layers: Vec<Lots>, tables: Vec<Rows>) -> Plan {
-        let housed = |n: usize| {
-            let name = &layers[n].layer.name.value;
-            town.rules.iter().any(|rule| rule.each.value == *name)
-        };
+    pub fn new(town: Town, frame: TownFrame, mut layers: Vec<Lots>, tables: Vec<Rows>) -> Plan {
+        for layer in &mut layers {
+            for (lot, number) in layer.lots.iter_mut().zip(0..) {
+                lot.number = number;
+            }
+        }
         let mut streets = BTreeMap::new();
         let mut all = StreetsBuilder::default();
         let fronts: Vec<&str> = town.fronts.iter().map(|f| &*f.value).collect();
@@ -62,31 +79,101 @@ impl Plan {
             if counts {
                 add_streets(&mut all, layer);
             }
-            let mut own = StreetsBuilder::default();
-            add_streets(&mut own, layer);
-            streets.insert(name.clone(), own.finish());
+            if !has_no_streets(&town, name) {
+                let mut own = StreetsBuilder::default();
+                add_streets(&mut own, layer);
+                streets.insert(name.clone(), own.finish());
+            }
         }
         streets.insert(String::new(), all.finish());
+        let blocks = layers.iter().filter(|layer| !is_housed(&town, layer));
+        Plan {
+            blocks: Arc::new(Blocks::new(blocks)),
+            town: Arc::new(town),
+            frame,
+            tables: Arc::new(tables),
+            ground: Arc::default(),
+            unjoined: vec![],
+            streets: Arc::new(streets),
+            lodged: None,
+            outlines: vec![],
+            index: Grid::default(),
+            layers: vec![],
+        }
+        .with_layers(layers)
+    }
+
+    /// Returns the same town with other features.
+    fn with_layers(&self, layers: Vec<Lots>) -> Plan {
         let mut outlines = vec![];
-        for (number, layer) in layers.iter().enumerate().filter(|(n, _)| housed(*n)) {
-            let rings = layer.lots.iter().enumerate();
-            let rings = rings.filter(|(_, lot)| lot.shape.ring().is_some());
-            outlines.extend(rings.map(|(lot, _)| (number, lot)));
+        for (number, layer) in layers.iter().enumerate() {
+            if is_housed(&self.town, layer) {
+                let rings = layer.lots.iter().enumerate();
+                let rings = rings.filter(|(_, lot)| lot.shape.ring().is_some());
+                outlines.extend(rings.map(|(lot, _)| (number, lot)));
+            }
         }
         let boxes = outlines
             .iter()
             .map(|(l, n)| layers[*l].lots[*n].shape.bounds());
         Plan {
             index: Grid::new(boxes.collect()),
-            town,
-            frame,
-            tables,
-            ground: Ground::default(),
+            town: self.town.clone(),
+            frame: self.frame.clone(),
+            tables: self.tables.clone(),
+            ground: self.ground.clone(),
             unjoined: vec![],
-            streets,
+            streets: self.streets.clone(),
+            blocks: self.blocks.clone(),
+            lodged: None,
             outlines,
             layers,
         }
+    }
+
+    /// Returns the features of a tile that wait in a spool, in a part of the town that gives them what the whole town does.
+    ///
+    /// # Errors
+    /// Those of the spool.
+    pub fn part(&self, lodged: &Lodged, tile: usize) -> io::Result<(Plan, Vec<LotId>)> {
+        lodged.part(self, tile)
+    }
+
+    /// Returns the keys that several features of a layer have.
+    pub fn keys_of_several(&self, layer: usize) -> BTreeSet<String> {
+        let mut known = BTreeSet::new();
+        let lots = self.layers[layer].lots.iter();
+        let twice = lots.filter(|lot| !known.insert(&lot.key));
+        let twice = twice.map(|lot| lot.key.to_string());
+        let lodged = self.lodged.as_ref().and_then(|l| l.twice.get(&layer));
+        twice.chain(lodged.into_iter().flatten().cloned()).collect()
+    }
+
+    /// Returns the number of features of layers that rules name.
+    pub fn features(&self) -> usize {
+        match &self.lodged {
+            Some(lodged) => lodged.features,
+            None => self.lots().len(),
+        }
+    }
+
+    /// Calls `see` with each of them, in any order.
+    ///
+    /// # Errors
+    /// Those of the spool, if they wait in one.
+    pub fn each(&self, see: &mut dyn FnMut(&Lot)) -> io::Result<()> {
+        match &self.lodged {
+            Some(lodged) => lodged.each(see),
+            None => {
+                self.lots().iter().for_each(|id| see(self.lot(*id)));
+                Ok(())
+            }
+        }
+    }
+
+    /// Returns true if rules name a layer.
+    fn is_housed(&self, layer: usize) -> bool {
+        is_housed(&self.town, &self.layers[layer])
     }
 
     /// Returns true if no layer counts as streets.
@@ -101,11 +188,7 @@ impl Plan {
 
     /// Returns all features of layers that rules name, in the order of the file.
     pub fn lots(&self) -> Vec<LotId> {
-        let ruled = |n: &usize| {
-            let name = &self.layers[*n].layer.name.value;
-            self.town.rules.iter().any(|rule| rule.each.value == *name)
-        };
-        let layers = (0..self.layers.len()).filter(ruled);
+        let layers = (0..self.layers.len()).filter(|n| self.is_housed(*n));
         layers
             .flat_map(|n| (0..self.layers[n].lots.len()).map(move |lot| (n, lot)))
             .collect()
@@ -155,20 +238,20 @@ impl Plan {
 
     /// Returns the key of the polygon, in a layer without houses, that a place lies in: its block.
     pub fn block(&self, p: DVec2) -> Option<&str> {
-        let housed = |l: &&Lots| {
-            let name = &l.layer.name.value;
-            !self.town.rules.iter().any(|rule| rule.each.value == *name)
-        };
-        let lots = self.layers.iter().filter(housed).flat_map(|l| &l.lots);
-        let inside = |lot: &&Lot| match &lot.shape {
-            Shape::Area(ring, _) => {
-                let [low, high] = lot.shape.bounds();
-                low.cmple(p).all() && p.cmple(high).all() && super::shape::contains(ring, p)
-            }
-            Shape::Lines(_) | Shape::Point(_) => false,
-        };
-        lots.into_iter().find(inside).map(|lot| &*lot.key)
+        self.blocks.at(p)
     }
+}
+
+/// Returns true if rules name a layer.
+fn is_housed(town: &Town, layer: &Lots) -> bool {
+    let name = &layer.layer.name.value;
+    town.rules.iter().any(|rule| rule.each.value == *name)
+}
+
+/// Returns true if the streets of a town cannot depend on a layer without lines.
+pub(in crate::town) fn has_no_streets(town: &Town, layer: &str) -> bool {
+    let named = |front: &str| front == layer || front.contains('{');
+    !NAMES.contains(&layer) && !town.fronts.iter().any(|front| named(&front.value))
 }
 
 /// Names of layers that are streets.

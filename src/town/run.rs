@@ -3,7 +3,7 @@
 
 mod maps;
 
-pub use maps::plan;
+pub use maps::{plan, plan_lodged};
 
 use super::decision::{Outcome, Record};
 use super::layer::KeptMaps;
@@ -110,7 +110,8 @@ impl Iterator for TownHouses<'_> {
     }
 }
 
-fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
+/// Evaluates some features of a town, or of a part of one.
+pub fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
     let limits = &input.options.expand.limits;
     let first = input.source.id().0 as usize + 1;
     let cache = SourceCache::new(first, limits.includes, limits.included_bytes);

@@ -1,10 +1,15 @@
 //! The houses of a town one after another, and the ledger of what became of its features.
 
+mod entries;
+
+pub use entries::{Entries, Table};
+
 use super::decision::{Entry, HEAD, Outcome, SkippedFeature, TownReport};
 use super::layer::Unjoined;
 use super::plan::Plan;
 use super::run::{Chunk, TownHouses, TownInput};
 use super::site::Footing;
+use crate::backend::spool::NewSpool;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::town as say;
 use crate::driver::FeatureHouse;
@@ -13,6 +18,7 @@ use crate::parse::xml::MissingFields;
 use crate::source::Source;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::io;
 
 /// The number of chunks that are evaluated at a time. It is fixed, so that nothing depends on the number of threads.
 const AHEAD: usize = 8;
@@ -21,12 +27,12 @@ const AHEAD: usize = 8;
 #[derive(Debug, Default)]
 pub struct Ledger {
     /// The table of decisions.
-    pub decisions: String,
+    pub decisions: Table,
     /// The report.
     pub report: TownReport,
     /// True if something is missing that the author wanted.
     pub incomplete: bool,
-    entries: Vec<Entry>,
+    entries: Entries,
     found: Diagnostics,
     missing: MissingFields,
     /// How many features no rule takes, by layer.
@@ -71,7 +77,9 @@ impl<'a> TownStream<'a> {
             .collect();
         let more = !made.is_empty();
         for chunk in made {
-            self.ready.extend(self.ledger.add(chunk));
+            // In memory nothing can fail.
+            self.ready
+                .extend(self.ledger.add(chunk).unwrap_or_default());
         }
         more
     }
@@ -79,15 +87,31 @@ impl<'a> TownStream<'a> {
     /// Evaluates what is left, and returns the ledger. Reports fields that are missing and features that no rule takes.
     pub fn finish(mut self, out: &mut Diagnostics) -> (Ledger, Vec<Source>) {
         while self.refill() {}
-        self.ledger.finish(self.plan, out)
+        let finished = self.ledger.finish(self.plan, out);
+        finished.unwrap_or_default()
     }
 }
 
 impl Ledger {
+    /// Begins a ledger, whose table waits in a spool if there is one.
+    ///
+    /// # Errors
+    /// Those of the spool.
+    pub fn new(spool: Option<NewSpool<'_>>) -> io::Result<Ledger> {
+        Ok(Ledger {
+            entries: Entries::new(spool)?,
+            decisions: Table::new(spool)?,
+            ..Ledger::default()
+        })
+    }
+
     /// Enters some features; returns their houses.
-    pub fn add(&mut self, chunk: Chunk) -> Vec<FeatureHouse> {
+    ///
+    /// # Errors
+    /// Those of the spool.
+    pub fn add(&mut self, chunk: Chunk) -> io::Result<Vec<FeatureHouse>> {
         for record in &chunk.records {
-            self.entries.push(Entry::of(record));
+            self.entries.push(Entry::of(record))?;
             self.incomplete |= !record.is_wanted();
             if record.footing != Footing::Known {
                 let layer = record.layer.to_string();
@@ -107,47 +131,26 @@ impl Ledger {
         if self.included.is_empty() {
             self.included = chunk.included;
         }
-        chunk.houses
-    }
-
-    /// Returns what became of some features, without the houses: it takes a fraction of the memory of the features.
-    pub fn of(chunk: Chunk) -> Ledger {
-        let mut ledger = Ledger::default();
-        ledger.add(chunk);
-        ledger
-    }
-
-    /// Enters what became of other features.
-    pub fn merge(&mut self, other: Ledger) {
-        self.incomplete |= other.incomplete;
-        self.entries.extend(other.entries);
-        self.found.push_new(other.found);
-        for (place, count) in other.missing {
-            *self.missing.entry(place).or_default() += count;
-        }
-        for (layer, count) in other.unruled {
-            *self.unruled.entry(layer).or_default() += count;
-        }
-        for (layer, (off, lost)) in other.off_ground {
-            let (all_off, all_lost) = self.off_ground.entry(layer).or_default();
-            *all_off += off;
-            *all_lost += lost;
-        }
-        self.values.append(other.values);
-        if self.included.is_empty() {
-            self.included = other.included;
-        }
+        Ok(chunk.houses)
     }
 
     /// Closes it: features in the order of their files, whatever the order in which they came. Reports what concerns all.
-    pub fn finish(mut self, plan: &Plan, out: &mut Diagnostics) -> (Ledger, Vec<Source>) {
+    ///
+    /// # Errors
+    /// Those of the spool.
+    pub fn finish(
+        mut self,
+        plan: &Plan,
+        out: &mut Diagnostics,
+    ) -> io::Result<(Ledger, Vec<Source>)> {
         out.append(std::mem::take(&mut self.found));
-        self.entries.sort_by_key(|entry| entry.id);
-        self.decisions = HEAD.to_owned();
-        for entry in std::mem::take(&mut self.entries) {
-            self.decisions.push_str(&entry.line);
-            self.report.add(entry);
-        }
+        let (table, report) = (&mut self.decisions, &mut self.report);
+        table.push(HEAD)?;
+        std::mem::take(&mut self.entries).each(&mut |entry| {
+            table.push(&entry.line)?;
+            report.add(entry);
+            Ok(())
+        })?;
         let mut told = BTreeSet::new();
         for ((span, name), count) in &self.missing {
             if told.insert(name.clone()) {
@@ -169,7 +172,7 @@ impl Ledger {
             .extend(plan.unjoined.iter().map(unjoined));
         self.report_layers(plan, out);
         let included = std::mem::take(&mut self.included);
-        (self, included)
+        Ok((self, included))
     }
 
     /// Reports features that no rule takes, keys of several features and a town without streets.
@@ -183,10 +186,8 @@ impl Ledger {
                 out.push(say::off_the_ground(layer.name.span, name, *off, *lost));
             }
         }
-        for layer in &plan.layers {
-            let mut keys = BTreeSet::new();
-            let twice = layer.lots.iter().filter(|lot| !keys.insert(&lot.key));
-            let twice: BTreeSet<String> = twice.map(|lot| lot.key.to_string()).collect();
+        for (number, layer) in plan.layers.iter().enumerate() {
+            let twice = plan.keys_of_several(number);
             if !twice.is_empty() {
                 let twice: Vec<String> = twice.into_iter().collect();
                 let name = &layer.layer.name;

@@ -272,7 +272,7 @@ impl Build<'_> {
         // What is whole on the page already is not replaced by less.
         let was_whole = |built: &Arc<BuiltTown>| built.shown.whole && built.shown.tileset.is_some();
         let is_first = !lock(&self.slot.built).as_ref().is_some_and(was_whole);
-        let large = plan.lots().len() >= 2 * MIDDLE;
+        let large = plan.features() >= 2 * MIDDLE;
         let middle = (is_first && large).then(|| ("far", first.clone(), Reach::Middle(MIDDLE)));
         let far = (is_first && all.len() > 1).then_some(("far", first, Reach::All));
         let last = [("near", all, Reach::All)];
@@ -286,7 +286,7 @@ impl Build<'_> {
                 ..parts.job(input, &plan, &read.catalog, &division)
             };
             let mut found = out.clone();
-            let progress = Throttled::new(self, phase, plan.lots().len());
+            let progress = Throttled::new(self, phase, plan.features());
             let store = scratch.store(self.stops);
             let made = run::run(job, &store, &|features| progress.add(features), &mut found);
             if self.stops.load(Ordering::Relaxed) {
@@ -296,7 +296,7 @@ impl Build<'_> {
             if reach != Reach::All {
                 // What concerns all features can only be told of all.
                 found = out.clone();
-                made.ledger.report.features = plan.lots().len();
+                made.ledger.report.features = plan.features();
             }
             let told = (found, read.included.clone());
             self.publish((made, &plan.frame), told, phase == "near", scratch)?;
@@ -383,7 +383,7 @@ pub fn map_folders(path: &Path) -> BTreeSet<PathBuf> {
 
 /// Returns the levels of detail that the preview makes, from far to near.
 fn levels(plan: &Plan, options: &Options) -> Vec<u8> {
-    let most = match plan.lots().len() {
+    let most = match plan.features() {
         0..=FULL => 3,
         _ => 1,
     };

@@ -1,8 +1,10 @@
 //! `hsd town` to a folder: a town in tiles.
 
+use super::streamed;
 use crate::ast;
+use crate::backend::spool::Spool;
 use crate::cli::Failure;
-use crate::cli::files::output::write_all;
+use crate::cli::files::output::{write_all, write_poured};
 use crate::cli::files::temporary::Temporary;
 use crate::cli::files::terminal::{HOUSE, bytes, counted};
 use crate::diagnostic::{Diagnostics, Language, Noun, Text, noun};
@@ -11,7 +13,7 @@ use crate::source::Source;
 use crate::text;
 use crate::tiles::TileStore;
 use crate::tiles::record::{LevelRecord, TileRecord};
-use crate::tiles::run::{self, TileParts, TiledTown};
+use crate::tiles::run::{self, TileJob, TileParts, TiledTown};
 use crate::town::stream::Ledger;
 use crate::town::{Plan, TownInput};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -95,17 +97,33 @@ pub(super) struct Wish<'a> {
 }
 
 /// Writes the table of decisions and the report into a folder, or beside a model.
-pub(super) fn tables(output: &Path, ledger: &Ledger) -> Result<(), Failure> {
-    let json = serde_json::to_vec_pretty(&ledger.report).map_err(|e| Failure::json(&e))?;
+pub(super) fn tables(output: &Path, ledger: &mut Ledger) -> Result<(), Failure> {
     let beside = |name: &str| match output.is_dir() {
         true => output.join(name),
         false => output.with_extension(name),
     };
-    let decisions = ledger.decisions.clone().into_bytes();
-    write_all(vec![
-        (beside("decisions.csv"), decisions),
-        (beside("report.json"), json),
+    let (table, report) = (&mut ledger.decisions, &ledger.report);
+    write_poured(vec![
+        (
+            beside("decisions.csv"),
+            Box::new(|out: &mut dyn Write| table.write(out)),
+        ),
+        (
+            beside("report.json"),
+            Box::new(|out: &mut dyn Write| {
+                serde_json::to_writer_pretty(out, report)?;
+                Ok(0)
+            }),
+        ),
     ])
+}
+
+/// Returns a maker of spools in the folder of an output.
+pub(super) fn spools_beside(
+    output: &Path,
+) -> impl Fn() -> io::Result<Box<dyn Spool>> + Send + Sync + use<> {
+    let folder = streamed::spool_folder(output);
+    move || streamed::spool(&folder)
 }
 
 /// Builds a town in tiles below a folder; returns whether something is missing that the author wanted, the files that were
@@ -127,13 +145,17 @@ pub(super) fn build(
         ..plan.town.tiles.clone()
     };
     let parts = TileParts::of(&read, input.options);
-    let job = parts.job(input, plan, &read.catalog, &division);
-    let bar = bar(plan.lots().len(), wish.quiet, language);
+    let spool = spools_beside(wish.output);
+    let job = TileJob {
+        spool: plan.lodged.is_some().then_some(&spool),
+        ..parts.job(input, plan, &read.catalog, &division)
+    };
+    let bar = bar(plan.features(), wish.quiet, language);
     let made = run::run(job, &folder, &|features| bar.inc(features as u64), &mut out);
     bar.finish_and_clear();
-    let made = made.map_err(failed)?;
+    let mut made = made.map_err(failed)?;
     let tileset = made.tileset(plan);
-    tables(wish.output, &made.ledger)?;
+    tables(wish.output, &mut made.ledger)?;
     write_all(vec![(wish.output.join("tileset.json"), tileset)])?;
     folder.sweep(&made).map_err(failed)?;
     if !wish.quiet {

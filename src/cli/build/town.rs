@@ -22,12 +22,16 @@ use crate::source::Source;
 use crate::text;
 use crate::tiles::terrain;
 use crate::town::decision::problems;
+use crate::town::plan::Lodging;
 use crate::town::stream::{Ledger, TownStream};
 use crate::town::{Plan, TownInput, run};
 use city::CityForm;
 use clap::Args;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+
+/// The number of features from which those of a town wait in a spool.
+const LARGE: usize = 1 << 14;
 
 /// Build a town from the layers of maps that a town file names.
 ///
@@ -65,10 +69,11 @@ pub(in crate::cli) struct Town {
     quiet: bool,
 }
 
-/// Reads a town and its maps and hands them to `then`; prints what is wrong with one that cannot be read.
+/// Reads a town and its maps and hands them to `then`; prints what is wrong with one that cannot be read. The features of a
+/// large town wait in the folder of spools, if there is one.
 fn planned(
     args: &InputArgs,
-    detail: Detail,
+    (detail, spools): (Detail, Option<&Path>),
     language: Language,
     then: impl FnOnce(TownInput<'_>, driver::Read, &Plan, Diagnostics) -> Outcome,
 ) -> Outcome {
@@ -107,7 +112,14 @@ fn planned(
         kept: None,
         texts: false,
     };
-    match run::plan(input, &town, &mut out) {
+    let new =
+        || -> io::Result<Box<dyn Spool>> { streamed::spool(spools.unwrap_or(Path::new("."))) };
+    let lodging = Lodging {
+        new: &new,
+        from: LARGE,
+    };
+    let lodging = spools.map(|_| lodging);
+    match run::plan_lodged(input, &town, lodging, &mut out)? {
         Some(plan) if !out.has_errors() => then(input, read, &plan, out),
         _ => {
             print(&inputs.and(read.included), out, language)?;
@@ -129,9 +141,12 @@ impl Town {
     pub(in crate::cli) fn run(&self, language: Language) -> Outcome {
         let detail = self.detail.iter().copied().max().unwrap_or(3);
         let detail = Detail::ALL[usize::from(detail)];
+        let spools = streamed::spool_folder(&self.output);
+        // What is written tile by tile needs no more of the town at a time.
+        let by_tiles = self.is_folder() || self.is_obj() || CityForm::of(&self.output).is_some();
         planned(
             &self.input_args,
-            detail,
+            (detail, by_tiles.then_some(&*spools)),
             language,
             |input, read, plan, out| match CityForm::of(&self.output).filter(|_| !self.is_folder())
             {
@@ -242,7 +257,7 @@ impl Town {
         let folder = streamed::spool_folder(&model);
         let new = || -> io::Result<Box<dyn Spool>> { streamed::spool(&folder) };
         let mut writer = Writer::new(&new).map_err(failed)?;
-        let mut ground = terrain::drafts(plan, input.options.detail);
+        let mut ground = terrain::drafts(plan, input.options.detail).map_err(failed)?;
         let streamed = driver::stream_town(
             (input.source, read),
             houses.by_ref(),
@@ -265,7 +280,7 @@ impl Town {
         }
         let glb = writer.glb(&streamed.materials, &streamed.library, &streamed.grown);
         let size = output::write(&model, Files::glb(glb.map_err(failed)?))?;
-        tables(&model, &ledger)?;
+        tables(&model, &mut ledger)?;
         self.summary(&model, size, &ledger, streamed.houses, language)?;
         Ok(match ledger.incomplete {
             true => Exit::Errors,

@@ -187,7 +187,7 @@ enum Content<'a> {
 }
 
 /// Writes a file; returns the number of bytes.
-type Pour<'a> = dyn FnOnce(&mut dyn Write) -> io::Result<u64> + 'a;
+pub(in crate::cli) type Pour<'a> = dyn FnOnce(&mut dyn Write) -> io::Result<u64> + 'a;
 
 impl Content<'_> {
     /// Writes to a seekable file; returns the number of bytes.
@@ -227,6 +227,12 @@ fn poured(
 pub(in crate::cli) fn write_all(files: Vec<(PathBuf, Vec<u8>)>) -> Result<(), Failure> {
     let files = files.into_iter();
     write_contents(files.map(|(path, bytes)| (path, Content::Bytes(bytes.into())))).map(drop)
+}
+
+/// Writes files that are written from start to end, all or none of them.
+pub(in crate::cli) fn write_poured(files: Vec<(PathBuf, Box<Pour<'_>>)>) -> Result<(), Failure> {
+    let files = files.into_iter();
+    write_contents(files.map(|(path, pour)| (path, Content::Poured(pour)))).map(drop)
 }
 
 /// Writes the files of a model at and beside `path`; returns their total size in bytes. None of the files beside it

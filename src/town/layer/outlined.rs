@@ -114,6 +114,7 @@ impl Lots {
         let its = || vertices.iter().map(|(_, number)| &points[*number]);
         let first = &points[vertices[0].1];
         Ok(Lot {
+            number: 0,
             key: match self.layer.key {
                 Some(_) => first.key.clone(),
                 None => id.into(),

@@ -1,22 +1,26 @@
 //! Reads the maps and tables of a town into one frame, and joins points to outlines.
 
+mod join;
+mod lodge;
+
 use super::TownInput;
-use crate::ast::town::{Join, Layer, Town};
-use crate::diagnostic::Diagnostics;
+use crate::ast::town::{Layer, Town};
 use crate::diagnostic::messages::town as say;
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::map::{self, Crs, Datums, Fault, Mismatch, Projection, Transform};
 use crate::parse::fields::{FieldTest, NoTruth};
 use crate::parse::xml;
-use crate::source::{Source, Spanned};
+use crate::source::{Source, Spanned, World};
 use crate::text;
 use crate::town::layer::{
-    self, Ground, Joined, KeptMaps, Lots, MapFile, NoFiles, NoGround, NoJoin, NoOutlines, Raw,
-    TownFrame, Unjoined, part,
+    self, Ground, KeptMaps, Lots, MapFile, NoFiles, NoGround, NoOutlines, NotPlaced, Raw,
+    TownFrame, part,
 };
-use crate::town::plan::Plan;
+use crate::town::plan::{Lodger, Lodging, Plan, has_no_streets};
 use crate::town::table::{NoTable, Rows};
 use glam::DVec2;
 use rayon::prelude::*;
+use std::io;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -25,11 +29,26 @@ const KILOMETRE: f64 = 1000.0;
 
 /// Reads the maps and tables of a town; `None` if its layers cannot be read.
 pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<Plan> {
+    // Without spools nothing can fail.
+    plan_lodged(input, town, None, out).ok().flatten()
+}
+
+/// The same; the features of a large town wait in a spool.
+///
+/// # Errors
+/// Those of the spool.
+pub fn plan_lodged(
+    input: TownInput<'_>,
+    town: &Town,
+    lodging: Option<Lodging<'_>>,
+    out: &mut Diagnostics,
+) -> io::Result<Option<Plan>> {
     let (town, grounds) = apart(input, town, out);
     let town = &town;
+    let most = lodging.map_or(usize::MAX, |lodging| lodging.from);
     let mut raw = vec![];
     for written in &town.layers {
-        raw.extend(read_layer(input, written, out));
+        raw.extend(read_layer(input, written, most, out));
     }
     let mut tables = vec![];
     for table in &town.tables {
@@ -38,13 +57,28 @@ pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<
             Err(why) => out.push(say::no_table(table.src.span, &table.src.value, &why)),
         }
     }
-    if raw.len() < town.layers.len() {
-        return None;
-    }
-    let frame = frame(town, raw.first()?, out)?;
+    let first = raw.first().filter(|_| raw.len() == town.layers.len());
+    let Some(frame) = first.and_then(|first| frame(town, first, out)) else {
+        return Ok(None);
+    };
+    let features = raw.iter().flatten().map(|sheet| sheet.raw.len());
+    let is_large = features.sum::<usize>() > most;
+    let lodging = lodging.filter(|_| is_large);
+    let lodger = lodging.map(|lodging| Lodger::new(lodging.new, &town.tiles));
+    let mut lodger = lodger.transpose()?;
     let mut layers = vec![];
-    for (raw, written) in raw.into_iter().zip(&town.layers) {
-        let Some(mut lots) = placed(raw, &frame, written, out) else {
+    for (number, (raw, written)) in raw.into_iter().zip(&town.layers).enumerate() {
+        let of = (&frame, written);
+        if let Some(lodger) = lodger.as_mut().filter(|_| passes_by(town, written, &raw)) {
+            let lots = lodge::layer(input.world, raw, of, (lodger, number), out)?;
+            if let Some(lots) = lots {
+                lots.faults
+                    .report(&written.name.value, Some(written.src.span), out);
+                layers.push(lots);
+            }
+            continue;
+        }
+        let Some(mut lots) = placed(input.world, raw, of, out) else {
             continue;
         };
         if !outline(&mut lots, out) {
@@ -58,18 +92,39 @@ pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<
         layers.push(lots);
     }
     if layers.len() < town.layers.len() {
-        return None;
+        return Ok(None);
     }
-    let unjoined = join(town, &mut layers, out);
-    let ground = ground(input, &grounds, (&frame, &layers), out)?;
+    let unjoined = join::join(town, &mut layers, out);
+    let Some(ground) = ground(input, &grounds, (&frame, &layers), out) else {
+        return Ok(None);
+    };
     let mut plan = Plan::new(town.clone(), frame, layers, tables);
     plan.unjoined = unjoined;
-    plan.ground = ground;
-    Some(plan)
+    plan.ground = Arc::new(ground);
+    if let Some(lodger) = lodger {
+        plan.lodge(lodger)?;
+    }
+    Ok(Some(plan))
+}
+
+/// Returns true if the features of a layer can be put into a spool one after another: nothing is joined to them, and no
+/// street is made of them.
+fn passes_by(town: &Town, layer: &Layer, sheets: &[Sheet]) -> bool {
+    let name = &layer.name.value;
+    let has_rules = town.rules.iter().any(|rule| rule.each.value == *name);
+    let mut joins = town.layers.iter().flat_map(|l| &l.joins);
+    let is_joined = !layer.joins.is_empty() || joins.any(|join| join.layer.value == *name);
+    let has_lines = sheets.iter().any(|sheet| sheet.raw.has_lines());
+    has_rules && !is_joined && layer.outline.is_none() && !has_lines && has_no_streets(town, name)
 }
 
 /// Reads the files of a layer, in their order; `None` if one of them cannot be read.
-fn read_layer(input: TownInput<'_>, written: &Layer, out: &mut Diagnostics) -> Option<Vec<Sheet>> {
+fn read_layer(
+    input: TownInput<'_>,
+    written: &Layer,
+    most: usize,
+    out: &mut Diagnostics,
+) -> Option<Vec<Sheet>> {
     let files = match files(input, &written.src) {
         Ok(files) => files,
         Err(none) => {
@@ -81,7 +136,7 @@ fn read_layer(input: TownInput<'_>, written: &Layer, out: &mut Diagnostics) -> O
     let read: Vec<(MapFile, Result<Arc<Raw>, Fault>)> = files
         .into_par_iter()
         .map(|file| {
-            let raw = read_map(input, &file.path, written);
+            let raw = read_map(input, &file.path, written, most);
             (file, raw)
         })
         .collect();
@@ -104,27 +159,39 @@ struct Sheet {
 
 /// Puts the files of a layer into the frame of the town, one after another.
 fn placed(
+    world: &dyn World,
     sheets: Vec<Sheet>,
-    frame: &TownFrame,
-    written: &Layer,
+    (frame, written): (&TownFrame, &Layer),
     out: &mut Diagnostics,
 ) -> Option<Lots> {
     let mut layer: Option<Lots> = None;
     let mut is_whole = true;
     for Sheet { file, raw } in sheets {
         let raw = Arc::try_unwrap(raw).unwrap_or_else(|kept| (*kept).clone());
-        match raw.placed(frame, (written, file.lead.as_deref())) {
-            Ok(lots) => match &mut layer {
-                Some(layer) => layer.append(lots),
-                None => layer = Some(lots),
-            },
+        let (said, mut list) = ((written, file.lead.as_deref()), vec![]);
+        match raw.placed(world, frame, said, &mut |lot| list.push(lot)) {
+            Ok(mut lots) => {
+                lots.lots = list;
+                match &mut layer {
+                    Some(layer) => layer.append(lots),
+                    None => layer = Some(lots),
+                }
+            }
             Err(why) => {
-                out.push(say::no_map(file.span, &file.src, &mismatch(&why)));
+                out.push(not_placed(&file, &why));
                 is_whole = false;
             }
         }
     }
     layer.filter(|_| is_whole)
+}
+
+/// Says why a file cannot be put into the frame of the town.
+fn not_placed(file: &MapFile, why: &NotPlaced) -> Diagnostic {
+    match why {
+        NotPlaced::Mismatch(why) => say::no_map(file.span, &file.src, &mismatch(why)),
+        NotPlaced::Fault(fault) => map::diagnostic(fault, 1, file.span.into()),
+    }
 }
 
 /// Joins the points of a layer to outlines where it says so; returns false if they cannot be.
@@ -197,7 +264,8 @@ fn ground(
     out: &mut Diagnostics,
 ) -> Option<Ground> {
     let boxes = layers.iter().flat_map(|layer| &layer.lots);
-    let bounds = boxes.map(|lot| lot.shape.bounds());
+    let lodged = layers.iter().filter_map(|layer| layer.bounds);
+    let bounds = boxes.map(|lot| lot.shape.bounds()).chain(lodged);
     let bounds = bounds.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]);
     let bounds = bounds.unwrap_or_default();
     let (mut read, mut is_whole) = (vec![], true);
@@ -239,10 +307,15 @@ fn ground(
 }
 
 /// Reads a map, unless it is kept.
-fn read_map(input: TownInput<'_>, path: &str, written: &Layer) -> Result<Arc<Raw>, Fault> {
+fn read_map(
+    input: TownInput<'_>,
+    path: &str,
+    written: &Layer,
+    most: usize,
+) -> Result<Arc<Raw>, Fault> {
     let world = input.world;
     let Some(kept) = input.kept else {
-        return layer::read(world, path, written).map(Arc::new);
+        return layer::read(world, path, written, most).map(Arc::new);
     };
     let key = KeptMaps::key(path, written);
     if let Some(raw) = kept.find(&key, world) {
@@ -250,85 +323,9 @@ fn read_map(input: TownInput<'_>, path: &str, written: &Layer) -> Result<Arc<Raw
     }
     // Taken first, so that a map that changes meanwhile is read again.
     let stamp = world.stamp(path);
-    let raw = Arc::new(layer::read(world, path, written)?);
+    let raw = Arc::new(layer::read(world, path, written, usize::MAX)?);
     kept.keep(key, stamp, &raw);
     Ok(raw)
-}
-
-/// Joins points to outlines, then leaves out the outlines that do not pass the `where` of their layer. Returns the points
-/// that belong to no outline or give way to another, with the reason.
-fn join(town: &Town, layers: &mut [Lots], out: &mut Diagnostics) -> Vec<Unjoined> {
-    let mut unjoined = vec![];
-    for (number, written) in town.layers.iter().enumerate() {
-        for how in &written.joins {
-            let name = &how.layer.value;
-            let found = town.layers.iter().position(|l| l.name.value == *name);
-            // Unknown names have been reported.
-            let Some(from) = found else {
-                continue;
-            };
-            let joined = match layers.get_disjoint_mut([number, from]) {
-                Ok([outlines, points]) => outlines.join(points, how),
-                Err(_) => Err(NoJoin::NoPoints),
-            };
-            match joined {
-                Ok(joined) => {
-                    report_join(how, &joined, out);
-                    unjoined.extend(unused(how, &layers[from], &joined));
-                }
-                Err(NoJoin::NoPoints) => out.push(say::no_points(how.layer.span, name)),
-                Err(NoJoin::NoField(names)) => {
-                    let by = how.by.as_ref().unwrap_or(&how.layer);
-                    let near = xml::nearest(&by.value, names.iter().map(|n| &**n));
-                    out.push(say::unknown_field(by.span, &by.value, near, &names));
-                }
-            }
-        }
-        if !written.joins.is_empty() {
-            keep(&mut layers[number], out);
-        }
-    }
-    unjoined
-}
-
-fn report_join(how: &Join, joined: &Joined, out: &mut Diagnostics) {
-    let (span, name) = (how.layer.span, &how.layer.value);
-    if joined.several > 0 {
-        out.push(say::several_points(
-            span,
-            name,
-            joined.several,
-            joined.left.len(),
-        ));
-    }
-    if !joined.without.is_empty() {
-        let (count, by_key) = (joined.without.len(), how.by.is_some());
-        out.push(say::points_without_outline(span, name, count, by_key));
-    }
-    if joined.outlines_differ > 0 {
-        let fields: Vec<String> = joined.differing.iter().cloned().collect();
-        out.push(say::fields_differ(
-            span,
-            name,
-            &fields,
-            joined.outlines_differ,
-        ));
-    }
-}
-
-/// Returns the points whose fields no outline takes.
-fn unused(how: &Join, points: &Lots, joined: &Joined) -> Vec<Unjoined> {
-    let of = |point: &usize, code, reason| Unjoined {
-        layer: how.layer.value.clone(),
-        key: points.lots[*point].key.clone(),
-        code,
-        reason,
-    };
-    let without = joined.without.iter();
-    let without = without.map(|p| of(p, "HSD1155", "it belongs to no outline"));
-    let left = joined.left.iter();
-    let left = left.map(|p| of(p, "HSD1154", "another point of its outline counts"));
-    without.chain(left).collect()
 }
 
 /// Leaves out the features that do not pass the `where` of their layer.
@@ -336,18 +333,25 @@ fn keep(lots: &mut Lots, out: &mut Diagnostics) {
     let Some(written) = lots.layer.filter.clone() else {
         return;
     };
-    let at = |range: Range<usize>| part(written.span, &written.value, range);
     let kept = FieldTest::read(&written.value).and_then(|test| lots.keep(&test));
     match kept {
         Ok(before) if before > 0 && lots.lots.is_empty() => {
             out.push(say::nothing_passes(written.span, before));
         }
         Ok(_) => {}
-        Err(NoTruth::Wanted(range, wanted)) => out.push(say::no_test(at(range), wanted)),
-        Err(NoTruth::Unknown(range, name)) => {
+        Err(why) => out.push(no_truth(&written, &why, lots)),
+    }
+}
+
+/// Says why the `where` of a layer tells nothing.
+fn no_truth(written: &Spanned<String>, why: &NoTruth, lots: &Lots) -> Diagnostic {
+    let at = |range: &Range<usize>| part(written.span, &written.value, range.clone());
+    match why {
+        NoTruth::Wanted(range, wanted) => say::no_test(at(range), *wanted),
+        NoTruth::Unknown(range, name) => {
             let names = lots.names();
-            let near = xml::nearest(&name, names.iter().map(|n| &**n));
-            out.push(say::unknown_field(at(range), &name, near, &names));
+            let near = xml::nearest(name, names.iter().map(|n| &**n));
+            say::unknown_field(at(range), name, near, &names)
         }
     }
 }

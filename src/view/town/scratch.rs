@@ -73,7 +73,7 @@ impl Scratch {
             self.write(&names[0], &root)?;
             self.root = (names[0].clone(), root);
         }
-        self.write(&names[1], made.ledger.decisions.as_bytes())?;
+        self.write(&names[1], made.ledger.decisions.text().as_bytes())?;
         self.write(&names[2], &serde_json::to_vec(&made.ledger.report)?)?;
         let mut own = made.files();
         own.extend(names.clone());

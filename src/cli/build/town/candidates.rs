@@ -59,7 +59,7 @@ impl Candidates {
         let detail = self.detail_args.detail();
         planned(
             &self.input_args,
-            detail,
+            (detail, None),
             language,
             |input, read, plan, out| {
                 let lot = self.lot(plan)?;

@@ -2,7 +2,7 @@
 
 use crate::backend::cityjson::CityHouse;
 use crate::cli::Failure;
-use crate::cli::build::tiled::{FEATURE, tables};
+use crate::cli::build::tiled::{FEATURE, spools_beside, tables};
 use crate::cli::files::output::{folder_of, temporary_in};
 use crate::cli::files::terminal::{HOUSE, bytes, counted};
 use crate::diagnostic::{Diagnostics, Language, Text};
@@ -10,7 +10,7 @@ use crate::driver;
 use crate::source::Source;
 use crate::text;
 use crate::tiles::city;
-use crate::tiles::run::TileParts;
+use crate::tiles::run::{TileJob, TileParts};
 use crate::town::stream::Ledger;
 use crate::town::{Plan, TownInput};
 use std::io::{self, BufWriter, Write};
@@ -49,7 +49,11 @@ pub(super) fn build(
 ) -> Result<(bool, Vec<Source>, Diagnostics), Failure> {
     let failed = |error| Failure::at(path.display(), error);
     let parts = TileParts::of(&read, input.options);
-    let job = parts.job(input, plan, &read.catalog, &plan.town.tiles);
+    let spool = spools_beside(path);
+    let job = TileJob {
+        spool: plan.lodged.is_some().then_some(&spool),
+        ..parts.job(input, plan, &read.catalog, &plan.town.tiles)
+    };
     let mut file = temporary_in(folder_of(path)).map_err(failed)?;
     let head = city::city(plan);
     let mut written = BufWriter::new(file.as_file_mut());
@@ -73,14 +77,14 @@ pub(super) fn build(
         }
     };
     let made = city::houses(job, openings, &mut take, &mut out);
-    let (ledger, included) = made.map_err(failed)?;
+    let (mut ledger, included) = made.map_err(failed)?;
     if form == CityForm::Whole {
         write(head.file(kept)).map_err(failed)?;
     }
     written.flush().map_err(failed)?;
     drop(written);
     file.persist(path).map_err(failed)?;
-    tables(path, &ledger)?;
+    tables(path, &mut ledger)?;
     if !quiet {
         let line = summary(path, &ledger, houses, size);
         writeln!(io::stderr(), "{}", line.in_language(language))?;

@@ -2,7 +2,7 @@
 
 use crate::backend::obj;
 use crate::cli::Failure;
-use crate::cli::build::tiled::{FEATURE, tables};
+use crate::cli::build::tiled::{FEATURE, spools_beside, tables};
 use crate::cli::files::output::{folder_of, write_all};
 use crate::cli::files::terminal::{bytes, counted};
 use crate::diagnostic::{Diagnostics, Language, noun};
@@ -10,7 +10,7 @@ use crate::driver;
 use crate::scene::Detail;
 use crate::source::Source;
 use crate::text;
-use crate::tiles::run::TileParts;
+use crate::tiles::run::{TileJob, TileParts};
 use crate::tiles::scenes::scenes;
 use crate::town::{Plan, TownInput};
 use std::io::{self, Write};
@@ -26,7 +26,11 @@ pub(super) fn build(
     language: Language,
 ) -> Result<(bool, Vec<Source>, Diagnostics), Failure> {
     let parts = TileParts::of(&read, input.options);
-    let job = parts.job(input, plan, &read.catalog, &plan.town.tiles);
+    let spool = spools_beside(path);
+    let job = TileJob {
+        spool: plan.lodged.is_some().then_some(&spool),
+        ..parts.job(input, plan, &read.catalog, &plan.town.tiles)
+    };
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let (mut files, mut size) = (0, 0);
     let mut failure = None;
@@ -49,11 +53,11 @@ pub(super) fn build(
         },
         &mut out,
     );
-    let (ledger, included) = made.map_err(|error| match failure.take() {
+    let (mut ledger, included) = made.map_err(|error| match failure.take() {
         Some(why) => why,
         None => Failure::at(path.display(), error),
     })?;
-    tables(path, &ledger)?;
+    tables(path, &mut ledger)?;
     if !quiet {
         let (name, report) = (path.display(), &ledger.report);
         let (features, built) = (counted(report.features, FEATURE), report.built);

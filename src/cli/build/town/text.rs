@@ -53,9 +53,9 @@ pub(super) fn build(
     let source = Source::new(FileId(0), path.to_string_lossy(), file.as_bytes());
     let laid_out = print::format(&source, limits, &mut Diagnostics::new());
     let file = laid_out.unwrap_or(file);
-    let (ledger, included) = town.finish(&mut out);
+    let (mut ledger, included) = town.finish(&mut out);
     write_all(vec![(path.to_owned(), file.into_bytes())])?;
-    tables(path, &ledger)?;
+    tables(path, &mut ledger)?;
     let failed = |error| Failure::at(path.display(), error);
     if let Some(first) = unwritten.first() {
         let number = unwritten.len();
