@@ -27,6 +27,19 @@ impl Limits {
     /// The bytes of sources that [`Limits::variants`] is meant for.
     pub const VARIANT_BYTES: usize = 16 << 10;
 
+    /// The parts that a house of a type has, as they are counted while a file is read; one of the largest has 1,600.
+    const PLACED: usize = 2_500;
+    /// The files' worth of parts beyond which the houses of a file add no more.
+    const PLACES: usize = 20;
+
+    /// Returns the parts that what a file names, places and repeats may come to, if it writes so many `Place`: each may have
+    /// its type beside what a file without one may have.
+    pub fn copied(&self, places: usize) -> u64 {
+        let placed = places.saturating_mul(Self::PLACED);
+        let most = self.parts.saturating_mul(Self::PLACES);
+        self.parts.max(most.min(self.parts.saturating_add(placed))) as u64
+    }
+
     /// Returns the number of variants allowed for sources of so many bytes; at least 1.
     pub fn variants_of(&self, bytes: usize) -> u32 {
         let room = u64::from(self.variants) * Self::VARIANT_BYTES as u64;

@@ -99,3 +99,16 @@ fn many_braces_and_names_take_linear_time() {
         });
     }
 }
+
+#[test]
+fn a_file_may_place_many_houses() {
+    let place = "<Place type='so-nikai' frontage='6' rooms='yes'/>";
+    let done = read(&format!("<Houses>{}</Houses>", place.repeat(1600)));
+    assert_eq!(done.list.len(), 0);
+    assert_eq!(done.document.houses.len(), 1600);
+    // Places that are repeated are not written: they share what the one that is may have.
+    let repeated = format!(
+        "<Houses><repeat num='2000'><let name='n' value='{{k}}'/>{place}</repeat></Houses>"
+    );
+    assert!(codes(&repeated).contains(&904));
+}

@@ -100,6 +100,9 @@ pub(super) fn compute<'a>(
     }
     reporter.say_once();
     let mut expander = Expander::new(setting, nesting, trees, reporter);
+    let places = tree.elements.iter().filter(|e| e.name == "Place").count();
+    expander.limit = setting.limits.copied(places);
+    expander.room = expander.limit;
     let scope = Frame::outermost();
     for root in &tree.roots {
         let made = expander.copy(&tree, *root, &scope);
@@ -159,6 +162,8 @@ struct Expander<'a, 'f> {
     copying: bool,
     /// The number of parts that may still be made of copies.
     room: u64,
+    /// The limit of a file.
+    limit: u64,
     over: bool,
 }
 
@@ -191,6 +196,7 @@ impl<'a, 'f> Expander<'a, 'f> {
             depth: 0,
             hints: HINTS,
             copying: false,
+            limit: setting.limits.parts as u64,
             room: setting.limits.parts as u64,
             over: false,
         }
@@ -425,7 +431,7 @@ impl<'a> Expander<'a, '_> {
         if !self.over {
             self.over = true;
             let chain: Vec<(String, Span)> = self.chain();
-            let limit = self.setting.limits.parts;
+            let limit = self.limit;
             self.reporter
                 .at(place, |s| say::copies_too_large(s, limit, &chain));
         }

@@ -267,7 +267,7 @@ pub fn too_much_included(span: Span, limit: usize) -> Diagnostic {
 
 /// Uses and repetitions that grow beyond the limit.
 #[cold]
-pub fn copies_too_large(span: Span, limit: usize, chain: &[(String, Span)]) -> Diagnostic {
+pub fn copies_too_large(span: Span, limit: u64, chain: &[(String, Span)]) -> Diagnostic {
     let (en, ja) = (names(chain, " in which "), names(chain, " → "));
     let message = match chain {
         [] => text!([limit]

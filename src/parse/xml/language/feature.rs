@@ -250,7 +250,8 @@ impl<'a, 'f> Expander<'a, 'f> {
         self.feature.stood.clear();
         self.feature.given.clear();
         self.files.names.clear();
-        self.room = self.setting.limits.parts as u64;
+        self.limit = self.setting.limits.parts as u64;
+        self.room = self.limit;
         self.over = false;
         self.open = Open::at_place(self.setting.seed, self.place_of_feature());
         let test = element.attributes.iter().find(|a| a.name == "test");
