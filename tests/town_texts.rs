@@ -157,3 +157,36 @@ fn houses_whose_walls_cross_are_named_and_left_out() {
         "{text}"
     );
 }
+
+/// A front wider than a type allows repeats it, in a town as in a file that places the house.
+#[test]
+fn wide_fronts_on_outlines_are_the_same_in_text() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lot = |n: i32, width: i32| {
+        let (w, e) = (n * 40, n * 40 + width);
+        let (inner, north) = (w + 5, 14 + n);
+        format!(
+            r#"{{"type":"Feature","properties":{{"key":"{n}"}},"geometry":{{"type":"Polygon","coordinates":[[[{w},0],[{e},0],[{e},9],[{inner},9],[{inner},{north}],[{w},{north}],[{w},0]]]}}}}"#
+        )
+    };
+    // The widest kanban has 9 m.
+    let lots: Vec<String> = [8, 11, 14, 20, 24]
+        .into_iter()
+        .zip(0..)
+        .map(|(width, n)| lot(n, width))
+        .collect();
+    let map = format!(
+        r#"{{"type":"FeatureCollection","features":[{}]}}"#,
+        lots.join(",")
+    );
+    fs::write(folder.path().join("houses.geojson"), map).expect("is written");
+    let roads = r#"{"type":"FeatureCollection","features":[{"type":"Feature","properties":{"width":4},"geometry":{"type":"LineString","coordinates":[[-9,-3],[209,-3]]}}]}"#;
+    fs::write(folder.path().join("roads.geojson"), roads).expect("is written");
+    let town = r#"<Town seed="1"><Layer name="houses" src="houses.geojson" crs="local" key="key"/>
+        <Layer name="roads" src="roads.geojson" crs="local"/>
+        <for each="houses"><Place type="kanban"/></for></Town>"#;
+    fs::write(folder.path().join("town.hsd"), town).expect("is written");
+    let text = same_model(folder.path(), "town.hsd");
+    assert_eq!(text.matches("<Outline").count(), 5, "{text}");
+    assert_eq!(text.matches("<Place").count(), 5, "{text}");
+}

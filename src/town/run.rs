@@ -12,7 +12,7 @@ use super::rear::RearDecision;
 use super::site::LotSite;
 use super::text;
 use crate::ast::town::{Made, Stood};
-use crate::ast::{House, Item, Outline, Stand, Storey};
+use crate::ast::{House, Item, Outline, Stand, Storey, Value};
 use crate::diagnostic::messages::town as say;
 use crate::diagnostic::{Diagnostics, Origin};
 use crate::driver::{FeatureHouse, Options};
@@ -254,7 +254,7 @@ fn enter(
             for house in own {
                 record.houses += 1;
                 let plain = plain(&house, &stood, ring);
-                let house = over_outline(house, &stood);
+                let house = over_outline(house, &stood, &parameters);
                 let name = name(layer, &record.key, record.houses);
                 let told = text::Told {
                     kind: &record.kind,
@@ -298,15 +298,21 @@ fn name(layer: &str, key: &str, number: usize) -> String {
     }
 }
 
-/// Fits the rows of a house to the outline that it stands on, if it is written as rows.
-fn over_outline(mut house: House, stood: &Stood) -> House {
+/// Fits the rows of a house to the outline that it stands on, if it is written as rows. They are made for the frontage that the
+/// type was given, which may be less than that of the feature, as in a file that places the house.
+fn over_outline(mut house: House, stood: &Stood, parameters: &[(String, Value)]) -> House {
     if stood.walls.is_some() && !over::has_walls(&house) {
         let walls = stood.walls.as_ref();
         let front = walls.map_or(stood.frontage, |w| {
             let at = w.front as usize - 1;
             w.ring[at].distance(w.ring[(at + 1) % w.ring.len()])
         });
-        over::rewrite(&mut house, over::Front::of(front, stood.frontage));
+        let given = parameters.iter().find_map(|(name, value)| match value {
+            Value::Number(metres) if name == "frontage" => Some(*metres),
+            _ => None,
+        });
+        let meant = given.unwrap_or(stood.frontage);
+        over::rewrite(&mut house, over::Front::of(front, meant));
     }
     house
 }
