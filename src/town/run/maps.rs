@@ -66,11 +66,39 @@ pub fn plan_lodged(
     let lodging = lodging.filter(|_| is_large);
     let lodger = lodging.map(|lodging| Lodger::new(lodging.new, &town.tiles));
     let mut lodger = lodger.transpose()?;
+    let layers = layers(input.world, town, (raw, &frame), lodger.as_mut(), out)?;
+    let Some(mut layers) = layers else {
+        return Ok(None);
+    };
+    let unjoined = join::join(town, &mut layers, out);
+    let Some(ground) = ground(input, &grounds, (&frame, &layers), out) else {
+        return Ok(None);
+    };
+    let mut plan = Plan::new(town.clone(), frame, layers, tables);
+    plan.unjoined = unjoined;
+    plan.ground = Arc::new(ground);
+    if let Some(lodger) = lodger {
+        plan.lodge(lodger)?;
+    }
+    Ok(Some(plan))
+}
+
+/// Puts the layers of a town into its frame; `None` if one cannot be. What can pass by goes to the lodger, if there is one.
+fn layers(
+    world: &dyn World,
+    town: &Town,
+    (raw, frame): (Vec<Vec<Sheet>>, &TownFrame),
+    mut lodger: Option<&mut Lodger>,
+    out: &mut Diagnostics,
+) -> io::Result<Option<Vec<Lots>>> {
     let mut layers = vec![];
     for (number, (raw, written)) in raw.into_iter().zip(&town.layers).enumerate() {
-        let of = (&frame, written);
-        if let Some(lodger) = lodger.as_mut().filter(|_| passes_by(town, written, &raw)) {
-            let lots = lodge::layer(input.world, raw, of, (lodger, number), out)?;
+        let of = (frame, written);
+        if let Some(lodger) = lodger
+            .as_deref_mut()
+            .filter(|_| passes_by(town, written, &raw))
+        {
+            let lots = lodge::layer(world, raw, of, (lodger, number), out)?;
             if let Some(lots) = lots {
                 lots.faults
                     .report(&written.name.value, Some(written.src.span), out);
@@ -78,7 +106,7 @@ pub fn plan_lodged(
             }
             continue;
         }
-        let Some(mut lots) = placed(input.world, raw, of, out) else {
+        let Some(mut lots) = placed(world, raw, of, out) else {
             continue;
         };
         if !outline(&mut lots, out) {
@@ -91,20 +119,7 @@ pub fn plan_lodged(
             .report(&written.name.value, Some(written.src.span), out);
         layers.push(lots);
     }
-    if layers.len() < town.layers.len() {
-        return Ok(None);
-    }
-    let unjoined = join::join(town, &mut layers, out);
-    let Some(ground) = ground(input, &grounds, (&frame, &layers), out) else {
-        return Ok(None);
-    };
-    let mut plan = Plan::new(town.clone(), frame, layers, tables);
-    plan.unjoined = unjoined;
-    plan.ground = Arc::new(ground);
-    if let Some(lodger) = lodger {
-        plan.lodge(lodger)?;
-    }
-    Ok(Some(plan))
+    Ok(Some(layers).filter(|layers| layers.len() == town.layers.len()))
 }
 
 /// Returns true if the features of a layer can be put into a spool one after another: nothing is joined to them, and no
