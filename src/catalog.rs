@@ -51,7 +51,8 @@ pub(crate) enum Stance {
 }
 
 /// The kind of an opening that people use.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Opening {
     /// To walk through.
     Door,
@@ -182,9 +183,10 @@ impl Serialize for PartDef {
         use serde::ser::SerializeStruct;
         // Heights given in metres carry rounding errors when converted to shaku.
         let rounded = |h: Option<f64>| h.map(|h| (h * 1e3).round() / 1e3);
-        let mut out = s.serialize_struct("PartDef", 12)?;
+        let mut out = s.serialize_struct("PartDef", 13)?;
         out.serialize_field("code", self.code())?;
         out.serialize_field("class", &self.class())?;
+        out.serialize_field("opening", &self.opening())?;
         out.serialize_field("ja", &self.ja)?;
         out.serialize_field("romaji", &self.romaji)?;
         out.serialize_field("en", &self.en)?;

@@ -54,6 +54,8 @@ export class App {
   resetting = false;
   /** Display names of parts, by code. */
   names = new Map<string, string>();
+  /** Codes of doors. */
+  doors = new Set<string>();
   reloadTimes: ReloadTimes | null = null;
   /** Offset maps of the sources, by source id. */
   offsets = new Map<number, OffsetMap>();
@@ -401,6 +403,7 @@ export class App {
   async #loadPartNames(file: string) {
     const parts = await fetchPalette(file).catch(() => []);
     if (file !== this.file) return;
+    this.doors = new Set(parts.filter(({ opening }) => opening === 'door').map(({ code }) => code.trim()));
     this.names = new Map(parts.map(({ code, ja, romaji, en }) => [code.trim(), `${strings === translations.ja ? ja : en} · ${strings === translations.ja ? romaji : `${ja} ${romaji}`}`]));
     this.emit('select');
   }

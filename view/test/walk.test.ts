@@ -61,9 +61,18 @@ test('steps are climbed, walls and low beams are not, eaves are passed under', (
   near(up.ground, 0.9, 1e-6);
   near(stairs.walk(up.spot, up.ground, [-4, 0]).ground, 0, 1e-6);
   assert.ok(among(boxes([1, 0, -2, 2, 0.6, 2])).walk([0, 0], 0, [4, 0]).spot[0] < 1, 'a wall of 0.6 m');
-  assert.ok(among(boxes([1, 1.2, -2, 2, 1.3, 2])).walk([0, 0], 0, [4, 0]).spot[0] < 1, 'a beam at 1.2 m');
+  assert.ok(among(boxes([1, 1, -2, 2, 1.1, 2])).walk([0, 0], 0, [4, 0]).spot[0] < 1, 'a beam at 1 m');
   near(among(boxes([1, 1.8, -2, 2, 1.9, 2])).walk([0, 0], 0, [4, 0]).spot[0], 4);
   assert.ok(among(boxes([1, 0.5, -2, 5, 0.6, 2])).walk([0, 0], 0, [4, 0]).spot[0] < 1, 'a deck');
+});
+
+test('one stoops under a low lintel, and stands again behind it', () => {
+  const house = among(boxes([1, 1.2, -2, 2, 3, 2], [4, 0, -2, 5, 3, 2]));
+  const { spot } = house.walk([0, 0], 0, [1.5, 0]);
+  near(spot[0], 1.5);
+  near(house.headroom(spot, 0), 1.2, 0.05);
+  assert.ok(house.headroom(spot, 0) <= 1.2);
+  for (const x of [0, 3, 4 - RADIUS]) assert.equal(house.headroom([x, 0], 0), 1.6, `at ${x}`);
 });
 
 test('a slope is walked up, a steep roof is not', () => {

@@ -341,6 +341,8 @@ export interface PaletteEntry {
   code: string;
   /** Class letter: K wall, T door, M window, G lattice, ... */
   class: string;
+  /** What it closes; null for walls, posts and open bays. */
+  opening: 'door' | 'window' | null;
   ja: string;
   romaji: string;
   en: string;

@@ -1,14 +1,17 @@
-// Doors and screens that a walker slides open: what of a door is below its lintel moves aside along its wall, before what stands
-// beside it, and is in nobody's way there.
+// Doors and screens that a walker opens: what of a door is below its lintel slides aside along its wall, before what stands
+// beside it, and is in nobody's way there. A roller shutter goes up into its box.
 
 import * as THREE from 'three';
 import type { App } from '../app.ts';
 import { hit } from '../model/parts.ts';
-import { type Model, rangesOf } from '../model/model.ts';
+import { type Model, type Part, rangesOf } from '../model/model.ts';
 import { strings } from '../ui/strings.ts';
 
-/** Codes of doors and screens; `TTB` is the box for shutters. */
-const DOOR = /^T(?!TB)/;
+/** The box for shutters, which stays, and shutters that are rolled up. */
+const BOX = 'TTB', ROLLED = /^NSH/;
+
+/** As wide as a guide of rolled shutters at most, and as high as they are when rolled up, metres. */
+const GUIDE = 0.09, ROLL = 0.02;
 
 /** As far as a hand reaches with a key, and with the pointer, metres. */
 const NEAR = 1.6, FAR = 6;
@@ -26,14 +29,13 @@ const SLIDES = 350;
 interface Leaf {
   position: THREE.BufferAttribute;
   vertices: number[];
-  /** Their places when the door is shut. */
+  /** Their places when the door is shut, and when it is open. */
   shut: Float32Array;
+  opened: Float32Array;
 }
 
 interface Moved {
   leaves: Leaf[];
-  /** From shut to open. */
-  way: THREE.Vector3;
   open: boolean;
   /** 0 shut, 1 open. */
   at: number;
@@ -71,8 +73,12 @@ export class Doors {
   /** Slides the door under a pointer; false if there is none. */
   press(ray: THREE.Raycaster): boolean { return this.#slide(this.#along(ray, FAR)); }
 
-  #doors(): number[] {
-    return this.#app.model?.parts.flatMap(({ kind, code, box }, part) => kind === 'part' && DOOR.test(code ?? '') && !box.isEmpty() ? [part] : []) ?? [];
+  /** The parts that are doors. */
+  get all(): number[] { return this.#app.model?.parts.flatMap((door, part) => this.#opens(door) ? [part] : []) ?? []; }
+
+  #opens({ kind, code, box }: Part): boolean {
+    const known = code?.trim() ?? '';
+    return kind === 'part' && this.#app.doors.has(known) && !known.startsWith(BOX) && !box.isEmpty();
   }
 
   /** The nearest door on a ray, before which nothing else stands; open ones count where they were shut. */
@@ -80,7 +86,7 @@ export class Doors {
     const { model } = this.#app, at = new THREE.Vector3();
     if (!model || this.#app.town.state) return null;
     let found: number | null = null, least = Math.min(reach, (hit(model, ray, () => true)?.distance ?? Infinity) + 0.15);
-    for (const part of this.#doors()) {
+    for (const part of this.all) {
       const far = ray.ray.intersectBox(model.parts[part]!.box, at)?.distanceTo(ray.ray.origin) ?? Infinity;
       if (far < least) { least = far; found = part; }
     }
@@ -92,7 +98,7 @@ export class Doors {
     const { model } = this.#app, at = new THREE.Vector3();
     if (!model || this.#app.town.state) return null;
     let found: number | null = null, least = NEAR;
-    for (const part of this.#doors()) {
+    for (const part of this.all) {
       const { box } = model.parts[part]!;
       if (box.min.y > origin.y || box.max.y < origin.y - 1) continue; // On another storey.
       box.clampPoint(origin, at).sub(origin).setY(0);
@@ -106,7 +112,7 @@ export class Doors {
     const { model } = this.#app;
     if (part === null || !model) return false;
     if (this.#model !== model) { this.shut(); this.#model = model; }
-    const moved = this.#moved.get(part) ?? movable(model, part);
+    const moved = this.#moved.get(part) ?? this.#movable(model, part);
     this.#moved.set(part, moved);
     moved.open = !moved.open;
     const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
@@ -137,47 +143,60 @@ export class Doors {
     this.#app.walk.forget();
     this.#app.viewport.refresh();
   }
+
+  /** The leaves of a door, shut and open. */
+  #movable(model: Model, part: number): Moved {
+    const { box, facade, code } = model.parts[part]!, size = box.getSize(new THREE.Vector3()), middle = box.getCenter(new THREE.Vector3());
+    const wall = facade === null ? null : model.parts[facade]!;
+    const front = wall?.front?.clone() ?? new THREE.Vector3(size.x < size.z ? 1 : 0, 0, size.x < size.z ? 0 : 1);
+    const along = new THREE.Vector3(-front.z, 0, front.x), ends = Math.abs(size.dot(along)) / 2;
+    if (ROLLED.test(code ?? '')) {
+      // Its curtain hangs between guides that stay.
+      const curtain = leavesOf(model, part, at => Math.abs(at.sub(middle).dot(along)) < ends - GUIDE && at.y < middle.y + size.y / 2 - (size.y - LEAF) / 2);
+      const [low, high] = spread(curtain, new THREE.Vector3(0, 1, 0));
+      for (const { shut, opened } of curtain) for (let i = 1; i < shut.length; i += 3) opened[i] = high - (high - shut[i]!) / (high - low) * ROLL;
+      return { leaves: curtain, open: false, at: 0 };
+    }
+    const leaves = leavesOf(model, part, at => at.y < box.min.y + LEAF), [low, high] = spread(leaves, along);
+    const width = Math.max(0, high - low - LEFT);
+    // To a side on which the wall goes on, rather not before another door: two that stood open side by side would shut each other.
+    const beside = (side: number) => middle.clone().addScaledVector(along, side * width);
+    const there = (side: number) => (wall?.box.distanceToPoint(beside(side)) ?? 0) < 0.1;
+    const isDoor = (side: number) => model.parts.some((door, other) => other !== part && this.#opens(door) && door.box.containsPoint(beside(side)));
+    const worth = (side: number) => (there(side) ? 2 : 0) + (isDoor(side) ? 0 : 1);
+    const way = along.clone().multiplyScalar(worth(1) >= worth(-1) ? width : -width).addScaledVector(front, BEFORE).toArray();
+    for (const { opened } of leaves) for (let i = 0; i < opened.length; i++) opened[i]! += way[i % 3]!;
+    return { leaves, open: false, at: 0 };
+  }
 }
 
 function place(moved: Moved, at: number) {
   moved.at = at;
-  for (const { position, vertices, shut } of moved.leaves) {
-    for (const [i, vertex] of vertices.entries()) {
-      position.setXYZ(vertex, shut[3 * i]! + moved.way.x * at, shut[3 * i + 1]! + moved.way.y * at, shut[3 * i + 2]! + moved.way.z * at);
-    }
+  for (const { position, vertices, shut, opened } of moved.leaves) {
+    const now = (i: number) => shut[i]! + (opened[i]! - shut[i]!) * at;
+    for (const [i, vertex] of vertices.entries()) position.setXYZ(vertex, now(3 * i), now(3 * i + 1), now(3 * i + 2));
     position.needsUpdate = true;
   }
 }
 
-/** The leaves of a door, and the way that they slide. */
-function movable(model: Model, part: number): Moved {
-  const { box, facade } = model.parts[part]!, leaves: Leaf[] = [], size = box.getSize(new THREE.Vector3());
-  for (const chunk of model.chunks) {
+/** The corners of a door's triangles that move, by their middles. */
+function leavesOf(model: Model, part: number, moves: (middle: THREE.Vector3) => boolean): Leaf[] {
+  return model.chunks.flatMap(chunk => {
     const { geometry } = chunk.mesh, position = geometry.getAttribute('position') as THREE.BufferAttribute, index = geometry.index!, vertices = new Set<number>();
+    const place = (vertex: number) => new THREE.Vector3().fromBufferAttribute(position, vertex);
     for (const { start, count } of rangesOf(chunk, model.parts, part)) {
       for (let i = start; i < start + count; i += 3) {
         const corners = [0, 1, 2].map(k => index.getX(i + k));
-        if (corners.reduce((sum, corner) => sum + position.getY(corner), 0) / 3 < box.min.y + LEAF) for (const corner of corners) vertices.add(corner);
+        if (moves(corners.reduce((sum, corner) => sum.add(place(corner)), new THREE.Vector3()).divideScalar(3))) for (const corner of corners) vertices.add(corner);
       }
     }
-    if (vertices.size) leaves.push({ position, vertices: [...vertices], shut: new Float32Array([...vertices].flatMap(v => [position.getX(v), position.getY(v), position.getZ(v)])) });
-  }
-  const wall = facade === null ? null : model.parts[facade]!;
-  const front = wall?.front?.clone() ?? new THREE.Vector3(size.x < size.z ? 1 : 0, 0, size.x < size.z ? 0 : 1);
-  const along = new THREE.Vector3(-front.z, 0, front.x);
-  let [low, high] = [Infinity, -Infinity];
-  for (const { shut } of leaves) {
-    for (let i = 0; i < shut.length; i += 3) {
-      const at = shut[i]! * along.x + shut[i + 2]! * along.z;
-      [low, high] = [Math.min(low, at), Math.max(high, at)];
-    }
-  }
-  const width = Math.max(0, high - low - LEFT), middle = box.getCenter(new THREE.Vector3());
-  // To a side on which the wall goes on, rather not before another door: two that stood open side by side would shut each other.
-  const beside = (side: number) => middle.clone().addScaledVector(along, side * width);
-  const there = (side: number) => (wall?.box.distanceToPoint(beside(side)) ?? 0) < 0.1;
-  const isDoor = (side: number) => model.parts.some(({ kind, code, box }, other) => other !== part && kind === 'part' && DOOR.test(code ?? '') && box.containsPoint(beside(side)));
-  const worth = (side: number) => (there(side) ? 2 : 0) + (isDoor(side) ? 0 : 1);
-  const way = along.clone().multiplyScalar(worth(1) >= worth(-1) ? width : -width).addScaledVector(front, BEFORE);
-  return { leaves, way, open: false, at: 0 };
+    const shut = new Float32Array([...vertices].flatMap(vertex => place(vertex).toArray()));
+    return vertices.size ? [{ position, vertices: [...vertices], shut, opened: shut.slice() }] : [];
+  });
+}
+
+/** From where to where leaves reach in a direction. */
+function spread(leaves: Leaf[], direction: THREE.Vector3): [low: number, high: number] {
+  const along = leaves.flatMap(({ shut }) => Array.from({ length: shut.length / 3 }, (_, i) => new THREE.Vector3().fromArray(shut, 3 * i).dot(direction)));
+  return along.reduce(([low, high], at) => [Math.min(low, at), Math.max(high, at)], [Infinity, -Infinity]);
 }

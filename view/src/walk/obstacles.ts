@@ -1,5 +1,6 @@
 // What stands in a walker's way: the surfaces near a place. A body is a round post that reaches from a step above the ground
-// to the eyes; surfaces are cut at these heights and seen from above, and the post is pushed out of what it touches.
+// to the eyes, or as high as it is when it stoops; surfaces are cut at these heights and seen from above, and the post is pushed
+// out of what it touches.
 //
 // Points are in the page's frame: x east, z south, y up, metres.
 
@@ -9,8 +10,14 @@ export const RADIUS = 0.3;
 /** What is no higher than this is stepped on. */
 const STEP = 0.45;
 
-/** Height of a body. */
-const HEIGHT = 1.6;
+/** Height of a body that stands, and of one that stoops, as under the lintels of a store below the roof. */
+const HEIGHT = 1.6, STOOPED = 1.05;
+
+/** From the eyes to the top of a body. */
+export const CROWN = 0.1;
+
+/** Heights of a body between these differ by this much. */
+const BEND = 0.05;
 
 /** Longest way at once: a body never jumps over a wall. */
 const STRIDE = 0.15;
@@ -85,8 +92,8 @@ export class Obstacles {
   }
 
   /** What a body that stands on a ground at a spot is nearest to: how far it is, and where; far if there is nothing within `reach`. */
-  nearest([x, z]: Spot, ground: number, reach = RADIUS): { far: number; at: Spot } {
-    const t = this.#triangles, low = ground + STEP, high = ground + HEIGHT;
+  nearest([x, z]: Spot, ground: number, reach = RADIUS, height = STOOPED): { far: number; at: Spot } {
+    const t = this.#triangles, low = ground + STEP, high = ground + height;
     let far = Infinity, at: Spot = [x, z];
     for (let column = Math.floor((x - reach) / SQUARE); column * SQUARE <= x + reach; column++) {
       for (let row = Math.floor((z - reach) / SQUARE); row * SQUARE <= z + reach; row++) {
@@ -100,6 +107,14 @@ export class Obstacles {
       }
     }
     return far <= reach ? { far, at } : { far: Infinity, at };
+  }
+
+  /** How high a body can stand at a spot to which it has come. */
+  headroom(spot: Spot, ground: number): number {
+    const room = Math.min(RADIUS, this.nearest(spot, ground).far) - 1e-3;
+    let height = HEIGHT;
+    while (height > STOOPED && this.nearest(spot, ground, RADIUS, height).far < room) height = Math.max(STOOPED, height - BEND);
+    return height;
   }
 
   /** Walks a way from a spot, along what stands in it; returns where it ends, and the ground there. */

@@ -6,11 +6,11 @@ import { strings } from '../ui/strings.ts';
 import { rayAt } from '../scene/canvas.ts';
 import { Doors } from './doors.ts';
 import { Lamp } from './lamp.ts';
-import { Obstacles, type Spot } from './obstacles.ts';
+import { CROWN, Obstacles, type Spot } from './obstacles.ts';
 import { FARTHEST, SEARCHED, startIndoors, startNear } from './start.ts';
 import { nearestCorner, trianglesIn } from './surfaces.ts';
 
-/** Height of the eyes above the ground, metres. */
+/** Height of the eyes of who stands, above the ground, metres. */
 export const EYES = 1.5;
 
 /** Metres a second; with Shift. */
@@ -70,6 +70,8 @@ export class Walk {
   #spot: Spot = [0, 0];
   #ground = 0;
   #eyes = 0;
+  /** The eyes of who stands or stoops, above the ground. */
+  #height = EYES;
   /** Clockwise from north, radians. */
   #heading = 0;
   #tilt = 0;
@@ -120,6 +122,7 @@ export class Walk {
     this.on = true;
     // Who stands on the street already goes on to look at the same front.
     [this.#spot, this.#ground, this.#heading] = [start.spot, start.ground, low || room ? facing : start.heading];
+    this.#height = EYES;
     this.#eyes = start.ground + EYES;
     this.#tilt = 0;
     this.#obstacles = null;
@@ -242,7 +245,7 @@ export class Walk {
       const turn = this.#heading + Math.atan2(right, ahead);
       this.#walk([Math.sin(turn) * far, -Math.cos(turn) * far]);
     }
-    const rise = this.#ground + EYES - this.#eyes;
+    const rise = this.#ground + this.#height - this.#eyes;
     this.#eyes += THREE.MathUtils.clamp(rise, -RISE * seconds, RISE * seconds);
     this.#look();
     return this.#held.size > 0 || Math.abs(rise) > 1e-3;
@@ -256,6 +259,7 @@ export class Walk {
     const { spot, ground } = this.#obstacles.walk(this.#spot, this.#ground, way);
     this.#spot = spot;
     this.#ground = ground;
+    this.#height = this.#obstacles.headroom(spot, ground) - CROWN;
   }
 
   /** Puts the camera to the eyes. */

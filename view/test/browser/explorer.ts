@@ -5,7 +5,7 @@ import type { Page } from 'playwright-core';
 import { toHouse, toPlan } from '../../src/plan/coordinates.ts';
 import { holds } from '../../src/draw/edits.ts';
 import type { House, Point } from '../../src/server/api.ts';
-import { Obstacles, type Spot } from '../../src/walk/obstacles.ts';
+import { CROWN, Obstacles, type Spot } from '../../src/walk/obstacles.ts';
 import { until } from './preview.ts';
 
 /** Where a walker stands: x and z of the page, and the height of the ground, metres. */
@@ -39,6 +39,7 @@ export interface Explored {
 
 /** Goes everywhere from the street; `opens` tells whether doors are opened on the way. */
 export async function explore(page: Page, opens: boolean): Promise<Explored> {
+  await until(() => page.evaluate(() => hsd.app.doors.size > 0), 'the page knows the doors');
   const { house, origin, level } = await page.evaluate(() => ({
     house: hsd.app.state!.plan.houses[0]!, origin: hsd.app.model!.origin.toArray(), level: hsd.viewport.environment.level,
   }));
@@ -57,15 +58,17 @@ export async function explore(page: Page, opens: boolean): Promise<Explored> {
     if (!flood.stands.length) flood.visit([...start, obstacles.ground(start, 0)]);
     flood.go(obstacles, again);
     const { stands, through } = flood;
-    const doors = opens ? await page.evaluate(({ stands, used, HAND }) => {
+    const heads = stands.map(([x, z, ground]) => [x, z, ground, obstacles.headroom([x, z], ground) - CROWN]);
+    const doors = opens ? await page.evaluate(({ heads, used, HAND }) => {
       const { model, walk } = hsd.app, eyes = hsd.viewport.camera.position.clone(), middle = eyes.clone(), slid: { part: number; code: string; at: number[] }[] = [];
-      for (const [part, { kind, code, box }] of model!.parts.entries()) {
-        if (kind !== 'part' || !/^T(?!TB)/.test(code ?? '') || box.isEmpty() || used.includes(part)) continue;
+      for (const part of walk.doors.all) {
+        if (used.includes(part)) continue;
+        const { code, box } = model!.parts[part]!;
         box.getCenter(middle);
-        const near = stands.map(at => ({ at, far: Math.hypot(at[0] - middle.x, at[1] - middle.z) })).filter(({ at, far }) => far < HAND && Math.abs(at[2] - box.min.y) < 0.7);
+        const near = heads.map(at => ({ at, far: Math.hypot(at[0]! - middle.x, at[1]! - middle.z) })).filter(({ at, far }) => far < HAND && Math.abs(at[2]! - box.min.y) < 0.7);
         for (const { at } of near.sort((one, other) => one.far - other.far)) {
-          eyes.set(at[0], at[2] + 1.5, at[1]);
-          const ray = hsd.ray(eyes.toArray(), middle.clone().setY(at[2] + 1.2).sub(eyes).normalize().toArray());
+          eyes.set(at[0]!, at[2]! + at[3]!, at[1]!);
+          const ray = hsd.ray(eyes.toArray(), middle.clone().setY(at[2]! + 0.8 * at[3]!).sub(eyes).normalize().toArray());
           if (walk.doors.faced(ray) !== part) continue;
           slid.push({ part, code: code!.trim(), at: middle.toArray() });
           walk.doors.use(ray);
@@ -73,7 +76,7 @@ export async function explore(page: Page, opens: boolean): Promise<Explored> {
         }
       }
       return slid;
-    }, { stands, used, HAND }) : [];
+    }, { heads, used, HAND }) : [];
     if (doors.length) {
       used.push(...doors.map(({ part }) => part));
       opened.push(...doors.map(({ code }) => code));
@@ -83,7 +86,7 @@ export async function explore(page: Page, opens: boolean): Promise<Explored> {
     }
     const rooms = new Set<string>(), all: string[] = [];
     for (const storey of house.storeys) for (const room of storey.rooms) {
-      const name = `${storey.storey}: ${room.name || room.at}`, floor = storey.z0 + house.origin[2] - origin[1]!;
+      const name = `${storey.storey}: ${room.name} at ${room.at.map(n => n.toFixed(1))}`, floor = storey.z0 + house.origin[2] - origin[1]!;
       all.push(name);
       const [ring, ...holes] = room.area, inside = ([x, z]: Stand) => { const p = fromPage([x, z]); return !!ring && holds(ring, p) && !holes.some(hole => holds(hole, p)); };
       if (stands.some(stand => Math.abs(stand[2] - floor) < 1 && inside(stand))) rooms.add(name);
@@ -144,12 +147,15 @@ function afloat(house: House, stands: Stand[], fromPage: (at: Spot) => Point, up
   }).map(([x, z, ground]) => `${fromPage([x, z]).map(n => n.toFixed(2))} at ${ground.toFixed(2)} m`)).slice(0, 20);
 }
 
+/** What is open or is opened: kinds of units, and codes of modern doors. */
+const WAYS = /^(opening|void|door)$/, MODERN = /^N(SH|AD)/;
+
 /** The wall of the plan that a way leads through, where it is neither a door nor open; null if there is none. */
 function crossed(house: House, from: Point, to: Point, z0: number, z1: number): string | null {
   const at = (z0 + z1) / 2 - house.origin[2];
   const storey = house.storeys.findLast(s => s.kind === 'storey' && at > s.z0 - 0.35) ?? house.storeys[0]!;
   for (const wall of storey.rings.flatMap(ring => ring.walls)) for (const unit of wall.units) {
-    if (/^T(?!TB)/.test(unit.code) || ['opening', 'void', 'door'].includes(unit.part)) continue;
+    if (WAYS.test(unit.part) && !unit.code.startsWith('TTB') || MODERN.test(unit.code)) continue;
     if (meet(from, to, unit.from, unit.to)) return `storey ${storey.storey}, ${unit.code} at ${unit.from}–${unit.to}, from ${from.map(n => n.toFixed(2))} to ${to.map(n => n.toFixed(2))}`;
   }
   return null;

@@ -33,7 +33,7 @@ for (const file of ['rooms.hsd', 'tsushi.hsd']) {
     const { rooms, through, stands } = await explore(page, false);
     assert.deepEqual(through, []);
     // The bay beside the great door stands open.
-    assert.deepEqual([...rooms], ['1: 通り庭']);
+    assert.deepEqual([...rooms].map(room => room.split(' at ')[0]), ['1: 通り庭']);
     assert.ok(stands.length > 100, `${stands.length} places outside`);
   });
 
