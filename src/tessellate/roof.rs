@@ -2,6 +2,7 @@
 //! slope, so that courses are horizontal.
 
 pub(in crate::tessellate) mod bulk;
+pub(in crate::tessellate) mod infill;
 pub(in crate::tessellate) mod mesh_key;
 
 use crate::ast::RoofKind;

@@ -5,6 +5,7 @@ use crate::building::{Built, Face, House, Roof, Solid};
 use crate::scene::{Detail, Kind, NodeId};
 use crate::tessellate::Walker;
 use crate::tessellate::roof::bulk::{Walls, is_fill};
+use crate::tessellate::roof::infill::Infill;
 use crate::tessellate::roof::mesh_key::MeshKey;
 use crate::tessellate::roof::plaster;
 use crate::tessellate::trim::Neighbours;
@@ -43,7 +44,7 @@ impl<'a> Walker<'a> {
         }
     }
 
-    /// Returns what a roof takes from its storey's walls: the finishes of its visible gable fills, empty where there
+    /// Returns what a roof takes from its storey's walls: what its visible gable fills have of them, empty where there
     /// are none, and whether it is plastered.
     fn below(
         &self,
@@ -69,7 +70,7 @@ impl<'a> Walker<'a> {
         let standing = standing[below].get_or_init(|| WallIndex::of(storey));
         let of = |solid: &Solid| match is_fill(solid) {
             true => standing.gable(self.catalog, house, Place { solid, storey }),
-            false => plaster(),
+            false => Infill::plain(plaster()),
         };
         let gables = solids().map(of).collect();
         Walls { gables, plastered }

@@ -5,6 +5,7 @@ use crate::building::{Face, Finish, Roof, Solid};
 use crate::material::SurfaceId;
 use crate::roof::solid::massive::{groups, lean, massive};
 use crate::scene::Detail;
+use crate::tessellate::roof::infill::Infill;
 use crate::tessellate::roof::plaster;
 use glam::DVec2;
 use std::borrow::Cow;
@@ -41,8 +42,8 @@ pub(in crate::tessellate) fn is_fill(solid: &Solid) -> bool {
 /// The properties of a roof that depend on the walls below.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::tessellate) struct Walls {
-    /// The surfaces of the gable fills, solid by solid.
-    pub(in crate::tessellate) gables: Vec<SurfaceId>,
+    /// What the gable fills take from them, solid by solid.
+    pub(in crate::tessellate) gables: Vec<Infill>,
     /// True if they are plastered over their posts; eaves and verges are then plastered as well.
     pub(in crate::tessellate) plastered: bool,
 }
@@ -57,7 +58,7 @@ pub(in crate::tessellate) struct Bulk<'a> {
 /// The surfaces of gable walls.
 enum Gables<'a> {
     /// By solid.
-    BySolid(&'a [SurfaceId]),
+    BySolid(&'a [Infill]),
     /// The positions in plan of the gable fills that a massive roof contains.
     Near(Vec<([DVec2; 2], SurfaceId)>),
 }
@@ -81,12 +82,14 @@ impl<'a> Bulk<'a> {
                 let fills = all.filter(|(s, _)| is_fill(s));
                 Bulk {
                     solids: Cow::Owned(solids),
-                    gables: Gables::Near(fills.map(|(s, id)| (around(s), *id)).collect()),
+                    gables: Gables::Near(
+                        fills.map(|(s, fill)| (around(s), fill.surface)).collect(),
+                    ),
                     plastered,
                 }
             }
             (None, roofs) => Bulk {
-                solids: Cow::Borrowed(roofs.first().map_or(&[], |r| &r.solids)),
+                solids: laid(roofs, gables),
                 gables: Gables::BySolid(gables),
                 plastered,
             },
@@ -105,7 +108,7 @@ impl<'a> Bulk<'a> {
     /// Returns the surface of a gable wall.
     fn gable(&self, solid: usize, face: &Face) -> Option<SurfaceId> {
         match &self.gables {
-            Gables::BySolid(all) => all.get(solid).copied(),
+            Gables::BySolid(all) => all.get(solid).map(|fill| fill.surface),
             Gables::Near(fills) => {
                 let points = &self.solids[solid].points;
                 let corners = face.corners.iter().map(|c| points[*c as usize].truncate());
@@ -116,6 +119,19 @@ impl<'a> Bulk<'a> {
             }
         }
     }
+}
+
+/// Returns the solids of a roof, its fills flush with the walls below.
+fn laid<'a>(roofs: &'a [Roof], gables: &[Infill]) -> Cow<'a, [Solid]> {
+    let solids: &[Solid] = roofs.first().map_or(&[], |r| &r.solids);
+    if gables.iter().all(|fill| fill.flush.is_none()) {
+        return Cow::Borrowed(solids);
+    }
+    let of = |(solid, fill): (&Solid, &Infill)| match fill.flush {
+        Some(flush) => flush.laid(solid, roofs),
+        None => solid.clone(),
+    };
+    Cow::Owned(solids.iter().zip(gables).map(of).collect())
 }
 
 fn around(solid: &Solid) -> [DVec2; 2] {

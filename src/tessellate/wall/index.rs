@@ -6,6 +6,7 @@ use crate::catalog::{Catalog, Stance};
 use crate::geometry::tolerance::SAME;
 use crate::material::SurfaceId;
 use crate::program::Content;
+use crate::tessellate::roof::infill::{Faces, Flush, Infill};
 use crate::tessellate::wall::finish::{default_finish, finish_of};
 use glam::DVec2;
 use std::cell::OnceCell;
@@ -117,13 +118,13 @@ impl WallIndex {
         nearest.map_or(most, |n| (n as f64 * SAME * unit - CLEAR).clamp(0.0, most))
     }
 
-    /// Returns the finish of the wall under a gable's fill: the most common one there.
+    /// Returns what a gable's fill takes from the wall under it: the most common finish there, and the faces that go with it.
     pub(in crate::tessellate) fn gable(
         &self,
         catalog: &Catalog,
         house: &House,
         at: Place<'_>,
-    ) -> SurfaceId {
+    ) -> Infill {
         let unit = house.unit;
         let plan = at.solid.points.iter().map(|p| DVec2::new(-p.x, p.y) / unit);
         let (lo, hi) = plan.fold((DVec2::MAX, DVec2::MIN), |(l, h), p| (l.min(p), h.max(p)));
@@ -153,10 +154,20 @@ impl WallIndex {
                 .iter()
                 .for_each(|w| shares.add(catalog, wall(w), |from, to| to - from));
         }
-        match shares.most() {
-            Some(finish) => finish,
-            None => *self.usual.get_or_init(|| usual(catalog, at.storey)),
-        }
+        let Some(surface) = shares.most() else {
+            return Infill::plain(*self.usual.get_or_init(|| usual(catalog, at.storey)));
+        };
+        let flush = below.first().zip(shares.faces(surface)).map(|(s, faces)| {
+            let (from, out) = (wall(s).from * unit, -wall(s).direction.perp());
+            let outward = DVec2::new(-out.x, out.y);
+            let line = outward.dot(DVec2::new(-from.x, from.y));
+            Flush {
+                outward,
+                line,
+                faces,
+            }
+        });
+        Infill { surface, flush }
     }
 }
 
@@ -210,9 +221,9 @@ fn usual(catalog: &Catalog, storey: &Storey) -> SurfaceId {
     })
 }
 
-/// Lengths by finish.
+/// Lengths by finish and faces.
 #[derive(Default)]
-struct Shares(Vec<(SurfaceId, f64)>);
+struct Shares(Vec<((SurfaceId, Option<Faces>), f64)>);
 
 impl Shares {
     /// Adds the units of a wall with the length that `length` gives for their two offsets.
@@ -228,23 +239,40 @@ impl Shares {
             let Some(finish) = crown(catalog, &unit.content) else {
                 continue;
             };
-            match self.0.iter_mut().find(|s| s.0 == finish) {
+            let top = (finish, Faces::of(catalog, &unit.content));
+            match self.0.iter_mut().find(|s| s.0 == top) {
                 Some(share) => share.1 += length,
-                None => self.0.push((finish, length)),
+                None => self.0.push((top, length)),
             }
         }
     }
 
-    /// Returns the most common finish, the first of equals.
+    /// Returns the most common finish.
     fn most(&self) -> Option<SurfaceId> {
-        let mut best: Option<(SurfaceId, f64)> = None;
-        for share in &self.0 {
-            if best.is_none_or(|b| share.1 > b.1 + SAME) {
-                best = Some(*share);
+        let mut finishes: Vec<(SurfaceId, f64)> = vec![];
+        for ((finish, _), length) in &self.0 {
+            match finishes.iter_mut().find(|f| f.0 == *finish) {
+                Some(share) => share.1 += length,
+                None => finishes.push((*finish, *length)),
             }
         }
-        best.map(|b| b.0)
+        longest(finishes)
     }
+
+    /// Returns the faces of most walls of a finish.
+    fn faces(&self, of: SurfaceId) -> Option<Faces> {
+        let faces = self.0.iter().filter(|((finish, _), _)| *finish == of);
+        longest(faces.map(|((_, faces), length)| (*faces, *length))).flatten()
+    }
+}
+
+/// Returns what has the greatest length, the first of equals.
+fn longest<T>(shares: impl IntoIterator<Item = (T, f64)>) -> Option<T> {
+    let longer = |best: (T, f64), share: (T, f64)| match share.1 > best.1 + SAME {
+        true => share,
+        false => best,
+    };
+    shares.into_iter().reduce(longer).map(|best| best.0)
 }
 
 /// Returns the finish of a wall part at its top.
