@@ -32,7 +32,7 @@ pub(super) enum Key {
     Part(PartKey),
     /// A part texture: number, width, height, share of reflection.
     Picture([u32; 4]),
-    /// A post: side, height, 1 if it has a base stone, 1 if it is round, and its surface.
+    /// A post: side, height, 1 if it has a base stone and 2 if that lies in a curb, 1 if it is round, and its surface.
     Post([u32; 5]),
     /// A horizontal member: kind, length, mitres of its ends.
     Member(u8, u32, [i32; 2]),

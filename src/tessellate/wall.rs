@@ -434,13 +434,7 @@ impl Walker<'_> {
                 self.unit(level, sub, unit);
                 let next = units.get(i + 1);
                 if next.is_some_and(|next| self.framed(unit) || self.framed(next)) {
-                    self.post(
-                        level,
-                        slot.facade,
-                        x,
-                        z,
-                        crate::tessellate::wall::member::POST,
-                    );
+                    self.post(level, slot.facade, x, z, member::POST, false);
                 }
                 right = x;
             }

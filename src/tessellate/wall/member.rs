@@ -4,6 +4,7 @@ use crate::catalog::Stance;
 use crate::geometry::tolerance::STRAIGHT;
 use crate::geometry::{SAME, SHAKU};
 use crate::material::SurfaceId;
+use crate::program::Content;
 use crate::scene::{Detail, Kind, NodeId};
 use crate::tessellate::mesh::smooth::soft_bar;
 use crate::tessellate::mesh::{Axis, Bodies, Soup};
@@ -88,6 +89,9 @@ const FOOTINGS: u8 = 4;
 /// foundation.
 const PAD: (f64, f64, f64) = (0.130, -0.284, -0.112);
 
+/// Half its side between open bays, where it lies in the curb.
+const IN_CURB: f64 = 0.079;
+
 impl Walker<'_> {
     /// Adds posts at the borders of the units of a wall, at its start, and at its end if no wall follows.
     pub(in crate::tessellate) fn posts(
@@ -102,13 +106,23 @@ impl Walker<'_> {
             return;
         }
         let shows = |s: Option<&PlacedUnit<'_>>| s.is_some_and(|s| s.stance == Stance::Posts);
+        let catalog = self.catalog;
+        let open = |s: Option<&PlacedUnit<'_>>| {
+            s.is_none_or(|s| match &s.unit.content {
+                Content::Part(id) => {
+                    catalog.part(*id).class() == 'A' && catalog.part(*id).is_open()
+                }
+                _ => false,
+            })
+        };
         let last = before.and_then(|b| b.end(true));
         let set = line.has_post(false) || before.is_some_and(|b| b.has_post(true));
         if !set && (shows(last) || shows(line.end(false))) {
             let convex = before.is_some_and(|b| bend(b, line) > STRAIGHT);
             let side = if convex { THROUGH } else { POST };
             let height = height(last, line.end(false));
-            self.post(level, facade, 0.0, (0.0, height), side);
+            let curb = open(last) && open(line.end(false));
+            self.post(level, facade, 0.0, (0.0, height), side, curb);
         }
         let mut previous: Option<&PlacedUnit<'_>> = None;
         let mut set = false;
@@ -123,18 +137,20 @@ impl Walker<'_> {
             let drawn = (own || self.detail > Detail::Flat) && !set;
             if inner && drawn && (shows(previous) || shows(Some(placed))) {
                 let height = height(previous, Some(placed));
-                self.post(level, facade, -placed.offset, (0.0, height), POST);
+                let curb = open(previous) && open(Some(placed));
+                self.post(level, facade, -placed.offset, (0.0, height), POST, curb);
             }
             set = false;
             previous = Some(placed);
         }
         if after.is_none() && shows(line.end(true)) && !line.has_post(true) {
             let height = height(line.end(true), None);
-            self.post(level, facade, -line.length, (0.0, height), POST);
+            let curb = open(line.end(true));
+            self.post(level, facade, -line.length, (0.0, height), POST, curb);
         }
     }
 
-    /// Adds a post centred on the line.
+    /// Adds a post centred on the line; its stone lies in the curb of open bays beside it.
     pub(in crate::tessellate) fn post(
         &mut self,
         level: Level<'_>,
@@ -142,6 +158,7 @@ impl Walker<'_> {
         x: f64,
         z: (f64, f64),
         side: f64,
+        curb: bool,
     ) {
         let own = level.storey.order.posts.as_ref();
         let low = level.framed() && level.storey.number == 1 && z.0 == 0.0;
@@ -152,7 +169,7 @@ impl Walker<'_> {
         let key = [
             tenths(side),
             tenths(z.1 - z.0),
-            u32::from(pad),
+            u32::from(pad) + u32::from(pad && curb),
             u32::from(round),
             finish.index() as u32,
         ];
@@ -174,6 +191,7 @@ impl Walker<'_> {
                 base_stone(&mut bodies, half);
             } else if pad {
                 let (half, foot, top) = PAD;
+                let half = if curb { IN_CURB } else { half };
                 let (lo, hi) = (dvec3(-half, -half, foot), dvec3(half, half, top));
                 bodies.block(SurfaceId::named("stone"), lo, hi);
             }

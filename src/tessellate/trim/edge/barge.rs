@@ -11,6 +11,8 @@ use glam::{DVec2, DVec3};
 
 /// Height of the board at mid-length, measured vertically, on small roofs and on large ones, metres.
 const DEEP: (f64, f64) = (0.18, 0.45);
+/// The most of its length that its height is: less than the usual on the smallest roofs.
+const DEEPEST: f64 = 0.06;
 /// Additional depth at apex and foot, as a share of the height.
 const SWELL: f64 = 0.25;
 /// Thickness, metres.
@@ -52,10 +54,16 @@ pub(in crate::tessellate::trim) fn boards(
         seam,
         along,
         out: -along.perp(),
-        deep: (run.length() * 0.032).clamp(DEEP.0, DEEP.1),
+        deep: (run.length() * 0.032)
+            .clamp(DEEP.0, DEEP.1)
+            .min(run.length() * DEEPEST),
     };
     let stations = verge.stations(context.detail >= Detail::Openings);
-    let sections: Vec<Vec<DVec3>> = stations.iter().map(|s| verge.section(s)).collect();
+    let sections: Vec<Vec<DVec3>> = stations
+        .iter()
+        .zip(verge.rises(&stations))
+        .map(|(s, rise)| verge.section(s, rise))
+        .collect();
     let board = Body::loft(SurfaceId::named("cedar"), &sections);
     bodies.extend(board.map(Body::smooth));
     let apex = stations
@@ -157,12 +165,25 @@ impl Verge<'_> {
         self.deep * (1.0 + SWELL * swell)
     }
 
-    fn section(&self, station: &Station) -> Vec<DVec3> {
+    /// Returns the cut through the boards at a station: upright, at a free end square to the slope, so that it ends in no tip.
+    fn section(&self, station: &Station, rise: Option<DVec3>) -> Vec<DVec3> {
         let by = (self.out * -THICK).extend(0.0);
-        let (top, low) = (
-            station.at,
-            station.at - DVec3::Z * self.depth(station.share),
-        );
+        let (top, down) = (station.at, -DVec3::Z * self.depth(station.share));
+        // From the upper edge to the lower one the short way.
+        let low = top + rise.map_or(down, |up| down - up * down.dot(up));
         vec![top, low, low + by, top + by]
+    }
+
+    /// Returns the direction up the slope at the ends that are free, for the stations in their order.
+    fn rises(&self, stations: &[Station]) -> Vec<Option<DVec3>> {
+        let last = stations.len() - 1;
+        let up = |i: usize, beside: usize, end: End| {
+            let way = (stations[beside].at - stations[i].at).normalize_or_zero();
+            (end == End::Free && way.z > 0.0).then_some(way)
+        };
+        let mut rises = vec![None; stations.len()];
+        rises[0] = up(0, 1, self.seam.ends[0]);
+        rises[last] = up(last, last - 1, self.seam.ends[1]);
+        rises
     }
 }
