@@ -176,6 +176,14 @@ impl PartDef {
     pub fn is_open(&self) -> bool {
         self.below == Below::Open
     }
+
+    /// Returns true if it closes its bay: no light comes through while its doors and shutters are shut. Open bays, transoms
+    /// and fences leave room above or below.
+    pub fn closes(&self) -> bool {
+        let passage = self.class == 'A' && self.is_open();
+        let lets_in = self.class == ' ' || !self.above || self.stance == Stance::Fence;
+        self.width > 0.0 && !passage && !lets_in
+    }
 }
 
 impl Serialize for PartDef {

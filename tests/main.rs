@@ -36,6 +36,7 @@ mod heights;
 mod joins;
 mod language;
 mod legacy_grammar;
+mod light;
 mod lower;
 mod lsp;
 mod first_towns;

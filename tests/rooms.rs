@@ -11,7 +11,7 @@ use hsd::source::{FileId, NoFiles, Source};
 use std::fmt::Write;
 
 /// A part of a plan: a, b of its least corner, then of its greatest, U.
-type Cell = [usize; 4];
+pub(crate) type Cell = [usize; 4];
 
 /// Divides a cell by walls across it, each with a door; returns the walls and what is left of the cell.
 fn divide(cell: Cell, random: &mut Numbers, walls: &mut String, cells: &mut Vec<Cell>) {
@@ -44,7 +44,7 @@ fn divide(cell: Cell, random: &mut Numbers, walls: &mut String, cells: &mut Vec<
 }
 
 /// A house of random size whose cells all are rooms.
-fn divided(seed: usize) -> (String, Vec<Cell>, [usize; 2]) {
+pub(crate) fn divided(seed: usize) -> (String, Vec<Cell>, [usize; 2]) {
     let mut random = Numbers(seed as u64 + 1);
     let (width, depth) = (3 + random.below(14), 3 + random.below(14));
     let (mut walls, mut cells) = (String::new(), vec![]);

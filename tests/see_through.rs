@@ -47,6 +47,22 @@ const OPEN: [&str; 11] = [
     "KIB  ",
 ];
 
+#[test]
+fn the_catalogue_knows_which_parts_close_their_bays() {
+    let wide = hsd::parse::builtin()
+        .parts()
+        .iter()
+        .filter(|p| p.width() > 0.0 && p.class() != ' ');
+    let open: Vec<&str> = wide.filter(|p| !p.closes()).map(PartDef::code).collect();
+    let sorted = |codes: &[&str]| {
+        codes
+            .iter()
+            .map(|c| (*c).to_owned())
+            .collect::<std::collections::BTreeSet<_>>()
+    };
+    assert_eq!(sorted(&open), sorted(&OPEN));
+}
+
 /// Parts that close their bay.
 fn closed() -> Vec<&'static PartDef> {
     let parts = hsd::parse::builtin().parts().iter();

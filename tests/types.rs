@@ -156,27 +156,37 @@ fn every_type_is_whole_in_all_its_joinery() {
     assert_none(&findings);
 }
 
+/// The types of one house that have rooms.
+pub(crate) fn with_rooms() -> Vec<&'static str> {
+    let inside = |t: &&Template| parameters(&t.text()).iter().any(|p| p.name == "rooms");
+    TYPES.iter().filter(inside).map(|t| t.word).collect()
+}
+
+/// A type with its rooms, as it is or with another parameter.
+pub(crate) fn roomy(word: &str, other: bool) -> Run {
+    let mut setting = vec![("rooms".to_owned(), "yes".to_owned())];
+    if other {
+        let other = match word {
+            "hei-tsuki" => ("gate", "left"),
+            "kanban" => ("frontage", "4.5"),
+            "kura" => ("storeys", "1"),
+            "ura-nagaya" => ("munewari", "yes"),
+            "buke-nagaya" => ("gate", "yes"),
+            _ => ("mirrored", "yes"),
+        };
+        setting.push((other.0.to_owned(), other.1.to_owned()));
+    }
+    built(&text(word), &setting, Detail::Everything)
+}
+
 /// The types of one house with their rooms: nothing is said of them, and whoever enters gets into each.
 #[test]
 fn types_with_rooms_are_whole_in_all_their_joinery() {
-    let inside = |t: &&Template| parameters(&t.text()).iter().any(|p| p.name == "rooms");
-    let inside: Vec<&Template> = TYPES.iter().filter(inside).collect();
+    let inside = with_rooms();
     assert_eq!(inside.len(), 10);
     let findings = on_all_processors(2 * inside.len(), |index| {
-        let word = inside[index / 2].word;
-        let mut setting = vec![("rooms".to_owned(), "yes".to_owned())];
-        if index % 2 == 1 {
-            let other = match word {
-                "hei-tsuki" => ("gate", "left"),
-                "kanban" => ("frontage", "4.5"),
-                "kura" => ("storeys", "1"),
-                "ura-nagaya" => ("munewari", "yes"),
-                "buke-nagaya" => ("gate", "yes"),
-                _ => ("mirrored", "yes"),
-            };
-            setting.push((other.0.to_owned(), other.1.to_owned()));
-        }
-        let run = built(&text(word), &setting, Detail::Everything);
+        let word = inside[index / 2];
+        let run = roomy(word, index % 2 == 1);
         let mut found = complaints(&run);
         found.extend(run.diagnostics.iter().map(|d| d.message.en()));
         let houses = || run.building.houses.iter();
