@@ -5,6 +5,7 @@ import { chmodSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, beforeEach, test } from 'node:test';
 import type { Page } from 'playwright-core';
+import { drawing } from './drawing.ts';
 import { does, Preview, until } from './preview.ts';
 
 const HOUSE = `# A plain house; the front is to the south.
@@ -20,6 +21,7 @@ KTU  KTU  KTU  KTU
 `;
 
 let preview: Preview, page: Page;
+const { text, tool, status, at, pull: drag, becomes } = drawing('plain.hsd', () => ({ preview, page }));
 
 before(async () => {
   preview = await Preview.of([['plain.hsd', HOUSE]]);
@@ -40,35 +42,9 @@ beforeEach(async () => {
 
 /** Waits until the plan is up to date with the model. */
 const drawn = () => until(() => page.evaluate(() => hsd.plan.drawn.walls.size > 0 && document.documentElement.dataset.revision === `${hsd.revision}`), 'the plan is drawn');
-const status = () => page.locator('.status').textContent();
-const tool = (name: string) => page.locator(`.tools input[value=${name}]`).check();
-const text = () => preview.read('plain.hsd');
-
-/** Waits for the effect of an edit on the source file. */
-async function becomes(holds: (text: string) => boolean, what: string) {
-  await until(() => holds(text()), what).catch(async error => { throw new Error(`${(error as Error).message}; ${await status()}`); });
-  const now = text();
-  await until(() => page.evaluate(now => hsd.app.state?.sources[0]?.text === now && hsd.reload?.revision === hsd.revision, now), 'the page shows it');
-  await page.waitForTimeout(60);
-}
 
 /** Corners of a storey in the plan. */
 const corners = (house = 0, storey = 0) => page.evaluate(([h, s]) => hsd.app.state!.plan.houses[h!]!.storeys[s!]!.rings[0]!.walls.map(w => w.from), [house, storey]);
-
-/** Screen position of a point of the first house. */
-const at = (a: number, b: number) => page.evaluate(([a, b]) => {
-  const { sheet } = hsd.plan, m = sheet.svg.getScreenCTM()!, u = hsd.app.state!.plan.houses[0]!.unit_m;
-  const p = new DOMPoint(-a! * u, -b! * u).matrixTransform(m);
-  return { x: p.x, y: p.y };
-}, [a, b]);
-
-async function drag(from: [number, number], to: [number, number]) {
-  const [p, q] = [await at(...from), await at(...to)];
-  await page.mouse.move(p.x, p.y);
-  await page.mouse.down();
-  await page.mouse.move((p.x + q.x) / 2, (p.y + q.y) / 2, { steps: 3 });
-  await page.mouse.move(q.x, q.y, { steps: 3 });
-}
 
 test('the palette shows parts with images and finds them by name', async () => {
   const buttons = page.locator('.palette button');

@@ -5,6 +5,7 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before, beforeEach, test } from 'node:test';
 import type { Page } from 'playwright-core';
+import { drawing } from './drawing.ts';
 import { does, Preview, until } from './preview.ts';
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
@@ -30,6 +31,7 @@ const HOUSE = `<Houses>
 `;
 
 let preview: Preview, page: Page;
+const { text, status, click, drag, becomes } = drawing('fixtures.hsd', () => ({ preview, page }));
 
 before(async () => {
   preview = await Preview.of([['fixtures.hsd', HOUSE]]);
@@ -46,38 +48,8 @@ beforeEach(async () => {
   await page.locator('.tools input[value=fixture]').check();
 });
 
-const text = () => preview.read('fixtures.hsd');
-const status = () => page.locator('.status').textContent();
 const fixtures = () => page.evaluate(() => hsd.plan.state!.plan.houses[0]!.storeys[0]!.fixtures.map(({ kind, at, size, faces, built }) => ({ kind, at, size, faces, built })));
 const panel = (name: string) => page.locator(`[data-fixture=${name}]`);
-
-/** Waits until the text says something, and the plan shows that text. */
-async function becomes(holds: (text: string) => boolean, what: string) {
-  await until(() => holds(text()), what).catch(async error => { throw new Error(`${(error as Error).message}; ${await status()}\n${text()}`); });
-  const now = text();
-  await until(() => page.evaluate(now => hsd.plan.state?.sources[0]?.text === now, now), 'the page shows it');
-}
-
-/** Screen position of a point of the house. */
-const at = (a: number, b: number) => page.evaluate(([a, b]) => {
-  const { sheet } = hsd.plan, u = hsd.app.state!.plan.houses[0]!.unit_m;
-  const p = new DOMPoint(-a! * u, -b! * u).matrixTransform(sheet.svg.getScreenCTM()!);
-  return { x: p.x, y: p.y };
-}, [a, b]);
-
-async function click(a: number, b: number) {
-  const { x, y } = await at(a, b);
-  await page.mouse.click(x, y);
-}
-
-async function drag(from: [number, number], to: [number, number]) {
-  const [p, q] = [await at(...from), await at(...to)];
-  await page.mouse.move(p.x, p.y);
-  await page.mouse.down();
-  await page.mouse.move((p.x + q.x) / 2, (p.y + q.y) / 2, { steps: 3 });
-  await page.mouse.move(q.x, q.y, { steps: 3 });
-  await page.mouse.up();
-}
 
 /** The next fixture is of this kind. */
 async function next(kind: string, faces = 'F') {

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, beforeEach, test } from 'node:test';
 import type { Page } from 'playwright-core';
+import { drawing } from './drawing.ts';
 import { does, Preview, until } from './preview.ts';
 
 const TOWN = `<Houses>
@@ -17,6 +18,7 @@ const TOWN = `<Houses>
 `;
 
 let preview: Preview, page: Page;
+const { text, tool, status, at, drag, becomes } = drawing('town.hsd', () => ({ preview, page }), true);
 
 before(async () => {
   preview = await Preview.of([['town.hsd', TOWN], ['plain.hsd', '0 0 180\n9\n\nKSK  KSK  KSK\nKSK\nKSK  KSK  KSK\nKSK\n']]);
@@ -32,30 +34,6 @@ beforeEach(async () => {
   await does(page, 'fit').click();
 });
 
-const text = () => preview.read('town.hsd');
-const tool = (name: string) => page.locator(`.tools input[value=${name}]`).check();
-const status = () => page.locator('.status').textContent();
-
-async function becomes(part: string) {
-  await until(() => text().includes(part), `the text has ${part}`).catch(async error => { throw new Error(`${(error as Error).message}; ${await status()}; ${text()}`); });
-  await until(() => page.evaluate(now => hsd.plan.state?.sources[0]?.text === now, text()), 'the plan shows it');
-  await page.waitForTimeout(60);
-}
-
-/** Screen position of a place, metres east and north. */
-const at = (east: number, north: number) => page.evaluate(([x, y]) => {
-  const p = new DOMPoint(x, -y!).matrixTransform(hsd.plan.sheet.svg.getScreenCTM()!);
-  return { x: p.x, y: p.y };
-}, [east, north]);
-
-async function drag(from: [number, number], to: [number, number]) {
-  const [p, q] = [await at(...from), await at(...to)];
-  await page.mouse.move(p.x, p.y);
-  await page.mouse.down();
-  await page.mouse.move((p.x + q.x) / 2, (p.y + q.y) / 2, { steps: 3 });
-  await page.mouse.move(q.x, q.y, { steps: 3 });
-  await page.mouse.up();
-}
 
 /** Middle of a wall of a house, metres east and north. */
 const wall = (house: number, n = 0) => page.evaluate(([house, n]) => {

@@ -1,17 +1,16 @@
 //! Strokes that place, change and remove what is built into rooms.
 
-use super::rooms::{fixed, one_of, put, rewritten};
+use super::element::{added, fixed, one_of, own_element, removed, rewritten};
 use crate::ast::{Fixture, FixtureKind, Side};
 use crate::building::{House, Storey};
 use crate::diagnostic::Text;
 use crate::fit::{Hindrance, hindrance};
 use crate::ide::format::Edit;
 use crate::ide::stroke::StoreyAt;
-use crate::ide::stroke::change::tidy;
 use crate::ide::stroke::find;
 use crate::ide::stroke::refuse;
 use crate::ide::stroke::sheet::{Reason, Sheet};
-use crate::ide::stroke::xml::{gone, plain};
+use crate::ide::stroke::xml::plain;
 use crate::source::Spanned;
 use glam::DVec2;
 use serde::Deserialize;
@@ -56,15 +55,7 @@ pub(in crate::ide::stroke) fn add(
     };
     let wanted = meant(&new, words)?;
     stands(sheet, at, &wanted, None)?;
-    let mut element = "<Fixture".to_owned();
-    for (word, value) in written(&wanted) {
-        if !value.is_empty() && usual(word) != Some(&*value) {
-            element += &format!(" {word}=\"{value}\"");
-        }
-    }
-    element += "/>";
-    let lines = |_: &str, _: &str| element.clone();
-    Ok(vec![put(sheet, level, &[], &lines)?])
+    added(sheet, level, "Fixture", written(&wanted).into(), usual)
 }
 
 /// Changes a fixture. One that turns without a new place keeps a corner or its middle, whichever fits first.
@@ -110,9 +101,7 @@ pub(in crate::ide::stroke) fn remove(
     number: usize,
 ) -> Result<Vec<Edit>, Text> {
     let (_, level) = find::storey(sheet, at.house, at.storey)?;
-    let (_, element) = element(sheet, level, number)?;
-    let range = sheet.outline.elements[element].range.clone();
-    Ok(tidy(gone(sheet, range)))
+    Ok(removed(sheet, element(sheet, level, number)?.1))
 }
 
 /// Returns the reason why no stroke can change a fixture.
@@ -127,11 +116,7 @@ fn element<'a>(
 ) -> Result<(&'a Fixture, usize), Text> {
     let fixture = storey.fixtures.get(number);
     let fixture = fixture.ok_or_else(refuse::no_such_place)?;
-    if let Some(reason) = fixture_fixed(sheet, fixture) {
-        return Err(reason.text());
-    }
-    let element = find::element(sheet, fixture.span).ok_or_else(refuse::no_such_place)?;
-    Ok((fixture, element))
+    Ok((fixture, own_element(sheet, fixture.span, "Fixture")?))
 }
 
 /// Returns a fixture with what is said about it.

@@ -1,6 +1,6 @@
 //! Strokes that draw and remove walls inside a storey.
 
-use super::rooms::put;
+use super::element::put;
 use crate::building::Storey;
 use crate::diagnostic::Text;
 use crate::geometry::SAME;

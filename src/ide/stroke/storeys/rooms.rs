@@ -1,17 +1,16 @@
 //! Strokes that add, change and remove rooms.
 
+use super::element::{added, fixed, one_of, own_element, removed, rewritten};
 use crate::ast::{Flooring, MatOrder, Room, RoomCeiling};
 use crate::building::Storey;
 use crate::diagnostic::Text;
 use crate::fit::{InStorey, in_storey};
 use crate::ide::format::Edit;
 use crate::ide::stroke::StoreyAt;
-use crate::ide::stroke::change::tidy;
 use crate::ide::stroke::find;
 use crate::ide::stroke::refuse;
-use crate::ide::stroke::sheet::{Reason, Sheet, name};
-use crate::ide::stroke::xml::{gap_before, gone, plain, without};
-use crate::source::{FileId, Span};
+use crate::ide::stroke::sheet::{Reason, Sheet};
+use crate::ide::stroke::xml::plain;
 use glam::{DVec2, dvec2};
 use serde::Deserialize;
 use std::ops::RangeInclusive;
@@ -47,15 +46,7 @@ pub(in crate::ide::stroke) fn add(
 ) -> Result<Vec<Edit>, Text> {
     let (_, level) = find::storey(sheet, at.house, at.storey)?;
     free(level, words.at.ok_or_else(refuse::no_such_place)?, None)?;
-    let mut element = "<Room".to_owned();
-    for (word, value) in written(words)? {
-        if !value.is_empty() && Some(&*value) != usual(word) {
-            element += &format!(" {word}=\"{value}\"");
-        }
-    }
-    element += "/>";
-    let lines = |_: &str, _: &str| element.clone();
-    Ok(vec![put(sheet, level, &[], &lines)?])
+    added(sheet, level, "Room", written(words)?, usual)
 }
 
 /// Changes a room.
@@ -73,40 +64,6 @@ pub(in crate::ide::stroke) fn change(
     rewritten(sheet, element, written(words)?, usual)
 }
 
-/// Returns the edits that give attributes of an element these values; empty ones remove them, those that are `usual` need
-/// not be written.
-pub(super) fn rewritten(
-    sheet: &Sheet<'_>,
-    element: usize,
-    words: Vec<(&'static str, String)>,
-    usual: fn(&str) -> Option<&'static str>,
-) -> Result<Vec<Edit>, Text> {
-    let own = &sheet.outline.elements[element];
-    let end = own.attributes.iter().map(|a| a.range.end).max();
-    let end = end.unwrap_or(own.name.end);
-    let mut edits = vec![];
-    for (word, value) in words {
-        match own.attribute(word) {
-            Some(given) if !given.expressions.is_empty() => return Err(Reason::Computed.text()),
-            Some(given) if value.is_empty() => edits.push(without(sheet, &given.range)),
-            Some(given) if sheet.text.get(given.inner.clone()) == Some(&*value) => {}
-            Some(given) => edits.push(Edit {
-                range: given.inner.clone(),
-                text: value,
-            }),
-            None if value.is_empty() || usual(word) == Some(&*value) => {}
-            None => edits.push(Edit {
-                range: end..end,
-                text: format!(" {word}=\"{value}\""),
-            }),
-        }
-    }
-    match edits.is_empty() {
-        true => Err(refuse::nothing()),
-        false => Ok(tidy(edits)),
-    }
-}
-
 /// Removes a room; the area stays, and has boards.
 pub(in crate::ide::stroke) fn remove(
     sheet: &Sheet<'_>,
@@ -114,9 +71,7 @@ pub(in crate::ide::stroke) fn remove(
     number: usize,
 ) -> Result<Vec<Edit>, Text> {
     let (_, level) = find::storey(sheet, at.house, at.storey)?;
-    let element = element(sheet, level, number)?;
-    let range = sheet.outline.elements[element].range.clone();
-    Ok(tidy(gone(sheet, range)))
+    Ok(removed(sheet, element(sheet, level, number)?))
 }
 
 /// Returns the reason why no stroke can change a room.
@@ -124,25 +79,9 @@ pub(in crate::ide) fn room_fixed(sheet: &Sheet<'_>, room: &Room) -> Option<Reaso
     fixed(sheet, room.span, "Room")
 }
 
-/// Returns the reason why no stroke can change the element of a span.
-pub(super) fn fixed(sheet: &Sheet<'_>, span: Span, called: &str) -> Option<Reason> {
-    if span.file != FileId(0) {
-        return Some(Reason::Include);
-    }
-    match find::element(sheet, span) {
-        Some(element) if name(&sheet.outline.elements[element]) == called => {
-            sheet.around_fixed(element)
-        }
-        _ => Some(sheet.made_by(sheet.a.source.text_range(span).start)),
-    }
-}
-
 fn element(sheet: &Sheet<'_>, storey: &Storey, number: usize) -> Result<usize, Text> {
     let room = storey.rooms.get(number).ok_or_else(refuse::no_such_place)?;
-    match room_fixed(sheet, room) {
-        Some(reason) => Err(reason.text()),
-        None => find::element(sheet, room.span).ok_or_else(refuse::no_such_place),
-    }
+    own_element(sheet, room.span, "Room")
 }
 
 /// Checks that a point is in an area without a room, or in that of the room itself.
@@ -199,14 +138,6 @@ fn written(words: &RoomWords) -> Result<Vec<(&'static str, String)>, Text> {
     Ok(all)
 }
 
-/// Checks that a word is one of those that are known.
-pub(super) fn one_of(word: &str, known: &[&str]) -> Result<String, Text> {
-    match known.contains(&word) {
-        true => Ok(word.to_owned()),
-        false => Err(refuse::no_such_place()),
-    }
-}
-
 /// How high ceilings can be drawn, shaku.
 const HEIGHTS: RangeInclusive<f64> = 1.0..=100.0;
 
@@ -235,48 +166,4 @@ fn escaped(text: &str) -> String {
         }
     }
     out
-}
-
-/// Returns the edit that puts an element into a storey: behind the last child of these names, or of any if none is given.
-/// `lines` makes the element from the line end and blanks before it, and one step more of blanks.
-pub(super) fn put(
-    sheet: &Sheet<'_>,
-    storey: &Storey,
-    behind: &[&str],
-    lines: &dyn Fn(&str, &str) -> String,
-) -> Result<Edit, Text> {
-    let at = sheet.a.source.text_range(storey.span).start;
-    if storey.span.file == FileId(0) && sheet.outline.line_at(at).is_some() {
-        return Err(refuse::no_rooms());
-    }
-    let element = find::storey_element(sheet, storey)?;
-    let own = &sheet.outline.elements[element];
-    let outer = gap_before(sheet.text, own.range.start);
-    let step = if outer.is_empty() { "" } else { "  " };
-    let last = sheet
-        .children(element)
-        .filter(|c| {
-            let name = name(&sheet.outline.elements[*c]);
-            behind.is_empty() || behind.contains(&name)
-        })
-        .last();
-    let insert = |at: usize, text: String| Edit {
-        range: at..at,
-        text,
-    };
-    if let Some(last) = last {
-        let last = &sheet.outline.elements[last].range;
-        let gap = gap_before(sheet.text, last.start);
-        return Ok(insert(last.end, format!("{gap}{}", lines(gap, step))));
-    }
-    let gap = format!("{outer}{step}");
-    let text = format!("{gap}{}", lines(&gap, step));
-    Ok(match own.end_name {
-        Some(_) => insert(own.tag.end, text),
-        // <Storey/> opens.
-        None => Edit {
-            range: sheet.text[..own.tag.end - 2].trim_end().len()..own.tag.end,
-            text: format!(">{text}{outer}</Storey>"),
-        },
-    })
 }
