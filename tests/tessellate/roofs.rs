@@ -162,3 +162,41 @@ fn roofs_that_are_alike_share_a_mesh() {
     let twice = scene(&[text, text]);
     assert_eq!(twice.meshes, one.meshes, "a second house adds no mesh");
 }
+
+/// Gable fills stand in the plane of a wall that hides its posts, and back between posts that show.
+#[test]
+fn gable_fills_are_flush_with_plaster_over_the_posts() {
+    for (code, front) in [
+        ("KSKO", 0.090),
+        ("KSKK", 0.090),
+        ("KNB", 0.082),
+        ("KTU", 0.035),
+    ] {
+        let side = |n: usize| {
+            format!(
+                "<Row>{}</Row>",
+                format!("<Part code=\"{code}\"/>").repeat(n)
+            )
+        };
+        let walls = [4, 5, 4, 5].map(side).concat();
+        let text = format!(
+            "<House><Storey height=\"9\">{walls}</Storey><Roofs mode=\"explicit\"><Roof kind=\"K\" shape=\"KIR\" \
+             ridge=\"X\" height=\"9\" a0=\"0\" b0=\"0\" a1=\"4\" b1=\"5\" pitch=\"5\" eaves=\"1\" verge=\"1\"/></Roofs></House>"
+        );
+        let run = crate::support::compile("gable.hsd", text.as_bytes());
+        assert!(!run.has_errors(), "{}", run.short());
+        let roof = run.scene.nodes.iter().find(|n| n.kind == Kind::Roof);
+        let mesh = roof.and_then(|n| n.mesh).expect("a roof");
+        let faces = triangles(&run.scene.meshes[mesh.0 as usize]);
+        let at = |x: f64| {
+            let there = |t: &&[[f32; 3]; 3]| t.iter().all(|p| (f64::from(p[0]) - x).abs() < 1.1e-3);
+            faces.iter().filter(there).count()
+        };
+        let wide = 4.0 * 3.0 * SHAKU;
+        for before in [0.035, 0.082, 0.090] {
+            let [right, left] = [at(before), at(-wide - before)];
+            assert_eq!(right > 0, before == front, "{code}, right, {before}");
+            assert_eq!(left > 0, before == front, "{code}, left, {before}");
+        }
+    }
+}

@@ -5,7 +5,7 @@ use crate::building::{Face, Finish, Roof, Solid};
 use crate::material::SurfaceId;
 use crate::roof::solid::massive::{groups, lean, massive};
 use crate::scene::Detail;
-use crate::tessellate::roof::infill::Infill;
+use crate::tessellate::roof::infill::{Infill, is_fill};
 use crate::tessellate::roof::plaster;
 use glam::DVec2;
 use std::borrow::Cow;
@@ -29,14 +29,6 @@ pub(in crate::tessellate) fn shares(roofs: &[Roof], detail: Detail) -> Vec<&[Roo
 
 fn is_massive(detail: Detail) -> bool {
     detail <= Detail::Flat
-}
-
-/// Returns true if a solid fills a gable.
-pub(in crate::tessellate) fn is_fill(solid: &Solid) -> bool {
-    solid
-        .faces
-        .first()
-        .is_some_and(|f| f.finish == Finish::Gable)
 }
 
 /// The properties of a roof that depend on the walls below.

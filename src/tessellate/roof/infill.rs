@@ -1,11 +1,10 @@
 //! Gable fills over walls that are plastered over their posts: they stand flush with the wall below, not back between posts.
 
-use crate::building::{Roof, Solid};
+use crate::building::{Finish, Roof, Solid};
 use crate::catalog::{Catalog, Stance, body::Shape, value::Level};
 use crate::material::SurfaceId;
 use crate::program::Content;
 use crate::roof::solid::{INFILL_THICKNESS, SUNK};
-use crate::tessellate::roof::bulk::is_fill;
 use glam::DVec2;
 
 /// Surfaces of wall and fill, which lap a little, are never in one plane, metres.
@@ -38,6 +37,14 @@ impl Faces {
             .then(|| faces.max_by(|p, q| p.front.total_cmp(&q.front)))
             .flatten()
     }
+}
+
+/// Returns true if a solid fills a gable.
+pub(in crate::tessellate) fn is_fill(solid: &Solid) -> bool {
+    solid
+        .faces
+        .first()
+        .is_some_and(|f| f.finish == Finish::Gable)
 }
 
 /// What a gable's fill takes from the wall below.
