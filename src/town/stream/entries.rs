@@ -10,12 +10,15 @@ use std::io::{self, SeekFrom, Write};
 /// The features of a layer whose entries lie on one shelf.
 const RANGE: usize = 1 << 13;
 
+/// The shelf of each range of features of a layer.
+type ShelfOf = BTreeMap<(usize, usize), usize>;
+
 /// The entries of a town.
 #[derive(Default)]
 pub struct Entries {
     kept: Vec<Entry>,
-    /// Where they wait, and the shelf of each range of features of a layer.
-    spooled: Option<(Shelves, BTreeMap<(usize, usize), usize>)>,
+    /// Where they wait.
+    spooled: Option<(Shelves, ShelfOf)>,
 }
 
 impl Entries {
