@@ -235,7 +235,9 @@ fn a_table_ends_with_its_file() {
     let read = read_bytes(&[("a.dbf", table)], &Options::default()).unwrap();
     assert_eq!(read.counts(), (2, 0), "{:?}", read.lost);
     let (_, remarks) = kinds(&read);
-    let ends = remarks.iter().filter(|kind| matches!(kind, Kind::Damaged { .. }));
+    let ends = remarks
+        .iter()
+        .filter(|kind| matches!(kind, Kind::Damaged { .. }));
     assert_eq!(ends.count(), 1, "{remarks:?}");
 }
 

@@ -129,7 +129,10 @@ impl Table {
     /// Whether there is another row: the head may say more rows than the file has.
     pub(super) fn has_row(&mut self) -> bool {
         // 0x1a ends a table of dBase.
-        let more = self.rows.fill_buf().is_ok_and(|left| !matches!(left, [] | [0x1a]));
+        let more = self
+            .rows
+            .fill_buf()
+            .is_ok_and(|left| !matches!(left, [] | [0x1a]));
         self.at < self.count && more
     }
 
