@@ -233,7 +233,12 @@ fn a_table_ends_with_its_file() {
     table.resize(64, 0);
     table.extend(*b"\r one   two  \x1a");
     let read = read_bytes(&[("a.dbf", table)], &Options::default()).unwrap();
-    assert_eq!(read.counts(), (2, 0), "{:?}", read.lost);
+    assert_eq!(
+        read.counts(),
+        (0, 2),
+        "rows without a geometry: {:?}",
+        read.lost
+    );
     let (_, remarks) = kinds(&read);
     let ends = remarks
         .iter()
