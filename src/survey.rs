@@ -3,6 +3,7 @@
 //! | step | file |
 //! |---|---|
 //! | a map is read once: geometry, fields, values | this one |
+//! | points that are the vertices of outlines are known by their fields | `vertices` |
 //! | files of one kind beside each other become one layer | `sheets` |
 //! | fields get a meaning by their names and values | `fields` |
 //! | the town is written | `text` |
@@ -13,6 +14,7 @@
 mod fields;
 mod sheets;
 mod text;
+mod vertices;
 
 pub use sheets::{is_map, joined, standing};
 pub use text::town;
@@ -71,6 +73,8 @@ pub struct Surveyed {
     pub plane: Plane,
     /// True if its files say nothing of that.
     pub is_silent: bool,
+    /// The fields of a table of vertices: the id of the house, and the number of the vertex.
+    pub vertices: Option<(String, String)>,
     /// The encoding that the town must name.
     pub encoding: Option<&'static str>,
     /// Its fields.
@@ -124,16 +128,9 @@ pub(in crate::survey) struct Seen {
 
 impl Seen {
     fn add(&mut self, value: &Value) {
-        let text = match value {
-            Value::Null => return,
-            Value::Bool(truth) => if *truth { "yes" } else { "no" }.to_owned(),
-            Value::Integer(n) => n.to_string(),
-            Value::Number(n) => n.to_string(),
-            Value::Text(text) => text.trim().to_owned(),
-        };
-        if text.is_empty() {
+        let Some(text) = word(value) else {
             return;
-        }
+        };
         if self.filled == 0 {
             self.is_unique = true;
         }
@@ -147,6 +144,18 @@ impl Seen {
             *self.values.entry(text).or_default() += 1;
         }
     }
+}
+
+/// Returns a value as a word, if it is any.
+fn word(value: &Value) -> Option<String> {
+    let text = match value {
+        Value::Null => return None,
+        Value::Bool(truth) => if *truth { "yes" } else { "no" }.to_owned(),
+        Value::Integer(n) => n.to_string(),
+        Value::Number(n) => n.to_string(),
+        Value::Text(text) => text.trim().to_owned(),
+    };
+    (!text.is_empty()).then_some(text)
 }
 
 impl Seen {
@@ -235,6 +244,7 @@ fn survey_grid(world: &dyn World, path: &str, src: &str) -> Result<Surveyed, Fau
             None => Plane::Metres,
         },
         is_silent: false,
+        vertices: None,
         encoding: None,
         fields: Fields::new(&[], vec![], 0),
     })
@@ -258,13 +268,20 @@ fn survey_layer(
         found = read(world, path, &options)?;
     }
     let mut read = found;
+    let records = read.features;
+    let vertices = vertices::find(world, path, &options, &read);
+    if let Some(found) = &vertices {
+        // From here on its features are the outlines.
+        (read.points, read.features) = (0, found.sizes.len());
+        read.sizes.clone_from(&found.sizes);
+    }
     // Sizes in degrees become square metres of the latitude of Japan, which is near enough to tell houses from blocks.
     let is_degrees = !is_metres && read.crs.as_ref().is_none_or(Crs::is_degrees);
     if is_degrees && let Some([_, high]) = read.bounds {
         let metres = 111_320.0 * 111_320.0 * libm::cos(high.y.to_radians());
         read.sizes.iter_mut().for_each(|size| *size *= metres);
     }
-    let fields = Fields::new(&read.columns, read.seen, read.features);
+    let fields = Fields::new(&read.columns, read.seen, records);
     let stem = src.rsplit(['/', '\\']).next().unwrap_or(src).to_lowercase();
     let geometry = (read.points, read.lines);
     Ok(Surveyed {
@@ -284,6 +301,7 @@ fn survey_layer(
             None => Plane::Degrees,
         },
         is_silent: read.is_silent || is_metres,
+        vertices: vertices.map(|v| (v.outline, v.order)),
         encoding: None,
         fields,
     })

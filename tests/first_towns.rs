@@ -87,6 +87,34 @@ fn fields_say_what_a_layer_is_and_what_is_built() {
     }
 }
 
+/// Records of vertices (000-25) in metres, mixed up, with Japanese names too; a table whose points are places stays one.
+#[test]
+fn tables_of_vertices_are_outlines() {
+    const TABLE: &str = "house,number,x,y,levels\na,3,6,9,2\nb,1,1010,0,1\na,1,0,0,2\na,4,0,9,2\nb,2,1018,0,1\nb,3,1018,5,1\na,2,6,0,2\nb,4,1014,5,1\nb,5,1014,10,1\nb,6,1010,10,1\n";
+    for (by, order) in [
+        ("house", "number"),
+        ("家屋", "順番"),
+        ("町家", "vertex_index"),
+    ] {
+        let table = TABLE.replace("house,number", &format!("{by},{order}"));
+        let folder = written("vertices.csv", &table);
+        let layers = surveyed(folder.path(), &["vertices.csv"]);
+        assert_eq!(kinds(&layers), [(Kind::Houses, 2)], "{by}");
+        let (text, houses) = first_town(folder.path(), &["vertices.csv"]);
+        assert_eq!(houses, 2, "{text}");
+        let wanted = format!(r#"outline="{by}" order="{order}""#);
+        assert!(text.contains(&wanted), "{wanted} in {text}");
+        assert!(!text.contains("key="), "the key is the id: {text}");
+    }
+    // Numbered shops of two streets: along a street they draw no outline.
+    let places = "street,number,x,y\na,1,0,0\na,2,10,0\na,3,20,0\nb,1,0,50\nb,2,10,50\nb,3,20,50\n";
+    let folder = written("shops.csv", places);
+    assert_eq!(
+        kinds(&surveyed(folder.path(), &["shops.csv"])),
+        [(Kind::Places, 6)]
+    );
+}
+
 #[test]
 fn japanese_fields_are_known() {
     let buildings = squares(&[

@@ -63,7 +63,8 @@ fn is_sheet(known: &Surveyed, other: &Surveyed) -> bool {
     if is_empty(known) || is_empty(other) {
         return true;
     }
-    let are_alike = known.kind == other.kind && known.plane == other.plane;
+    let are_alike =
+        known.kind == other.kind && known.plane == other.plane && known.vertices == other.vertices;
     // Two surveys of their own have nothing in common, whatever their numbers are.
     are_alike && known.plane != Plane::OwnSurvey && !known.files.iter().any(|f| covers(f, other))
 }

@@ -115,6 +115,13 @@ fn write_layer(out: &mut String, layer: &Surveyed, name: &str) {
     };
     let count = count(layer);
     let _ = write!(out, "\n  <!-- {count}{what}.");
+    if let Some((outline, order)) = &layer.vertices {
+        let (outline, order) = (comment(outline), comment(order));
+        let _ = write!(
+            out,
+            "\n       A table of vertices: {outline} says to which outline a point belongs, {order} is its number in that."
+        );
+    }
     let fields: Vec<(&str, usize)> = layer.fields.shares().collect();
     if !fields.is_empty() {
         out.push_str("\n       Fields, and how many features of a hundred have them:");
@@ -132,11 +139,20 @@ fn write_layer(out: &mut String, layer: &Surveyed, name: &str) {
         " -->\n  <Layer name=\"{name}\" src=\"{}\"",
         escaped(&layer.src)
     );
+    let (outline, order) = layer
+        .vertices
+        .as_ref()
+        .map(|(by, order)| (&**by, &**order))
+        .unzip();
+    // The key of an outline is its id.
+    let key = layer.fields.key().filter(|_| layer.vertices.is_none());
     let of = [
         ("layer", layer.layer),
+        ("outline", outline),
+        ("order", order),
         ("crs", (layer.plane == Plane::Metres).then_some("local")),
         ("encoding", layer.encoding),
-        ("key", layer.fields.key()),
+        ("key", key),
     ];
     for (attribute, value) in of {
         if let Some(value) = value {
