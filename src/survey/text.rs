@@ -101,6 +101,21 @@ fn write_plane(out: &mut String, layer: &Surveyed) {
     }
 }
 
+/// Lists the fields of a layer and how often they have a value.
+fn write_fields(out: &mut String, layer: &Surveyed) {
+    let fields: Vec<(&str, usize)> = layer.fields.shares().collect();
+    if !fields.is_empty() {
+        out.push_str("\n       Fields, and how many features of a hundred have them:");
+        for (n, (field, share)) in fields.iter().take(MOST_LISTED).enumerate() {
+            let lead = if n % 4 == 0 { "\n         " } else { "  " };
+            let _ = write!(out, "{lead}{} {share}", comment(field));
+        }
+        if fields.len() > MOST_LISTED {
+            let _ = write!(out, "  and {} more", fields.len() - MOST_LISTED);
+        }
+    }
+}
+
 fn write_layer(out: &mut String, layer: &Surveyed, name: &str) {
     let what = match layer.kind {
         Kind::Houses => "outlines of buildings",
@@ -122,17 +137,7 @@ fn write_layer(out: &mut String, layer: &Surveyed, name: &str) {
             "\n       A table of vertices: {outline} says to which outline a point belongs, {order} is its number in that."
         );
     }
-    let fields: Vec<(&str, usize)> = layer.fields.shares().collect();
-    if !fields.is_empty() {
-        out.push_str("\n       Fields, and how many features of a hundred have them:");
-        for (n, (field, share)) in fields.iter().take(MOST_LISTED).enumerate() {
-            let lead = if n % 4 == 0 { "\n         " } else { "  " };
-            let _ = write!(out, "{lead}{} {share}", comment(field));
-        }
-        if fields.len() > MOST_LISTED {
-            let _ = write!(out, "  and {} more", fields.len() - MOST_LISTED);
-        }
-    }
+    write_fields(out, layer);
     write_plane(out, layer);
     let _ = write!(
         out,

@@ -59,10 +59,16 @@ fn check(lines: usize) -> Duration {
 fn a_key_takes_no_longer_than_checking_the_text() {
     for (lines, count) in [(2_000, 200), (20_000, 40)] {
         let mut program = open(lines);
-        let (before, _) = program.used().expect("/proc is there");
-        keys(&mut program, 0, count, lines);
-        let (after, _) = program.used().expect("/proc is there");
-        let (each, check) = ((after - before) / count as u32, check(lines));
+        // The least of five, as for the check: a machine that others use is slower at times.
+        let part = count / 5;
+        let times = (0..5).map(|k| {
+            let (before, _) = program.used().expect("/proc is there");
+            keys(&mut program, k * part, part, lines);
+            let (after, _) = program.used().expect("/proc is there");
+            (after - before) / part as u32
+        });
+        let each = times.min().expect("some keys");
+        let check = check(lines);
         assert!(
             each < 2 * check,
             "{lines} lines: {each:?} of processor time a key, {check:?} for `hsd check`"
