@@ -180,6 +180,8 @@ impl Seen {
 /// What was read of a layer.
 #[derive(Default)]
 struct Read {
+    /// Records of the file; several are one feature in a table of vertices.
+    records: usize,
     features: usize,
     points: usize,
     lines: usize,
@@ -191,6 +193,8 @@ struct Read {
     /// True if the file says nothing of its coordinates.
     is_silent: bool,
     columns: Vec<String>,
+    /// The fields of a table of vertices, whose features are the outlines that they draw.
+    vertices: Option<(String, String)>,
     faults: Faults,
 }
 
@@ -268,20 +272,13 @@ fn survey_layer(
         found = read(world, path, &options)?;
     }
     let mut read = found;
-    let records = read.features;
-    let vertices = vertices::find(world, path, &options, &read);
-    if let Some(found) = &vertices {
-        // From here on its features are the outlines.
-        (read.points, read.features) = (0, found.sizes.len());
-        read.sizes.clone_from(&found.sizes);
-    }
     // Sizes in degrees become square metres of the latitude of Japan, which is near enough to tell houses from blocks.
     let is_degrees = !is_metres && read.crs.as_ref().is_none_or(Crs::is_degrees);
     if is_degrees && let Some([_, high]) = read.bounds {
         let metres = 111_320.0 * 111_320.0 * libm::cos(high.y.to_radians());
         read.sizes.iter_mut().for_each(|size| *size *= metres);
     }
-    let fields = Fields::new(&read.columns, read.seen, records);
+    let fields = Fields::new(&read.columns, read.seen, read.records);
     let stem = src.rsplit(['/', '\\']).next().unwrap_or(src).to_lowercase();
     let geometry = (read.points, read.lines);
     Ok(Surveyed {
@@ -301,13 +298,34 @@ fn survey_layer(
             None => Plane::Degrees,
         },
         is_silent: read.is_silent || is_metres,
-        vertices: vertices.map(|v| (v.outline, v.order)),
+        vertices: read.vertices,
         encoding: None,
         fields,
     })
 }
 
 impl Read {
+    /// Adds a feature.
+    fn add(&mut self, geometry: &Geometry) {
+        self.features += 1;
+        match geometry {
+            Geometry::Points(_) => self.points += 1,
+            Geometry::Lines(_) => self.lines += 1,
+            Geometry::Areas(areas) => {
+                let size = areas.iter().map(|a| a.outline.signed_area().abs() / 2.0);
+                self.sizes.push(size.fold(0.0, f64::max));
+            }
+        }
+        self.widths.add(geometry.width());
+    }
+
+    /// Takes the outlines that its points draw for its features.
+    fn draw(&mut self, found: vertices::Vertices) {
+        (self.features, self.points) = (0, 0);
+        found.outlines.iter().for_each(|outline| self.add(outline));
+        self.vertices = Some((found.outline, found.order));
+    }
+
     /// Returns true if coordinates of which the file says nothing are no degrees.
     fn are_metres(&self) -> bool {
         let is_degrees = |p: &DVec2| Crs::wgs84().refuses(*p).is_none();
@@ -335,16 +353,8 @@ fn read(world: &dyn World, path: &str, options: &Options) -> Result<Read, Fault>
                 continue;
             }
         };
-        read.features += 1;
-        match &feature.geometry {
-            Geometry::Points(_) => read.points += 1,
-            Geometry::Lines(_) => read.lines += 1,
-            Geometry::Areas(areas) => {
-                let size = areas.iter().map(|a| a.outline.signed_area().abs() / 2.0);
-                read.sizes.push(size.fold(0.0, f64::max));
-            }
-        }
-        read.widths.add(feature.geometry.width());
+        read.records += 1;
+        read.add(&feature.geometry);
         let own = bounds(feature.geometry.points());
         read.bounds = match (read.bounds, own) {
             (Some([a, b]), Some([c, d])) => Some([a.min(c), b.max(d)]),
@@ -367,6 +377,9 @@ fn read(world: &dyn World, path: &str, options: &Options) -> Result<Read, Fault>
     let columns = known.columns.list().iter();
     read.columns = columns.map(|c| c.name.to_string()).collect();
     read.seen.resize_with(read.columns.len(), Seen::default);
+    if let Some(found) = vertices::find(world, path, options, &read) {
+        read.draw(found);
+    }
     Ok(read)
 }
 

@@ -106,13 +106,20 @@ fn tables_of_vertices_are_outlines() {
         assert!(text.contains(&wanted), "{wanted} in {text}");
         assert!(!text.contains("key="), "the key is the id: {text}");
     }
-    // Numbered shops of two streets: along a street they draw no outline.
-    let places = "street,number,x,y\na,1,0,0\na,2,10,0\na,3,20,0\nb,1,0,50\nb,2,10,50\nb,3,20,50\n";
-    let folder = written("shops.csv", places);
-    assert_eq!(
-        kinds(&surveyed(folder.path(), &["shops.csv"])),
-        [(Kind::Places, 6)]
-    );
+    // Few metres could be degrees, but no house is as wide as a country; an outline of two points is told, the rest is built.
+    let near = TABLE.replace(",10", ",");
+    let folder = written("vertices.csv", &(near + "c,1,30,0,1\nc,2,34,0,1\n"));
+    let (text, houses) = first_town(folder.path(), &["vertices.csv"]);
+    assert_eq!(houses, 2, "{text}");
+    assert!(text.contains(r#"crs="local""#), "{text}");
+    // Shops along two streets draw no outline, and trees are not numbered by kind.
+    let shops = "street,number,x,y\na,1,0,0\na,2,10,0\na,3,20,0\nb,1,0,50\nb,2,10,50\nb,3,20,50\n";
+    let trees = "kind,number,x,y\nsugi,1,0,0\nsugi,2,30,0\nsugi,3,30,40\nmatsu,4,100,0\nmatsu,5,130,0\nmatsu,6,130,40\n";
+    for places in [shops, trees] {
+        let folder = written("places.csv", places);
+        let layers = surveyed(folder.path(), &["places.csv"]);
+        assert_eq!(kinds(&layers), [(Kind::Places, 6)], "{places}");
+    }
 }
 
 #[test]

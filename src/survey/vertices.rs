@@ -42,8 +42,9 @@ const OUTLINES: &[&str] = &[
     "ID",
     "fid",
 ];
-/// The share of outlines that must be some, so that one slip in a table does not hide what it is.
-const SOUND: f64 = 0.9;
+/// The share of outlines that must be some, so that slips in a table do not hide what it is: by fields of these names, and by
+/// any other.
+const SOUND: (f64, f64) = (0.5, 0.9);
 
 /// The fields of a table of vertices, and what it draws.
 pub(super) struct Vertices {
@@ -51,8 +52,8 @@ pub(super) struct Vertices {
     pub(super) outline: String,
     /// The field that numbers the vertices.
     pub(super) order: String,
-    /// Areas of the outlines, in the square of the unit of the coordinates.
-    pub(super) sizes: Vec<f64>,
+    /// The outlines, in the unit of the coordinates.
+    pub(super) outlines: Vec<Geometry>,
 }
 
 /// A record: its place, and its values in some columns as words and as numbers.
@@ -92,12 +93,14 @@ pub(super) fn find(
     let records = records(world, path, options, read.columns.len())?;
     for &order in &orders {
         for &outline in outlines.iter().filter(|outline| **outline != order) {
-            if let Some(sizes) = drawn(&records, outline, order) {
-                let name = |column: usize| read.columns[column].clone();
+            let name = |column: usize| read.columns[column].clone();
+            let is_named = OUTLINES.contains(&&*name(outline));
+            let sound = if is_named { SOUND.0 } else { SOUND.1 };
+            if let Some(outlines) = drawn(&records, (outline, order), sound) {
                 return Some(Vertices {
                     outline: name(outline),
                     order: name(order),
-                    sizes,
+                    outlines,
                 });
             }
         }
@@ -133,39 +136,47 @@ fn records(
     Some(records)
 }
 
-/// Returns the areas of the outlines that records draw by two fields; `None` if too many are none.
-fn drawn(records: &[Record], outline: usize, order: usize) -> Option<Vec<f64>> {
+/// Returns the outlines that records draw by two fields; `None` if more are none than a share leaves.
+fn drawn(
+    records: &[Record],
+    (outline, order): (usize, usize),
+    sound: f64,
+) -> Option<Vec<Geometry>> {
     let mut rings: BTreeMap<&str, Vec<(f64, DVec2)>> = BTreeMap::new();
     for record in records {
         let id = record.words[outline].as_deref()?;
-        rings
-            .entry(id)
-            .or_default()
-            .push((record.numbers[order]?, record.place));
+        let vertex = (record.numbers[order]?, record.place);
+        rings.entry(id).or_default().push(vertex);
     }
     let count = rings.len() as f64;
-    let sizes: Vec<f64> = rings.into_values().filter_map(size).collect();
-    (!sizes.is_empty() && sizes.len() as f64 >= SOUND * count).then_some(sizes)
+    let found: Vec<Geometry> = rings.into_values().filter_map(ring).collect();
+    (!found.is_empty() && found.len() as f64 >= sound * count).then_some(found)
 }
 
-/// Returns the area of an outline; `None` if its vertices are too few, share a number or cross.
-fn size(mut vertices: Vec<(f64, DVec2)>) -> Option<f64> {
+/// Returns the outline of vertices; `None` if they are too few, are not numbered from 0 or 1 on, or cross.
+fn ring(mut vertices: Vec<(f64, DVec2)>) -> Option<Geometry> {
     vertices.sort_by(|v, w| v.0.total_cmp(&w.0));
-    if vertices.windows(2).any(|two| two[0].0 == two[1].0) {
+    let first = vertices.first()?.0;
+    // Houses numbered along a street, or trees of a kind, are no vertices.
+    let counts_on = vertices
+        .iter()
+        .zip(0..)
+        .all(|(v, n)| v.0 == first + f64::from(n));
+    if !counts_on || !(first == 0.0 || first == 1.0) {
         return None;
     }
     let mut ring: Vec<DVec2> = vertices.into_iter().map(|(_, place)| place).collect();
     if ring.first() != ring.last() {
         ring.push(*ring.first()?);
     }
-    let outline = Chain::flat(ring);
     let area = Area {
-        outline,
+        outline: Chain::flat(ring),
         holes: vec![],
     };
-    let (Geometry::Areas(areas), _) = tidied(Geometry::Areas(vec![area])).ok()? else {
-        return None;
+    let (geometry, _) = tidied(Geometry::Areas(vec![area])).ok()?;
+    let is_area = match &geometry {
+        Geometry::Areas(areas) => areas.len() == 1 && areas[0].outline.signed_area() != 0.0,
+        _ => false,
     };
-    let size = areas.first()?.outline.signed_area().abs() / 2.0;
-    (areas.len() == 1 && size > 0.0).then_some(size)
+    is_area.then_some(geometry)
 }
