@@ -177,12 +177,16 @@ impl PartDef {
         self.below == Below::Open
     }
 
+    /// Returns true if it is an open bay to walk through.
+    pub(crate) fn is_passage(&self) -> bool {
+        self.class == 'A' && self.is_open()
+    }
+
     /// Returns true if it closes its bay: no light comes through while its doors and shutters are shut. Open bays, transoms
     /// and fences leave room above or below.
     pub fn closes(&self) -> bool {
-        let passage = self.class == 'A' && self.is_open();
         let lets_in = self.class == ' ' || !self.above || self.stance == Stance::Fence;
-        self.width > 0.0 && !passage && !lets_in
+        self.width > 0.0 && !self.is_passage() && !lets_in
     }
 }
 

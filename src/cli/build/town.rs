@@ -5,10 +5,10 @@ mod city;
 mod obj;
 mod text;
 
+use super::tiled;
 use super::tiled::{FEATURE, Wish, tables};
-use super::{streamed, tiled};
 use crate::backend::gltf::Writer;
-use crate::backend::spool::Spool;
+use crate::backend::spool::NewSpool;
 use crate::cli::files::input::Inputs;
 use crate::cli::files::output::{self, Files};
 use crate::cli::files::terminal::counted;
@@ -70,10 +70,10 @@ pub(in crate::cli) struct Town {
 }
 
 /// Reads a town and its maps and hands them to `then`; prints what is wrong with one that cannot be read. The features of a
-/// large town wait in the folder of spools, if there is one.
+/// large town wait in a spool, if there is a maker of them.
 fn planned(
     args: &InputArgs,
-    (detail, spools): (Detail, Option<&Path>),
+    (detail, spool): (Detail, Option<NewSpool<'_>>),
     language: Language,
     then: impl FnOnce(TownInput<'_>, driver::Read, &Plan, Diagnostics) -> Outcome,
 ) -> Outcome {
@@ -112,13 +112,7 @@ fn planned(
         kept: None,
         texts: false,
     };
-    let new =
-        || -> io::Result<Box<dyn Spool>> { streamed::spool(spools.unwrap_or(Path::new("."))) };
-    let lodging = Lodging {
-        new: &new,
-        from: LARGE,
-    };
-    let lodging = spools.map(|_| lodging);
+    let lodging = spool.map(|new| Lodging { new, from: LARGE });
     match run::plan_lodged(input, &town, lodging, &mut out)? {
         Some(plan) if !out.has_errors() => then(input, read, &plan, out),
         _ => {
@@ -141,12 +135,12 @@ impl Town {
     pub(in crate::cli) fn run(&self, language: Language) -> Outcome {
         let detail = self.detail.iter().copied().max().unwrap_or(3);
         let detail = Detail::ALL[usize::from(detail)];
-        let spools = streamed::spool_folder(&self.output);
+        let spool = tiled::spools_beside(&self.output);
         // What is written tile by tile needs no more of the town at a time.
         let by_tiles = self.is_folder() || self.is_obj() || CityForm::of(&self.output).is_some();
         planned(
             &self.input_args,
-            (detail, by_tiles.then_some(&*spools)),
+            (detail, by_tiles.then_some(&spool)),
             language,
             |input, read, plan, out| match CityForm::of(&self.output).filter(|_| !self.is_folder())
             {
@@ -254,8 +248,7 @@ impl Town {
         let mut houses = TownStream::new(input, plan);
         let model = self.output.clone();
         let failed = |error| Failure::at(model.display(), error);
-        let folder = streamed::spool_folder(&model);
-        let new = || -> io::Result<Box<dyn Spool>> { streamed::spool(&folder) };
+        let new = tiled::spools_beside(&model);
         let mut writer = Writer::new(&new).map_err(failed)?;
         let mut ground = terrain::drafts(plan, input.options.detail).map_err(failed)?;
         let streamed = driver::stream_town(

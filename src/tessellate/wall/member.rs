@@ -109,9 +109,7 @@ impl Walker<'_> {
         let catalog = self.catalog;
         let open = |s: Option<&PlacedUnit<'_>>| {
             s.is_none_or(|s| match &s.unit.content {
-                Content::Part(id) => {
-                    catalog.part(*id).class() == 'A' && catalog.part(*id).is_open()
-                }
+                Content::Part(id) => catalog.part(*id).is_passage(),
                 _ => false,
             })
         };
