@@ -25,7 +25,7 @@ pub(super) enum NoPlan {
     Crowded,
 }
 
-/// What lies at a point of a storey: a wall, a room, an area without one, or nothing.
+/// Locates a point in a storey: in a wall, in a room, in an enclosed area without a room, or outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InStorey {
     /// A wall.

@@ -27,13 +27,13 @@ impl Limits {
     /// The bytes of sources that [`Limits::variants`] is meant for.
     pub const VARIANT_BYTES: usize = 16 << 10;
 
-    /// The parts that a house of a type has, as they are counted while a file is read; one of the largest has 1,600.
+    /// Room for the parts of one house of a type, as counted while a file is read; one of the largest has 1,600.
     const PLACED: usize = 2_500;
-    /// The files' worth of parts beyond which the houses of a file add no more.
+    /// The most by which places multiply the limit on the parts of a file.
     const PLACES: usize = 20;
 
-    /// Returns the parts that what a file names, places and repeats may come to, if it writes so many `Place`: each may have
-    /// its type beside what a file without one may have.
+    /// Returns the limit on the parts that a file's references, places and repeats expand to. Each `Place` that it writes raises
+    /// the limit by the parts of one house of a type, up to a total of [`Limits::PLACES`] times the usual limit.
     pub fn copied(&self, places: usize) -> u64 {
         let placed = places.saturating_mul(Self::PLACED);
         let most = self.parts.saturating_mul(Self::PLACES);

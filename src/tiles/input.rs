@@ -21,7 +21,7 @@ const FORM: u32 = 1;
 
 /// A tile whose rules have been evaluated.
 pub struct TileInput {
-    /// What became of its features, without the houses.
+    /// The decisions on its features, without the houses.
     pub chunk: Chunk,
     /// Its houses.
     pub houses: Vec<FeatureHouse>,

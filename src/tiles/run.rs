@@ -48,7 +48,7 @@ pub struct TileJob<'a> {
     pub reach: Reach,
     /// The number of threads.
     pub threads: usize,
-    /// Where its table of decisions waits until it is whole; in memory if nowhere.
+    /// Makes the spool for the table of decisions; without it the table is kept in memory.
     pub spool: Option<NewSpool<'a>>,
 }
 
@@ -110,10 +110,10 @@ pub struct TiledTown {
     pub placed: bool,
 }
 
-/// What a thread made of a tile, or of a piece of ground.
+/// The result of a thread for one tile, or for one cell of the ground.
 #[derive(Default)]
 struct Done {
-    /// What became of its features, without the houses.
+    /// The decisions on its features; their houses are written already.
     chunk: Option<Chunk>,
     record: Option<TileRecord>,
     found: Diagnostics,
@@ -213,7 +213,7 @@ fn levels(division: &Tiles) -> Vec<Detail> {
     numbers.into_iter().map(level).collect()
 }
 
-/// What was made of tiles, which come in any order and are taken in theirs.
+/// Results of tiles: threads finish in any order, and the results are passed on in the order of the tiles.
 struct Ordered<'t> {
     waiting: BTreeMap<usize, Done>,
     next: usize,

@@ -126,7 +126,7 @@ impl Table {
         Some((field, name))
     }
 
-    /// Whether there is another row: the head may say more rows than the file has.
+    /// Returns true if there is another row: the head may count more rows than the file has.
     pub(super) fn has_row(&mut self) -> bool {
         // 0x1a ends a table of dBase.
         let more = self

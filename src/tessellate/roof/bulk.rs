@@ -34,7 +34,7 @@ fn is_massive(detail: Detail) -> bool {
 /// The properties of a roof that depend on the walls below.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::tessellate) struct Walls {
-    /// What the gable fills take from them, solid by solid.
+    /// Surface and position of the gable infill over each wall, one entry per solid.
     pub(in crate::tessellate) gables: Vec<Infill>,
     /// True if they are plastered over their posts; eaves and verges are then plastered as well.
     pub(in crate::tessellate) plastered: bool,

@@ -1,4 +1,4 @@
-//! Gable fills over walls that are plastered over their posts: they stand flush with the wall below, not back between posts.
+//! Gable infill over walls that are plastered over their posts: it is flush with the wall below instead of set back between posts.
 
 use crate::building::{Finish, Roof, Solid};
 use crate::catalog::{Catalog, Stance, body::Shape, value::Level};
@@ -7,10 +7,10 @@ use crate::program::Content;
 use crate::roof::solid::{INFILL_THICKNESS, SUNK};
 use glam::DVec2;
 
-/// Surfaces of wall and fill, which lap a little, are never in one plane, metres.
+/// Distance of the infill behind the face of the wall, metres: the two lap a little and must not lie in one plane.
 const BEHIND: f64 = 0.001;
 
-/// The faces of a wall, metres: the outer one before its line, and how far the inner one is behind that.
+/// Position of the outer face of a wall in front of its line, and the thickness of the wall, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::tessellate) struct Faces {
     front: f64,
@@ -47,7 +47,7 @@ pub(in crate::tessellate) fn is_fill(solid: &Solid) -> bool {
         .is_some_and(|f| f.finish == Finish::Gable)
 }
 
-/// What a gable's fill takes from the wall below.
+/// Surface of a gable infill, and the wall below with which it is flush, if any.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::tessellate) struct Infill {
     pub(in crate::tessellate) surface: SurfaceId,
@@ -55,7 +55,7 @@ pub(in crate::tessellate) struct Infill {
 }
 
 impl Infill {
-    /// A fill that stays where it is.
+    /// Returns infill that stays between the posts.
     pub(in crate::tessellate) fn plain(surface: SurfaceId) -> Infill {
         Infill {
             surface,
@@ -64,7 +64,7 @@ impl Infill {
     }
 }
 
-/// The wall with which a fill is flush: its line in plan, metres, and its faces.
+/// The wall with which infill is flush: its line in plan, metres, and its faces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::tessellate) struct Flush {
     pub(in crate::tessellate) outward: DVec2,
@@ -73,7 +73,7 @@ pub(in crate::tessellate) struct Flush {
 }
 
 impl Flush {
-    /// Returns the fill with these faces; it does not project from under its roof.
+    /// Returns the infill moved to these faces, but no further out than its roof covers.
     pub(in crate::tessellate) fn laid(&self, fill: &Solid, roofs: &[Roof]) -> Solid {
         let before = |p: &glam::DVec3| self.outward.dot(p.truncate()) - self.line;
         let slabs = roofs.iter().flat_map(|r| &r.solids).filter(|s| !is_fill(s));

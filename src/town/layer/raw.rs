@@ -11,7 +11,7 @@ use glam::DVec2;
 /// Features in the coordinates of their file.
 #[derive(Clone, Debug)]
 pub struct Raw {
-    /// None if there are more than are kept.
+    /// Empty if there are more than are kept in memory.
     features: Vec<map::Feature>,
     seen: Seen,
     crs: Crs,
@@ -20,7 +20,7 @@ pub struct Raw {
     lots: Lots,
 }
 
-/// What is known of all features of a map.
+/// Totals over all features of a map, collected while they are read.
 #[derive(Clone, Debug, Default)]
 struct Seen {
     count: usize,

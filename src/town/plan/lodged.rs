@@ -14,7 +14,7 @@ use std::io;
 use std::sync::{Mutex, PoisonError};
 use twox_hash::XxHash3_128;
 
-/// Where features wait, and the number of features from which they do.
+/// Makes spools for the features of a town, and the number of features from which they are used.
 #[derive(Clone, Copy)]
 pub struct Lodging<'n> {
     /// Makes spools.

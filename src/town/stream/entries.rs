@@ -1,5 +1,5 @@
-//! What is kept of features until all are known: the lines of the table, which come tile by tile and are written in the order
-//! of the files. Those of a large town wait in a spool.
+//! The decisions on features, collected until all are known: they come tile by tile and are written to the table in the order
+//! of the files. Those of a large town are kept in a spool.
 
 use crate::backend::spool::{NewSpool, Spool};
 use crate::town::decision::Entry;
@@ -17,7 +17,7 @@ type ShelfOf = BTreeMap<(usize, usize), usize>;
 #[derive(Default)]
 pub struct Entries {
     kept: Vec<Entry>,
-    /// Where they wait.
+    /// The spool of a large town, by shelves, with the shelf of each range of features.
     spooled: Option<(Shelves, ShelfOf)>,
 }
 

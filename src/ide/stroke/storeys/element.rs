@@ -1,4 +1,4 @@
-//! What strokes do with the elements in a storey, whatever they are: rooms, fixtures, walls inside.
+//! Adds, changes and removes the elements of a storey, for the strokes of rooms, fixtures and inner walls alike.
 
 use crate::building::Storey;
 use crate::diagnostic::Text;

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use std::io;
 use std::sync::Arc;
 
-/// What becomes of the features of a layer one after another.
+/// Filters the features of a layer and writes them to a spool, one after another.
 struct Passing<'p> {
     /// The layer, without features.
     head: Lots,
