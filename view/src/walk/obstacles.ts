@@ -11,7 +11,8 @@ export const RADIUS = 0.3;
 const STEP = 0.45;
 
 /** Height of a body that stands, and of one that stoops, as under the lintels of a store below the roof. */
-const HEIGHT = 1.6, STOOPED = 1.05;
+export const HEIGHT = 1.6;
+const STOOPED = 1.05;
 
 /** From the eyes to the top of a body. */
 export const CROWN = 0.1;
@@ -37,6 +38,9 @@ export type Spot = [x: number, z: number];
 const SQUARE = 1.5;
 
 const NONE: readonly number[] = [];
+
+/** A step: where it ends, and how long it was meant to be. */
+interface Step { spot: Spot; long: number }
 
 export class Obstacles {
   /** Corners of triangles, nine numbers each. */
@@ -122,24 +126,44 @@ export class Obstacles {
     const long = Math.hypot(...way);
     let spot = from, gone = 0;
     for (let i = 0; gone < long - 1e-9 && i < MOST; i++) {
-      const { far } = this.nearest(spot, ground);
-      // Who touches something, since a door has slid there or a nearer level of detail has come, takes steps too short to get through.
-      const step = Math.min(long - gone, far < RADIUS - 1e-3 && far > WITHIN ? Math.min(STRIDE, far / 2) : STRIDE);
-      const next = this.#stride(ground, [spot[0] + way[0] / long * step, spot[1] + way[1] / long * step], far, step);
-      if (!next) break;
-      gone += step;
-      ground = this.ground(spot = next, ground);
+      // One stoops to go on where one cannot upright, not to stand nearer to a front below what projects from it.
+      const upright = this.#step(spot, ground, way, long - gone, this.headroom(spot, ground));
+      const stoops = !isFree(spot, upright, way) && this.#leads(spot, ground, way);
+      const best = stoops ? this.#step(spot, ground, way, long - gone, STOOPED) : upright;
+      if (!best) break;
+      gone += best.long;
+      ground = this.ground(spot = best.spot, ground);
     }
     return { spot, ground };
   }
 
+  /** Whether a body that stoops gets a body's width ahead on a way. */
+  #leads(spot: Spot, ground: number, way: Spot): boolean {
+    for (let gone = 0; gone < 2 * RADIUS;) {
+      const step = this.#step(spot, ground, way, STRIDE, STOOPED);
+      if (!step || !isFree(spot, step, way)) return false;
+      gone += step.long;
+      ground = this.ground(spot = step.spot, ground);
+    }
+    return true;
+  }
+
+  /** A step on a way of which so much is left, by a body of a height: null if it stays. */
+  #step(spot: Spot, ground: number, way: Spot, left: number, height: number): Step | null {
+    const { far } = this.nearest(spot, ground, RADIUS, height), long = Math.hypot(...way);
+    // Who touches something, since a door has slid there or a nearer level of detail has come, takes steps too short to get through.
+    const step = Math.min(left, far < RADIUS - 1e-3 && far > WITHIN ? Math.min(STRIDE, far / 2) : STRIDE);
+    const next = this.#stride(ground, [spot[0] + way[0] / long * step, spot[1] + way[1] / long * step], far, step, height);
+    return next && { spot: next, long: step };
+  }
+
   /** Where a body comes to by a step to a spot from one at which it is so far from what is nearest; null if it stays. */
-  #stride(ground: number, to: Spot, away: number, step: number): Spot | null {
+  #stride(ground: number, to: Spot, away: number, step: number, height: number): Spot | null {
     // Who touches something may go away from it; who is in the middle of it, out of it.
     const least = away < WITHIN ? away + step / 2 : Math.min(RADIUS, away) - 1e-4;
     let [x, z] = to;
     for (let push = 0; push < 4; push++) {
-      const { far, at } = this.nearest([x, z], this.ground([x, z], ground));
+      const { far, at } = this.nearest([x, z], this.ground([x, z], ground), RADIUS, height);
       if (far >= least) return [x, z];
       if (far < 1e-6 || away < WITHIN) return null;
       x += (x - at[0]) / far * (RADIUS - far);
@@ -148,6 +172,10 @@ export class Obstacles {
     return null;
   }
 }
+
+/** Whether a step leads as far ahead on a way as it was meant to. */
+const isFree = ([x, z]: Spot, step: Step | null, [dx, dz]: Spot) =>
+  step !== null && ((step.spot[0] - x) * dx + (step.spot[1] - z) * dz) / Math.hypot(dx, dz) > 0.99 * step.long;
 
 /** The number of a square. */
 const squareOf = (column: number, row: number) => column * 2 ** 24 + row;

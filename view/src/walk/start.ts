@@ -1,6 +1,6 @@
 // Where a walk begins: in the room that is looked at from inside, else on the ground, under no roof, with a way ahead.
 
-import { Obstacles, RADIUS, type Spot } from './obstacles.ts';
+import { HEIGHT, Obstacles, RADIUS, type Spot } from './obstacles.ts';
 
 /** How far from the place that was looked at. */
 export const SEARCHED = 40;
@@ -48,7 +48,7 @@ export function startNear(obstacles: Obstacles, [x, z]: Spot, wanted: number): S
   let best: (Start & { long: number }) | null = null;
   for (const { spot, top } of places) {
     const high = places.some(other => top > other.top + ROOF + SLOPE * Math.hypot(spot[0] - other.spot[0], spot[1] - other.spot[1]));
-    if (high || obstacles.nearest(spot, top, ROOM).far < ROOM) continue;
+    if (high || obstacles.nearest(spot, top, ROOM, HEIGHT).far < ROOM) continue;
     const { heading, long } = longest(obstacles, spot, top, wanted);
     if (!best || long > best.long) best = { spot, ground: top, heading, long };
     if (best.long >= LONG) break;
@@ -65,7 +65,7 @@ function longest(obstacles: Obstacles, spot: Spot, ground: number, wanted: numbe
     let long = 0;
     for (; long < FARTHEST; long += 0.5) {
       const ahead: Spot = [spot[0] + way[0] * (long + 0.5), spot[1] + way[1] * (long + 0.5)];
-      if (obstacles.nearest(ahead, ground, 0.4).far < Infinity) break;
+      if (obstacles.nearest(ahead, ground, 0.4, HEIGHT).far < Infinity) break;
     }
     if (long > best.long + (best.long >= LONG ? LONG : 0)) best = { heading, long };
   }
