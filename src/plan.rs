@@ -1,0 +1,188 @@
+//! `hsd plan`: reads the picture of a floor plan and writes the house that it shows (`spec/plans.md`, sections 1 and 2).
+//!
+//! | step | file | result |
+//! |---|---|---|
+//! | bytes are decoded and turned upright | `picture` | [`Picture`] |
+//! | perspective and skew are taken away | [`flatten`] | [`flatten::Flat`] |
+//! | ink is parted from paper | [`sheet`] | [`sheet::Ink`] |
+//! | the grid of half ken is found | [`grid`] | [`grid::Grid`] |
+//! | the strokes on each unit are compared with a legend | [`strokes`], [`legend`] | [`strokes::Units`] |
+//! | outline and rooms follow | [`shape`] | [`shape::Shape`] |
+//! | the source file is written | [`text`] | [`text::Written`] |
+//!
+//! Each step is a function from one typed thing to the next; [`marks`] draws what each has found. The same picture gives the
+//! same bytes. Lengths are pixels of the sheet or units of the grid (half a ken), places run to the right and down.
+
+pub mod flatten;
+pub mod grid;
+pub mod legend;
+pub mod marks;
+mod picture;
+pub mod shape;
+pub mod sheet;
+pub mod strokes;
+pub mod text;
+
+pub use picture::{Picture, Unreadable};
+
+use flatten::{Flat, Given};
+use glam::{DMat3, DVec2};
+use grid::Grid;
+use legend::Legend;
+use shape::Shape;
+use sheet::Ink;
+use strokes::Units;
+
+/// The legends that come with the program: names and texts.
+pub const LEGENDS: [(&str, &str); 3] = [
+    ("survey", include_str!("../grammar/legend-survey.xml")),
+    ("sashizu", include_str!("../grammar/legend-sashizu.xml")),
+    ("itazu", include_str!("../grammar/legend-itazu.xml")),
+];
+
+/// How much the units along and across may differ on a sheet that was scanned.
+const SCANNED: f64 = 0.012;
+/// The same, if its perspective was taken away: its proportions are guessed.
+const PHOTOGRAPHED: f64 = 0.16;
+/// The least share of ink on a sheet with a drawing.
+const LEAST_INK: f64 = 0.001;
+/// The least agreement of strokes with a grid.
+const LEAST_FIT: f64 = 0.45;
+/// What is smaller in both directions is writing, units.
+const WRITING: f64 = 0.8;
+/// What is narrower and lies on a line of the grid is part of a wall, units.
+const SLIM: f64 = 0.3;
+/// How far from a line of the grid that may be, units.
+const ON_LINE: f64 = 0.06;
+/// The least agreement of walls with a legend.
+const LEAST_LIKENESS: f64 = 0.4;
+/// The fewest cells of a house.
+const LEAST_CELLS: usize = 4;
+
+/// The side of the sheet where the street is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Front {
+    /// At the lower edge, as most plans are drawn.
+    #[default]
+    Bottom,
+    /// At the left edge.
+    Left,
+    /// At the upper edge.
+    Top,
+    /// At the right edge.
+    Right,
+}
+
+/// What is known of a plan.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// How the picture was taken.
+    pub given: Given,
+    /// The length of a unit, pixels of the flat sheet.
+    pub unit: Option<f64>,
+    /// Where the street is.
+    pub front: Front,
+}
+
+/// What the steps have found.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The flat sheet.
+    pub flat: Flat,
+    /// Its ink.
+    pub ink: Ink,
+    /// Its grid.
+    pub grid: Grid,
+    /// What its strokes stand for.
+    pub units: Units,
+    /// The house.
+    pub shape: Shape,
+    /// The name of the legend.
+    pub legend: String,
+}
+
+impl Found {
+    /// Pixels of the picture of a place in units.
+    pub fn in_picture(&self, at: DVec2) -> DVec2 {
+        flatten::project(self.flat.to_picture, self.grid.at(at.x, at.y))
+    }
+}
+
+/// Why a picture has no plan: what was looked for, and how much of it was found (a share).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Refused {
+    /// Nearly no ink.
+    Blank(f64),
+    /// Strokes that keep to no grid.
+    NoGrid(f64),
+    /// Strokes on the grid that look like nothing in any legend.
+    NoSymbols(f64),
+    /// No walls that close.
+    NoHouse,
+}
+
+/// Finds the house in a picture, by the legend that agrees best.
+///
+/// # Errors
+/// If there is none.
+pub fn find(picture: &Picture, legends: &[Legend], options: &Options) -> Result<Found, Refused> {
+    let mut flat = flatten::flatten(&picture.pixels, &options.given);
+    turn(&mut flat, options.front);
+    let ink = Ink::of(&flat.sheet);
+    let share = ink.share();
+    if share < LEAST_INK {
+        return Err(Refused::Blank(share));
+    }
+    let aspect = match flat.corners {
+        Some(_) => PHOTOGRAPHED,
+        None => SCANNED,
+    };
+    let grid = Grid::find(&ink, options.unit, aspect).ok_or(Refused::NoGrid(0.0))?;
+    if grid.fit < LEAST_FIT {
+        return Err(Refused::NoGrid(grid.fit));
+    }
+    let pen = strokes::pen(&ink, &grid);
+    let walls = ink.without_writing(WRITING * grid.unit, |middle, size| {
+        // Posts and the bars of lattices are small too, but stand on lines of the grid.
+        let at = grid.units_of(middle);
+        let off = (at - at.round()).abs();
+        let (thin, flat) = (size.x < SLIM * grid.unit, size.y < SLIM * grid.unit);
+        thin && off.x < ON_LINE || flat && off.y < ON_LINE
+    });
+    let read = legends.iter().map(|legend| (strokes::read(&walls, &grid, legend, pen).with_cells(&ink, &grid), legend));
+    // Of two that agree equally the first.
+    let best = read.reduce(|a, b| if b.0.likeness > a.0.likeness { b } else { a });
+    let (units, legend) = best.ok_or(Refused::NoSymbols(0.0))?;
+    if units.likeness < LEAST_LIKENESS {
+        return Err(Refused::NoSymbols(units.likeness));
+    }
+    let shape = Shape::of(&units);
+    if shape.cells.len() < LEAST_CELLS {
+        return Err(Refused::NoHouse);
+    }
+    let legend = legend.name.clone();
+    Ok(Found { flat, ink, grid, units, shape, legend })
+}
+
+/// Turns a sheet so that the street is at its lower edge.
+fn turn(flat: &mut Flat, front: Front) {
+    let (width, height) = (f64::from(flat.sheet.width()), f64::from(flat.sheet.height()));
+    // Takes pixels of the turned sheet to those of the sheet.
+    let (sheet, back) = match front {
+        Front::Bottom => return,
+        Front::Top => (
+            image::imageops::rotate180(&flat.sheet),
+            DMat3::from_cols_array(&[-1.0, 0.0, 0.0, 0.0, -1.0, 0.0, width, height, 1.0]),
+        ),
+        Front::Left => (
+            image::imageops::rotate270(&flat.sheet),
+            DMat3::from_cols_array(&[0.0, 1.0, 0.0, -1.0, 0.0, 0.0, width, 0.0, 1.0]),
+        ),
+        Front::Right => (
+            image::imageops::rotate90(&flat.sheet),
+            DMat3::from_cols_array(&[0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, height, 1.0]),
+        ),
+    };
+    flat.sheet = sheet;
+    flat.to_picture *= back;
+}

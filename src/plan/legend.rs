@@ -1,0 +1,184 @@
+//! Legends: what a convention of drawing puts for a wall, a screen or a window (`grammar/legend-*.xml`).
+
+use quick_xml::Reader;
+use quick_xml::events::{BytesStart, Event};
+
+/// What stands on a unit of the grid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Role {
+    /// Nothing.
+    Empty,
+    /// The edge of a mat or of boards: a line without a wall.
+    Mat,
+    /// A way without a door, between posts.
+    Open,
+    /// A wall.
+    Wall,
+    /// Sliding doors or screens.
+    Slide,
+    /// A door on hinges.
+    Hinged,
+    /// A window.
+    Window,
+    /// A lattice.
+    Lattice,
+}
+
+impl Role {
+    /// The roles that a legend may give, with their names.
+    pub const NAMED: [(&'static str, Role); 7] = [
+        ("mat", Role::Mat),
+        ("open", Role::Open),
+        ("wall", Role::Wall),
+        ("slide", Role::Slide),
+        ("hinged", Role::Hinged),
+        ("window", Role::Window),
+        ("lattice", Role::Lattice),
+    ];
+
+    /// Whether it parts what lies on its two sides.
+    pub fn parts(self) -> bool {
+        !matches!(self, Role::Empty | Role::Mat)
+    }
+}
+
+/// A mark of a symbol. Places along it are 0 to 1 from end to end; places across it are in its spread, to the left positive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mark {
+    /// A stroke of the pen along the wall.
+    Line { at: f64, from: f64, to: f64 },
+    /// An area between two lines.
+    Bar { at: [f64; 2], from: f64, to: f64 },
+    /// Short strokes across the wall, so many in a unit, between two places across.
+    Ticks { at: [f64; 2], count: u32 },
+    /// A quarter circle about an end, a leaf's way, and the leaf.
+    Arc,
+}
+
+/// How a thing is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Symbol {
+    /// What it stands for.
+    pub role: Role,
+    /// Units that it takes.
+    pub units: usize,
+    /// The least and the greatest spread, units.
+    pub spread: [f64; 2],
+    /// Whether it is drawn in red.
+    pub is_red: bool,
+    /// Its marks.
+    pub marks: Vec<Mark>,
+}
+
+/// A convention.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Legend {
+    /// Its name.
+    pub name: String,
+    /// Its symbols.
+    pub symbols: Vec<Symbol>,
+}
+
+/// What is wrong with a legend, and at which byte.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Wrong {
+    /// The byte.
+    pub at: u64,
+    /// What is wrong.
+    pub what: String,
+}
+
+impl Legend {
+    /// Reads a legend.
+    ///
+    /// # Errors
+    /// At the first thing that is none of a legend's.
+    pub fn read(text: &str) -> Result<Legend, Wrong> {
+        let mut reader = Reader::from_str(text);
+        let mut legend = Legend { name: String::new(), symbols: Vec::new() };
+        loop {
+            let at = reader.buffer_position();
+            let wrong = |what: String| Wrong { at, what };
+            match reader.read_event().map_err(|e| wrong(e.to_string()))? {
+                Event::Eof => return Ok(legend),
+                Event::Start(tag) | Event::Empty(tag) => {
+                    let values = Values::of(&tag).map_err(wrong)?;
+                    legend.take(tag.name().as_ref(), &values).map_err(wrong)?;
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn take(&mut self, name: &str, values: &Values) -> Result<(), String> {
+        match name {
+            "Legend" => self.name = values.text("name").unwrap_or_default().to_owned(),
+            "Symbol" => self.symbols.push(symbol(values)?),
+            _ => {
+                let mark = mark(name, values)?;
+                let symbol = self.symbols.last_mut().ok_or("a mark stands in a <Symbol>")?;
+                symbol.marks.push(mark);
+            }
+        }
+        Ok(())
+    }
+}
+
+fn symbol(values: &Values) -> Result<Symbol, String> {
+    let named = values.text("role").ok_or("a <Symbol> needs a role")?;
+    let role = Role::NAMED.iter().find(|(name, _)| *name == named);
+    let (_, role) = role.ok_or_else(|| format!("`{named}` is no role"))?;
+    Ok(Symbol {
+        role: *role,
+        units: values.number("units")?.unwrap_or(1.0).clamp(1.0, 8.0) as usize,
+        spread: values.pair("spread")?.unwrap_or([0.0, 0.0]),
+        is_red: values.text("colour") == Some("red"),
+        marks: Vec::new(),
+    })
+}
+
+fn mark(name: &str, values: &Values) -> Result<Mark, String> {
+    let from = values.number("from")?.unwrap_or(0.0);
+    let to = values.number("to")?.unwrap_or(1.0);
+    let across = || values.pair("at").map(|at| at.unwrap_or([-1.0, 1.0]));
+    Ok(match name {
+        "Line" => Mark::Line { at: values.number("at")?.unwrap_or(0.0), from, to },
+        "Bar" => Mark::Bar { at: across()?, from, to },
+        "Ticks" => Mark::Ticks { at: across()?, count: values.number("count")?.unwrap_or(4.0).clamp(1.0, 20.0) as u32 },
+        "Arc" => Mark::Arc,
+        other => return Err(format!("<{other}> is no mark")),
+    })
+}
+
+/// The attributes of a tag.
+struct Values(Vec<(String, String)>);
+
+impl Values {
+    fn of(tag: &BytesStart<'_>) -> Result<Values, String> {
+        let pairs = tag.attributes().map(|a| {
+            let a = a.map_err(|e| e.to_string())?;
+            Ok((a.key.as_ref().to_owned(), a.value.to_string()))
+        });
+        pairs.collect::<Result<_, String>>().map(Values)
+    }
+
+    fn text(&self, name: &str) -> Option<&str> {
+        self.0.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
+    }
+
+    fn number(&self, name: &str) -> Result<Option<f64>, String> {
+        let Some(text) = self.text(name) else { return Ok(None) };
+        let number = text.trim().parse::<f64>().ok().filter(|n| n.is_finite());
+        number.map(Some).ok_or_else(|| format!("{name}=\"{text}\" is no number"))
+    }
+
+    fn pair(&self, name: &str) -> Result<Option<[f64; 2]>, String> {
+        let Some(text) = self.text(name) else { return Ok(None) };
+        let numbers: Vec<f64> = text.split_whitespace().filter_map(|n| n.parse().ok()).collect();
+        match numbers[..] {
+            [one] => Ok(Some([one, one])),
+            [low, high] => Ok(Some([low, high])),
+            _ => Err(format!("{name}=\"{text}\" is not two numbers")),
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! Pictures of what each step found, for people who look where a plan went wrong.
+
+use super::Found;
+use super::legend::Role;
+use super::shape::Wall;
+use glam::{DVec2, dvec2};
+use image::{GrayImage, Luma, Rgb, RgbImage};
+
+/// The colour of a grid.
+const GRID: [u8; 3] = [90, 150, 255];
+/// The colour of what is in doubt.
+const DOUBT: [u8; 3] = [230, 0, 0];
+
+/// The pictures of all steps, with the names of their files.
+pub fn steps(found: &Found) -> Vec<(&'static str, RgbImage)> {
+    vec![
+        ("1-flat.png", found.flat.sheet.clone()),
+        ("2-ink.png", ink(found)),
+        ("3-grid.png", grid(found)),
+        ("4-strokes.png", strokes(found)),
+        ("5-house.png", house(found)),
+    ]
+}
+
+/// The sheet, pale, with the house that was found on it; what is in doubt is red.
+pub fn review(found: &Found, doubts: &[DVec2]) -> RgbImage {
+    let mut out = house(found);
+    let reach = found.grid.unit * 0.32;
+    for at in doubts {
+        let middle = found.grid.at(at.x, at.y);
+        let ring = (0..=48).map(|k| std::f64::consts::TAU * f64::from(k) / 48.0);
+        let ring: Vec<DVec2> = ring.map(|a| middle + dvec2(libm::cos(a), libm::sin(a)) * reach).collect();
+        for pair in ring.windows(2) {
+            line(&mut out, pair[0], pair[1], DOUBT, 2);
+        }
+    }
+    out
+}
+
+fn ink(found: &Found) -> RgbImage {
+    let ink = &found.ink;
+    let black = GrayImage::from_fn(ink.dark.width(), ink.dark.height(), |x, y| Luma([if ink.is(x, y) { 0 } else { 255 }]));
+    image::DynamicImage::ImageLuma8(black).to_rgb8()
+}
+
+fn grid(found: &Found) -> RgbImage {
+    let mut out = pale(&found.flat.sheet);
+    let (across, down) = (found.grid.across, found.grid.down);
+    let at = |u: i32, v: i32| found.grid.at(f64::from(u), f64::from(v));
+    for u in across.0..=across.1 {
+        line(&mut out, at(u, down.0), at(u, down.1), GRID, 0);
+    }
+    for v in down.0..=down.1 {
+        line(&mut out, at(across.0, v), at(across.1, v), GRID, 0);
+    }
+    out
+}
+
+fn strokes(found: &Found) -> RgbImage {
+    let mut out = pale(&found.flat.sheet);
+    let (across, down) = (found.grid.across, found.grid.down);
+    for v in down.0..=down.1 {
+        for u in across.0..=across.1 {
+            for (read, to) in [(found.units.level(u, v), (u + 1, v)), (found.units.upright(u, v), (u, v + 1))] {
+                unit(&mut out, found, (u, v), to, read.role);
+            }
+        }
+    }
+    out
+}
+
+fn house(found: &Found) -> RgbImage {
+    let mut out = pale(&found.flat.sheet);
+    for cell in &found.shape.cells {
+        let at = |a: f64, b: f64| found.grid.at(f64::from(cell.0) + a, f64::from(cell.1) + b);
+        line(&mut out, at(0.42, 0.5), at(0.58, 0.5), [170, 200, 170], 1);
+    }
+    for Wall { from, to, read, is_joined } in found.shape.outer.iter().chain(&found.shape.inner) {
+        let role = if *is_joined { Role::Open } else { read.role };
+        unit(&mut out, found, *from, *to, role);
+    }
+    out
+}
+
+/// Draws the colour of a role along a unit.
+fn unit(out: &mut RgbImage, found: &Found, from: (i32, i32), to: (i32, i32), role: Role) {
+    let Some(colour) = colour(role) else { return };
+    let at = |p: (i32, i32)| found.grid.at(f64::from(p.0), f64::from(p.1));
+    let (a, b) = (at(from), at(to));
+    line(out, a.lerp(b, 0.1), a.lerp(b, 0.9), colour, 1);
+}
+
+/// The colour of a role in all pictures.
+fn colour(role: Role) -> Option<[u8; 3]> {
+    Some(match role {
+        Role::Empty => return None,
+        Role::Mat => [200, 190, 120],
+        Role::Open => [255, 150, 0],
+        Role::Wall => [60, 60, 60],
+        Role::Slide => [0, 150, 60],
+        Role::Hinged => [170, 0, 200],
+        Role::Window => [0, 90, 255],
+        Role::Lattice => [0, 160, 190],
+    })
+}
+
+/// A sheet as through tracing paper.
+fn pale(sheet: &RgbImage) -> RgbImage {
+    let mut out = sheet.clone();
+    for pixel in out.pixels_mut() {
+        *pixel = Rgb(pixel.0.map(|c| 160 + c / 8 * 3));
+    }
+    out
+}
+
+/// Draws a line so many pixels wider to each side.
+fn line(out: &mut RgbImage, from: DVec2, to: DVec2, colour: [u8; 3], wider: i32) {
+    let steps = (from.distance(to).ceil() as u32).clamp(1, 20_000);
+    for k in 0..=steps {
+        let at = from.lerp(to, f64::from(k) / f64::from(steps));
+        let (x, y) = (at.x.floor() as i32, at.y.floor() as i32);
+        for (u, v) in (-wider..=wider).flat_map(|v| (-wider..=wider).map(move |u| (x + u, y + v))) {
+            let inside = u >= 0 && v >= 0 && (u as u32) < out.width() && (v as u32) < out.height();
+            if inside {
+                out.put_pixel(u as u32, v as u32, Rgb(colour));
+            }
+        }
+    }
+}

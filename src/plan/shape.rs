@@ -1,0 +1,259 @@
+//! The house that the strokes stand round: its outline, its courts, its rooms.
+
+use super::legend::Role;
+use super::strokes::{Read, Units};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The widest gap without strokes that may be a way between two walls of one line, units: two ken.
+const GAP: i32 = 4;
+/// The widest gap within a house that is a way and no corner of a room, units.
+const DOOR: i32 = 2;
+
+/// A unit of a wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wall {
+    /// Where it begins: to the right and down, units.
+    pub from: (i32, i32),
+    /// Where it ends.
+    pub to: (i32, i32),
+    /// What it was read as.
+    pub read: Read,
+    /// Whether nothing was seen there, and it joins two walls.
+    pub is_joined: bool,
+}
+
+/// A house on its grid.
+#[derive(Clone, Debug, Default)]
+pub struct Shape {
+    /// Cells of the house: their upper left crossings.
+    pub cells: BTreeSet<(i32, i32)>,
+    /// Its walls to the outside.
+    pub outer: Vec<Wall>,
+    /// Walls between its cells.
+    pub inner: Vec<Wall>,
+    /// Rooms: cells without walls between them.
+    pub rooms: Vec<BTreeSet<(i32, i32)>>,
+    /// Which of the rooms have mats: edges of mats were seen in them.
+    pub mats: BTreeSet<usize>,
+}
+
+/// What parts two cells.
+#[derive(Clone)]
+struct Lines<'a> {
+    units: &'a Units,
+    joined: BTreeMap<((i32, i32), bool), bool>,
+}
+
+impl Lines<'_> {
+    fn read(&self, at: (i32, i32), upright: bool) -> Read {
+        if upright { self.units.upright(at.0, at.1) } else { self.units.level(at.0, at.1) }
+    }
+
+    fn parts(&self, at: (i32, i32), upright: bool) -> bool {
+        self.read(at, upright).role.parts() || self.joined.contains_key(&(at, upright))
+    }
+
+    /// Cells that walls part from what lies outside.
+    fn enclosed(&self) -> BTreeSet<(i32, i32)> {
+        let ((u0, u1), (v0, v1)) = (self.units.across, self.units.down);
+        let within = |(u, v): (i32, i32)| u >= u0 - 1 && u <= u1 && v >= v0 - 1 && v <= v1;
+        let outside = flood((u0 - 1, v0 - 1), within, |cell| self.beside(cell).collect());
+        let all = (v0..v1).flat_map(|v| (u0..u1).map(move |u| (u, v)));
+        all.filter(|cell| !outside.contains(cell)).collect()
+    }
+
+    /// The four sides of a cell, each with the cell beyond it: where it begins, and whether it is upright.
+    fn sides((u, v): (i32, i32)) -> [((i32, i32), bool, (i32, i32)); 4] {
+        [((u, v), true, (u - 1, v)), ((u + 1, v), true, (u + 1, v)), ((u, v), false, (u, v - 1)), ((u, v + 1), false, (u, v + 1))]
+    }
+
+    /// Whether a room has no ink in it, and is open to the outside wherever it meets it and walled wherever it does not.
+    fn is_recess(&self, room: &BTreeSet<(i32, i32)>, cells: &BTreeSet<(i32, i32)>) -> bool {
+        if room.iter().any(|c| self.units.is_inked(*c)) {
+            return false;
+        }
+        let mut is_open = false;
+        for (at, upright, beyond) in room.iter().flat_map(|c| Lines::sides(*c)) {
+            let is_gap = self.joined.contains_key(&(at, upright));
+            if room.contains(&beyond) {
+                continue;
+            }
+            if is_gap == cells.contains(&beyond) {
+                return false;
+            }
+            is_open |= is_gap;
+        }
+        is_open
+    }
+
+    /// Takes back that gaps before a room are ways.
+    fn open(&mut self, room: &BTreeSet<(i32, i32)>, cells: &BTreeSet<(i32, i32)>) {
+        for (at, upright, beyond) in room.iter().flat_map(|c| Lines::sides(*c)) {
+            if !cells.contains(&beyond) {
+                self.joined.remove(&(at, upright));
+            }
+        }
+    }
+
+    /// Cells beside a cell that no wall parts from it.
+    fn beside(&self, (u, v): (i32, i32)) -> impl Iterator<Item = (i32, i32)> {
+        [
+            ((u - 1, v), self.parts((u, v), true)),
+            ((u + 1, v), self.parts((u + 1, v), true)),
+            ((u, v - 1), self.parts((u, v), false)),
+            ((u, v + 1), self.parts((u, v + 1), false)),
+        ]
+        .into_iter()
+        .filter(|(_, parted)| !parted)
+        .map(|(cell, _)| cell)
+    }
+}
+
+impl Shape {
+    /// Finds the house in the units of a grid.
+    pub fn of(units: &Units) -> Shape {
+        let mut lines = Lines { units, joined: BTreeMap::new() };
+        lines.joined = gaps(&lines);
+        let mut cells = lines.enclosed();
+        // A recess in a wall looks like a room with an open front; nothing is drawn in it.
+        loop {
+            let open: Vec<BTreeSet<(i32, i32)>> = rooms(&cells, &lines).into_iter().filter(|r| lines.is_recess(r, &cells)).collect();
+            if open.is_empty() {
+                break;
+            }
+            for room in open {
+                lines.open(&room, &cells);
+                cells.retain(|c| !room.contains(c));
+            }
+        }
+        let cells = largest(cells);
+        // Walls inside that face each other across a room are no reason for one between them.
+        let is_outer = |at: (i32, i32), upright: bool| {
+            let other = if upright { (at.0 - 1, at.1) } else { (at.0, at.1 - 1) };
+            cells.contains(&at) != cells.contains(&other)
+        };
+        lines.joined.retain(|(at, upright), is_door| *is_door || is_outer(*at, *upright));
+        let mut shape = Shape { cells, ..Shape::default() };
+        shape.walls(&lines);
+        shape.rooms = rooms(&shape.cells, &lines);
+        shape.mats = (0..shape.rooms.len()).filter(|k| has_mats(&shape.rooms[*k], units)).collect();
+        shape
+    }
+
+    fn walls(&mut self, lines: &Lines<'_>) {
+        let is = |cell: (i32, i32)| self.cells.contains(&cell);
+        let mut outer = Vec::new();
+        let mut inner = Vec::new();
+        let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
+        for v in v0..=v1 {
+            for u in u0..=u1 {
+                for (upright, other, to) in [(true, (u - 1, v), (u, v + 1)), (false, (u, v - 1), (u + 1, v))] {
+                    let (a, b) = (is((u, v)), is(other));
+                    let wall = Wall {
+                        from: (u, v),
+                        to,
+                        read: lines.read((u, v), upright),
+                        is_joined: lines.joined.contains_key(&((u, v), upright)),
+                    };
+                    if a != b {
+                        outer.push(wall);
+                    } else if a && lines.parts((u, v), upright) {
+                        inner.push(wall);
+                    }
+                }
+            }
+        }
+        self.outer = outer;
+        self.inner = inner;
+    }
+}
+
+/// Units without strokes between walls of one line, or between such a wall and a corner: each with whether walls of its line
+/// stand at both ends and it is no wider than a door.
+fn gaps(lines: &Lines<'_>) -> BTreeMap<((i32, i32), bool), bool> {
+    let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
+    let mut out = BTreeMap::new();
+    for upright in [false, true] {
+        let (lengthwise, crosswise) = if upright { ((v0, v1), (u0, u1)) } else { ((u0, u1), (v0, v1)) };
+        for line in crosswise.0..=crosswise.1 {
+            let at = |k: i32| if upright { (line, k) } else { (k, line) };
+            let stands = |k: i32| k >= lengthwise.0 && k < lengthwise.1 && lines.parts(at(k), upright);
+            let crosses = |k: i32| {
+                let (u, v) = at(k);
+                if upright { lines.parts((u, v), false) || lines.parts((u - 1, v), false) } else { lines.parts((u, v), true) || lines.parts((u, v - 1), true) }
+            };
+            let mut k = lengthwise.0;
+            while k < lengthwise.1 {
+                if stands(k) || !(stands(k - 1) || crosses(k)) {
+                    k += 1;
+                    continue;
+                }
+                let mut end = k + 1;
+                while end < lengthwise.1 && !stands(end) && !crosses(end) {
+                    end += 1;
+                }
+                if end - k <= GAP && (stands(end) || crosses(end)) {
+                    let is_door = stands(k - 1) && stands(end) && end - k <= DOOR;
+                    (k..end).for_each(|j| {
+                        out.insert((at(j), upright), is_door);
+                    });
+                }
+                k = end;
+            }
+        }
+    }
+    out
+}
+
+fn flood(from: (i32, i32), within: impl Fn((i32, i32)) -> bool, beside: impl Fn((i32, i32)) -> Vec<(i32, i32)>) -> BTreeSet<(i32, i32)> {
+    let mut seen = BTreeSet::from([from]);
+    let mut open = vec![from];
+    while let Some(cell) = open.pop() {
+        for next in beside(cell) {
+            if within(next) && seen.insert(next) {
+                open.push(next);
+            }
+        }
+    }
+    seen
+}
+
+/// The largest group of cells that touch along a side.
+fn largest(cells: BTreeSet<(i32, i32)>) -> BTreeSet<(i32, i32)> {
+    let mut left = cells.clone();
+    let mut best = BTreeSet::new();
+    while let Some(&first) = left.iter().next() {
+        let group = flood(first, |c| cells.contains(&c), |(u, v)| vec![(u - 1, v), (u + 1, v), (u, v - 1), (u, v + 1)]);
+        left.retain(|c| !group.contains(c));
+        if group.len() > best.len() {
+            best = group;
+        }
+    }
+    best
+}
+
+/// Groups of cells without walls between them.
+fn rooms(cells: &BTreeSet<(i32, i32)>, lines: &Lines<'_>) -> Vec<BTreeSet<(i32, i32)>> {
+    let mut left = cells.clone();
+    let mut rooms = Vec::new();
+    while let Some(&first) = left.iter().next() {
+        let room = flood(first, |c| cells.contains(&c), |c| lines.beside(c).collect());
+        left.retain(|c| !room.contains(c));
+        rooms.push(room);
+    }
+    rooms
+}
+
+/// Whether a third of the units within a room are edges of mats.
+fn has_mats(room: &BTreeSet<(i32, i32)>, units: &Units) -> bool {
+    let (mut edges, mut all) = (0, 0);
+    for &(u, v) in room {
+        for (other, read) in [((u - 1, v), units.upright(u, v)), ((u, v - 1), units.level(u, v))] {
+            if room.contains(&other) {
+                all += 1;
+                edges += usize::from(read.role == Role::Mat);
+            }
+        }
+    }
+    edges >= 2 && edges * 3 >= all
+}

@@ -1,0 +1,172 @@
+//! A sheet: the picture of a plan as it came, turned upright, and the ink on it.
+
+use glam::{DVec2, dvec2};
+use image::{GrayImage, Luma, RgbImage};
+use imageproc::region_labelling::{Connectivity, connected_components};
+
+/// Blocks of the paper's tone along the longer side of a picture.
+const BLOCKS: u32 = 120;
+/// The share of a block's pixels that may be darker than its paper.
+const PAPER: f64 = 0.85;
+
+/// The ink on a sheet: how much darker than the paper round it a pixel is, 0 to 255.
+#[derive(Clone, Debug)]
+pub struct Ink {
+    /// Ink of any colour.
+    pub dark: GrayImage,
+    /// Red ink alone: what takes green and blue light but not red.
+    pub red: GrayImage,
+    /// What counts as ink in `dark`.
+    pub threshold: u8,
+}
+
+impl Ink {
+    /// Finds the ink: each pixel beside the tone of the paper round it, colour by colour, so that stains, shadows and
+    /// coloured slips are paper.
+    pub fn of(sheet: &RgbImage) -> Ink {
+        let paper = Paper::of(sheet);
+        let (width, height) = sheet.dimensions();
+        let mut dark = GrayImage::new(width, height);
+        let mut red = GrayImage::new(width, height);
+        for (x, y, pixel) in sheet.enumerate_pixels() {
+            let tone = paper.at(x, y);
+            let taken = |c: usize| 1.0 - (f64::from(pixel[c]) / tone[c]).min(1.0);
+            let (r, g, b) = (taken(0), taken(1), taken(2));
+            dark.put_pixel(x, y, Luma([level(r.max(g).max(b))]));
+            red.put_pixel(x, y, Luma([level(g.min(b) - r)]));
+        }
+        let threshold = imageproc::contrast::otsu_level(&dark).clamp(38, 100);
+        Ink { dark, red, threshold }
+    }
+
+    /// The share of the sheet that is ink.
+    pub fn share(&self) -> f64 {
+        let dark = self.dark.pixels().filter(|p| p[0] > self.threshold).count();
+        dark as f64 / f64::from(self.dark.width() * self.dark.height())
+    }
+
+    /// The ink without what is small in both directions and stands alone: writing, specks. `most` is in pixels; `keep` tells
+    /// of the middle and size of a part whether it stays all the same.
+    pub fn without_writing(&self, most: f64, keep: impl Fn(DVec2, DVec2) -> bool) -> Ink {
+        let black = GrayImage::from_fn(self.dark.width(), self.dark.height(), |x, y| Luma([u8::from(self.is(x, y))]));
+        let parts = connected_components(&black, Connectivity::Eight, Luma([0]));
+        let mut boxes: Vec<[u32; 4]> = Vec::new();
+        for (x, y, part) in parts.enumerate_pixels().filter(|(_, _, p)| p[0] > 0) {
+            let k = part[0] as usize - 1;
+            if boxes.len() <= k {
+                boxes.resize(k + 1, [u32::MAX, u32::MAX, 0, 0]);
+            }
+            let b = &mut boxes[k];
+            *b = [b[0].min(x), b[1].min(y), b[2].max(x), b[3].max(y)];
+        }
+        let stays: Vec<bool> = boxes
+            .iter()
+            .map(|[x0, y0, x1, y1]| {
+                let size = dvec2(f64::from(x1 + 1 - x0), f64::from(y1 + 1 - y0));
+                let middle = dvec2(f64::from(*x0), f64::from(*y0)) + size / 2.0;
+                size.max_element() > most || keep(middle, size)
+            })
+            .collect();
+        let mut ink = self.clone();
+        for (x, y, part) in parts.enumerate_pixels().filter(|(_, _, p)| p[0] > 0) {
+            if !stays[part[0] as usize - 1] {
+                ink.dark.put_pixel(x, y, Luma([0]));
+                ink.red.put_pixel(x, y, Luma([0]));
+            }
+        }
+        ink
+    }
+
+    /// Whether there is ink at a pixel.
+    pub fn is(&self, x: u32, y: u32) -> bool {
+        self.dark.get_pixel(x, y)[0] > self.threshold
+    }
+}
+
+/// A share of 0 to 1 as a level of 0 to 255.
+fn level(share: f64) -> u8 {
+    (share.clamp(0.0, 1.0) * 255.0).round() as u8
+}
+
+/// The tone of the paper without what is drawn on it, by blocks.
+struct Paper {
+    block: u32,
+    across: u32,
+    tones: Vec<[f64; 3]>,
+}
+
+impl Paper {
+    fn of(sheet: &RgbImage) -> Paper {
+        let (width, height) = sheet.dimensions();
+        let block = (width.max(height) / BLOCKS).max(6);
+        let (across, down) = (width.div_ceil(block), height.div_ceil(block));
+        let mut light = Vec::with_capacity((across * down) as usize);
+        for v in 0..down {
+            for u in 0..across {
+                light.push(lightest(sheet, [u * block, v * block], block));
+            }
+        }
+        // A block that a wall fills has the tone of the blocks beside it.
+        let grown = spread(&light, across, down, |a, b| a.max(b));
+        let tones = spread(&grown, across, down, |a, b| a.min(b));
+        Paper { block, across, tones }
+    }
+
+    /// Tones between the middles of blocks.
+    fn at(&self, x: u32, y: u32) -> [f64; 3] {
+        let down = self.tones.len() as u32 / self.across;
+        let place = |p: u32, most: u32| {
+            let at = (f64::from(p) / f64::from(self.block) - 0.5).clamp(0.0, f64::from(most - 1));
+            let low = at.floor();
+            (low as u32, (low as u32 + 1).min(most - 1), at - low)
+        };
+        let (u0, u1, fu) = place(x, self.across);
+        let (v0, v1, fv) = place(y, down);
+        let tone = |u: u32, v: u32, c: usize| self.tones[(v * self.across + u) as usize][c];
+        std::array::from_fn(|c| {
+            let top = tone(u0, v0, c) * (1.0 - fu) + tone(u1, v0, c) * fu;
+            let bottom = tone(u0, v1, c) * (1.0 - fu) + tone(u1, v1, c) * fu;
+            (top * (1.0 - fv) + bottom * fv).max(8.0)
+        })
+    }
+}
+
+/// The tone that all but the lightest pixels of a block stay under.
+fn lightest(sheet: &RgbImage, [x, y]: [u32; 2], block: u32) -> [f64; 3] {
+    let mut counts = [[0_u32; 256]; 3];
+    let mut total = 0;
+    for v in y..(y + block).min(sheet.height()) {
+        for u in x..(x + block).min(sheet.width()) {
+            let pixel = sheet.get_pixel(u, v);
+            (0..3).for_each(|c| counts[c][usize::from(pixel[c])] += 1);
+            total += 1;
+        }
+    }
+    std::array::from_fn(|c| {
+        let mut below = 0;
+        let stop = (f64::from(total) * PAPER) as u32;
+        let tone = counts[c].iter().position(|n| {
+            below += n;
+            below > stop
+        });
+        tone.unwrap_or(255) as f64
+    })
+}
+
+/// The extreme of each block and the eight round it.
+fn spread(tones: &[[f64; 3]], across: u32, down: u32, pick: impl Fn(f64, f64) -> f64) -> Vec<[f64; 3]> {
+    let mut out = Vec::with_capacity(tones.len());
+    for v in 0..down {
+        for u in 0..across {
+            let mut tone = tones[(v * across + u) as usize];
+            for y in v.saturating_sub(1)..=(v + 1).min(down - 1) {
+                for x in u.saturating_sub(1)..=(u + 1).min(across - 1) {
+                    let other = tones[(y * across + x) as usize];
+                    (0..3).for_each(|c| tone[c] = pick(tone[c], other[c]));
+                }
+            }
+            out.push(tone);
+        }
+    }
+    out
+}
