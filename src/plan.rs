@@ -142,14 +142,15 @@ pub fn find(picture: &Picture, legends: &[Legend], options: &Options) -> Result<
         return Err(Refused::NoGrid(grid.fit));
     }
     let pen = strokes::pen(&ink, &grid);
-    let walls = ink.without_writing(WRITING * grid.unit, |middle, size| {
+    let straight = ink.without_slanting();
+    let walls = straight.without_writing(WRITING * grid.unit, |middle, size| {
         // Posts and the bars of lattices are small too, but stand on lines of the grid.
         let at = grid.units_of(middle);
         let off = (at - at.round()).abs();
         let (thin, flat) = (size.x < SLIM * grid.unit, size.y < SLIM * grid.unit);
         thin && off.x < ON_LINE || flat && off.y < ON_LINE
     });
-    let read = legends.iter().map(|legend| (strokes::read(&walls, &grid, legend, pen).with_cells(&ink, &grid), legend));
+    let read = legends.iter().map(|legend| (strokes::read(&walls, &ink, &grid, legend, pen).with_cells(&straight, &grid), legend));
     // Of two that agree equally the first.
     let best = read.reduce(|a, b| if b.0.likeness > a.0.likeness { b } else { a });
     let (units, legend) = best.ok_or(Refused::NoSymbols(0.0))?;

@@ -45,8 +45,8 @@ impl Role {
 /// A mark of a symbol. Places along it are 0 to 1 from end to end; places across it are in its spread, to the left positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
-    /// A stroke of the pen along the wall.
-    Line { at: f64, from: f64, to: f64 },
+    /// A stroke along the wall, so many pens wide.
+    Line { at: f64, from: f64, to: f64, width: f64 },
     /// An area between two lines.
     Bar { at: [f64; 2], from: f64, to: f64 },
     /// Short strokes across the wall, so many in a unit, between two places across.
@@ -142,7 +142,7 @@ fn mark(name: &str, values: &Values) -> Result<Mark, String> {
     let to = values.number("to")?.unwrap_or(1.0);
     let across = || values.pair("at").map(|at| at.unwrap_or([-1.0, 1.0]));
     Ok(match name {
-        "Line" => Mark::Line { at: values.number("at")?.unwrap_or(0.0), from, to },
+        "Line" => Mark::Line { at: values.number("at")?.unwrap_or(0.0), from, to, width: values.number("width")?.unwrap_or(1.0) },
         "Bar" => Mark::Bar { at: across()?, from, to },
         "Ticks" => Mark::Ticks { at: across()?, count: values.number("count")?.unwrap_or(4.0).clamp(1.0, 20.0) as u32 },
         "Arc" => Mark::Arc,

@@ -67,23 +67,20 @@ impl Lines<'_> {
         [((u, v), true, (u - 1, v)), ((u + 1, v), true, (u + 1, v)), ((u, v), false, (u, v - 1)), ((u, v + 1), false, (u, v + 1))]
     }
 
-    /// Whether a room has no ink in it, and is open to the outside wherever it meets it and walled wherever it does not.
+    /// Whether a room has no ink in it, and is open to the outside along most of where it meets it.
     fn is_recess(&self, room: &BTreeSet<(i32, i32)>, cells: &BTreeSet<(i32, i32)>) -> bool {
         if room.iter().any(|c| self.units.is_inked(*c)) {
             return false;
         }
-        let mut is_open = false;
+        let (mut gaps, mut walls) = (0, 0);
         for (at, upright, beyond) in room.iter().flat_map(|c| Lines::sides(*c)) {
-            let is_gap = self.joined.contains_key(&(at, upright));
-            if room.contains(&beyond) {
-                continue;
+            if !cells.contains(&beyond) {
+                let is_gap = self.joined.contains_key(&(at, upright));
+                gaps += usize::from(is_gap);
+                walls += usize::from(!is_gap);
             }
-            if is_gap == cells.contains(&beyond) {
-                return false;
-            }
-            is_open |= is_gap;
         }
-        is_open
+        gaps > walls
     }
 
     /// Takes back that gaps before a room are ways.

@@ -9,6 +9,11 @@ const BLOCKS: u32 = 120;
 /// The share of a block's pixels that may be darker than its paper.
 const PAPER: f64 = 0.85;
 
+/// How clearly a stroke must run one way, 0 to 1.
+const SLANT_CLEAR: f64 = 0.5;
+/// A stroke slants that runs at more than half the angle of which this is the tangent: 17 degrees.
+const SLANT: f64 = 0.67;
+
 /// The ink on a sheet: how much darker than the paper round it a pixel is, 0 to 255.
 #[derive(Clone, Debug)]
 pub struct Ink {
@@ -72,6 +77,38 @@ impl Ink {
             if !stays[part[0] as usize - 1] {
                 ink.dark.put_pixel(x, y, Luma([0]));
                 ink.red.put_pixel(x, y, Luma([0]));
+            }
+        }
+        ink
+    }
+
+    /// The ink without strokes that run across the sheet: hatching, leaves that stand open.
+    ///
+    /// The way a stroke runs follows from the changes of tone round it (the tensor of their products).
+    pub fn without_slanting(&self) -> Ink {
+        let (width, height) = self.dark.dimensions();
+        let at = |x: i64, y: i64| {
+            let (x, y) = (x.clamp(0, i64::from(width) - 1), y.clamp(0, i64::from(height) - 1));
+            f64::from(self.dark.get_pixel(x as u32, y as u32)[0])
+        };
+        let mut ink = self.clone();
+        let slope = |x: i64, y: i64| dvec2(at(x + 1, y) - at(x - 1, y), at(x, y + 1) - at(x, y - 1));
+        for y in 0..height {
+            for x in 0..width {
+                if !self.is(x, y) {
+                    continue;
+                }
+                let (mut xx, mut yy, mut xy) = (0.0, 0.0, 0.0);
+                for (dx, dy) in (-2..=2).flat_map(|dy| (-2..=2).map(move |dx| (dx, dy))) {
+                    let s = slope(i64::from(x) + dx, i64::from(y) + dy);
+                    (xx, yy, xy) = (xx + s.x * s.x, yy + s.y * s.y, xy + s.x * s.y);
+                }
+                let (one, two) = (xx - yy, 2.0 * xy);
+                let clear = libm::sqrt(one * one + two * two) > SLANT_CLEAR * (xx + yy);
+                if clear && two.abs() > SLANT * one.abs() {
+                    ink.dark.put_pixel(x, y, Luma([0]));
+                    ink.red.put_pixel(x, y, Luma([0]));
+                }
             }
         }
         ink

@@ -16,6 +16,8 @@ const REACH: f64 = 0.3;
 const END: f64 = 0.14;
 /// Spreads of a symbol that are tried.
 const SPREADS: usize = 9;
+/// What agrees less with every symbol is none: writing, hatching, things that stand in a room.
+const CLUTTER: f64 = 0.5;
 /// What a change from one symbol to another costs, in shares of a unit.
 const CHANGE: f64 = 0.06;
 
@@ -80,8 +82,8 @@ fn look(lines: &[Vec<Read>], line: i32, at: i32) -> Read {
     unit.copied().unwrap_or(Read::EMPTY)
 }
 
-/// Reads the units of a grid by a legend; `pen` is the width of the thinnest strokes, in units.
-pub fn read(ink: &Ink, grid: &Grid, legend: &Legend, pen: f64) -> Units {
+/// Reads the units of a grid by a legend; `ink` is that of walls, `all` has what slants too, `pen` is the width of the thinnest strokes, in units.
+pub fn read(ink: &Ink, all: &Ink, grid: &Grid, legend: &Legend, pen: f64) -> Units {
     let stamps = stamps(legend, pen);
     let ((u0, u1), (v0, v1)) = (grid.across, grid.down);
     let line = |count: i32, patch: &dyn Fn(i32) -> Patch| {
@@ -89,15 +91,28 @@ pub fn read(ink: &Ink, grid: &Grid, legend: &Legend, pen: f64) -> Units {
         best(&patches, &stamps, pen)
     };
     let level: Vec<Vec<Read>> = (v0..=v1)
-        .map(|v| line(u1 - u0, &|k| Patch::of(ink, grid, DVec2::new(f64::from(u0 + k), f64::from(v)), false)))
+        .map(|v| line(u1 - u0, &|k| Patch::of((ink, all), grid, DVec2::new(f64::from(u0 + k), f64::from(v)), false)))
         .collect();
     let upright: Vec<Vec<Read>> = (u0..=u1)
-        .map(|u| line(v1 - v0, &|k| Patch::of(ink, grid, DVec2::new(f64::from(u), f64::from(v0 + k)), true)))
+        .map(|u| line(v1 - v0, &|k| Patch::of((ink, all), grid, DVec2::new(f64::from(u), f64::from(v0 + k)), true)))
         .collect();
+    let mut lines = [level, upright];
+    settle(&mut lines);
+    let [level, upright] = lines;
     let read = level.iter().chain(&upright).flatten().filter(|r| r.role.parts() && r.role != Role::Open);
     let (sum, count) = read.fold((0.0, 0.0), |(s, n), r| (s + r.likeness, n + 1.0));
     let likeness = if count > 0.0 { sum / count } else { 0.0 };
     Units { across: grid.across, down: grid.down, level, upright, likeness, inked: BTreeSet::new() }
+}
+
+/// A plan has more walls than ways without doors: where the two are drawn alike, what was read as ways are walls.
+fn settle(lines: &mut [Vec<Vec<Read>>; 2]) {
+    let count = |role: Role| lines.iter().flatten().flatten().filter(|r| r.role == role).count();
+    if count(Role::Open) > count(Role::Wall) {
+        for read in lines.iter_mut().flatten().flatten().filter(|r| r.role == Role::Open) {
+            read.role = Role::Wall;
+        }
+    }
 }
 
 /// Cells with more ink in their middle than specks.
@@ -133,7 +148,8 @@ pub fn pen(ink: &Ink, grid: &Grid) -> f64 {
             }
         }
     }
-    let common = (1..counts.len()).max_by_key(|k| counts[*k]).unwrap_or(1);
+    let most = counts.iter().copied().max().unwrap_or(0);
+    let common = (1..counts.len()).find(|k| counts[*k] * 4 >= most).unwrap_or(1);
     (common as f64 / grid.unit).clamp(0.02, 0.12)
 }
 
@@ -149,7 +165,7 @@ struct Patch {
 }
 
 impl Patch {
-    fn of(ink: &Ink, grid: &Grid, from: DVec2, upright: bool) -> Patch {
+    fn of((ink, all): (&Ink, &Ink), grid: &Grid, from: DVec2, upright: bool) -> Patch {
         let place = |along: f64, across: f64| match upright {
             false => grid.at(from.x + along, from.y + across),
             true => grid.at(from.x + across, from.y + along),
@@ -172,7 +188,7 @@ impl Patch {
         }
         let skip = (END * ALONG as f64).round() as usize;
         let middle: f32 = (0..ACROSS).map(|j| dark[j * ALONG + skip..(j + 1) * ALONG - skip].iter().sum::<f32>()).sum();
-        let arc = arc(ink, &place);
+        let arc = arc(all, &place);
         Patch { dark: soft(&dark, ALONG), red: soft(&red, ALONG), arc, is_inked: middle > 4.0 || arc > 0.5 }
     }
 }
@@ -228,6 +244,8 @@ struct Stamp {
     units: usize,
     is_red: bool,
     is_arc: bool,
+    /// Whether nothing stands in the way of its leaf.
+    is_bare: bool,
     /// For each unit of it.
     ink: Vec<Vec<f32>>,
 }
@@ -272,6 +290,7 @@ fn stamp(symbol: &Symbol, spread: f64, pen: f64, turned: bool, mirrored: bool) -
         units: symbol.units,
         is_red: symbol.is_red,
         is_arc: symbol.marks.contains(&Mark::Arc),
+        is_bare: symbol.marks == [Mark::Arc],
         ink: (0..symbol.units).map(unit).collect(),
     }
 }
@@ -279,7 +298,7 @@ fn stamp(symbol: &Symbol, spread: f64, pen: f64, turned: bool, mirrored: bool) -
 /// Whether a mark covers a place.
 fn covers(mark: Mark, t: f64, s: f64, spread: f64, pen: f64, units: usize) -> bool {
     match mark {
-        Mark::Line { at, from, to } => t >= from && t <= to && (s - at * spread).abs() <= pen / 2.0,
+        Mark::Line { at, from, to, width } => t >= from && t <= to && (s - at * spread).abs() <= pen * width / 2.0,
         Mark::Bar { at: [low, high], from, to } => t >= from && t <= to && s >= low * spread && s <= high * spread,
         Mark::Ticks { at: [low, high], count } => {
             let n = f64::from(count) * units as f64;
@@ -340,7 +359,7 @@ fn best(patches: &[Patch], stamps: &[Stamp], pen: f64) -> Vec<Read> {
         // A leaf's way makes a door of what is empty otherwise.
         let bare = emptiness(&patches[k], pen);
         let leaf = ((patches[k].arc - 0.5) / 0.35).clamp(0.0, 1.0);
-        let mut here: Vec<(Role, usize, f64)> = vec![(Role::Empty, 1, bare * (1.0 - 0.5 * leaf))];
+        let mut here: Vec<(Role, usize, f64)> = vec![(Role::Empty, 1, bare.max(CLUTTER) * (1.0 - 0.5 * leaf))];
         let mut note = |role: Role, units: usize, value: f64| {
             match here.iter_mut().find(|h| h.0 == role && h.1 == units) {
                 Some(h) => h.2 = h.2.max(value),
@@ -352,7 +371,8 @@ fn best(patches: &[Patch], stamps: &[Stamp], pen: f64) -> Vec<Read> {
         for stamp in stamps.iter().filter(|s| reach(s.units)) {
             if stamp.is_arc {
                 // A leaf stands open on a drawing: its line is beside the way, not in it.
-                note(stamp.role, 1, bare * leaf);
+                let way = if stamp.is_bare { bare } else { likeness(stamp, &patches[k..=k]) };
+                note(stamp.role, 1, way * leaf.max(0.01) * 1.1);
             } else {
                 note(stamp.role, stamp.units, likeness(stamp, &patches[k..k + stamp.units]));
             }
