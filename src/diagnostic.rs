@@ -17,7 +17,7 @@ pub use collected::{Diagnostics, ENOUGH, ENOUGH_OF_LAYER};
 pub use text::{Kept, Language, Noun, Text, Value, noun};
 
 /// A stable number, shown as `HSD0104`. The hundreds tell the stage: 00 file, 01 legacy text, 02 XML,
-/// 03 parts and operations, 04 plan, 05 roofs, 06 pictures and textures, 08 layouts, 09 limits, 10 maps.
+/// 03 parts and operations, 04 plan, 05 roofs, 06 pictures and textures, 08 layouts, 09 limits, 10 maps, 11 towns, 12 drawn plans.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Code(pub u16);
 

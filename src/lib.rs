@@ -23,6 +23,7 @@
 //! | `cli` | the program `hsd` |
 //! | `view` | `hsd view`, `hsd render` |
 //! | `drawings` | plans, elevations, sections to scale |
+//! | `plans` | houses out of drawn floor plans |
 //! | `lsp` | `hsd lsp` |
 //! | `compress` (off by default, needs C++) | models for the web |
 //! | `geopackage` (off by default, needs C) | maps in GeoPackage |
@@ -134,6 +135,9 @@ pub mod survey;
 #[cfg(all(feature = "maps", feature = "models"))]
 #[doc(hidden)]
 pub mod tiles;
+#[cfg(feature = "plans")]
+#[doc(hidden)]
+pub mod plan;
 #[cfg(feature = "drawings")]
 #[doc(hidden)]
 pub mod drawing;

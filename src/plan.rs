@@ -8,16 +8,22 @@
 //! | the grid of half ken is found | [`grid`] | [`grid::Grid`] |
 //! | the strokes on each unit are compared with a legend | [`strokes`], [`legend`] | [`strokes::Units`] |
 //! | outline and rooms follow | [`shape`] | [`shape::Shape`] |
-//! | the source file is written | [`text`] | [`text::Written`] |
+//! | storeys are laid over each other | [`register`] | a move in units |
+//! | the source file is written | [`house`], [`text`] | [`house::House`] |
+//! | over an edited one | [`again`] | [`again::Merged`] |
 //!
 //! Each step is a function from one typed thing to the next; [`marks`] draws what each has found. The same picture gives the
 //! same bytes. Lengths are pixels of the sheet or units of the grid (half a ken), places run to the right and down.
 
+pub mod again;
 pub mod flatten;
 pub mod grid;
+pub mod house;
 pub mod legend;
 pub mod marks;
 mod picture;
+pub mod register;
+pub mod said;
 pub mod shape;
 pub mod sheet;
 pub mod strokes;

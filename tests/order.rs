@@ -34,6 +34,7 @@ const ORDER: &[(&str, Part)] = &[
     ("town", Shell),
     ("survey", Shell),
     ("tiles", Shell),
+    ("plan", Shell),
     ("drawing", Shell),
     ("facade", Shell),
     ("ide", Shell),

@@ -2,6 +2,7 @@
 //! have it.
 
 pub mod catalog;
+pub mod drawn;
 pub mod file;
 pub mod fittings;
 pub mod legacy;

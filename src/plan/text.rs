@@ -30,6 +30,25 @@ pub const ERAS: [Era; 3] = [
     Era { name: "showa", wall: ["KSS  ", "KTU  "], slide: [["TSH  ", "TGL 2"], ["TSH  ", "TFU 2"]], hinged: "TCH  ", window: "MGA  ", lattice: "GSI  " },
 ];
 
+impl Era {
+    /// The era of a name.
+    pub fn named(name: &str) -> Option<Era> {
+        ERAS.into_iter().find(|era| era.name == name)
+    }
+
+    /// What stands for what, in words.
+    pub(super) fn lines(&self) -> Vec<String> {
+        let sides = |of: [&str; 2]| match of {
+            [outside, inside] if outside == inside => outside.trim_end().to_owned(),
+            [outside, inside] => format!("{} outside, {} inside", outside.trim_end(), inside.trim_end()),
+        };
+        vec![
+            format!("parts of the era {}: wall {}; sliding doors {}", self.name, sides(self.wall), sides([self.slide[0][1], self.slide[1][1]])),
+            format!("  hinged door {}; window {}; lattice {}; way without a door AKI", self.hinged.trim_end(), self.window.trim_end(), self.lattice.trim_end()),
+        ]
+    }
+}
+
 /// A wall in doubt.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Doubt {
@@ -41,6 +60,19 @@ pub struct Doubt {
     pub role: Role,
     /// Whether nothing was seen there.
     pub is_joined: bool,
+    /// Its storey, counted from 0.
+    pub storey: usize,
+}
+
+/// A storey of a house.
+#[derive(Clone, Copy, Debug)]
+pub struct Level<'a> {
+    /// Its walls.
+    pub shape: &'a Shape,
+    /// Takes its units to those of the storey on the ground, to the right and down.
+    pub shift: (i32, i32),
+    /// Its height, shaku.
+    pub height: f64,
 }
 
 /// What the head of a text says.
@@ -50,10 +82,8 @@ pub struct Head {
     pub name: String,
     /// Where it comes from, and how: lines of the comment at the head.
     pub lines: Vec<String>,
-    /// Metres in a unit, if it is not 3 shaku.
+    /// Shaku in a unit, if they are not 3.
     pub unit: Option<f64>,
-    /// The height of the storey, shaku.
-    pub height: f64,
 }
 
 /// A place as authors count: units to the left of the right end of the front, and back from it.
@@ -76,12 +106,16 @@ struct Unit {
     wall: Wall,
 }
 
-/// Writes the house of a shape; `None` if its outline is none.
-pub fn write(shape: &Shape, head: &Head, era: Era) -> Option<Written> {
-    let right = shape.cells.iter().map(|c| c.0).max()? + 1;
-    let front = shape.cells.iter().map(|c| c.1).max()? + 1;
-    let place = |(u, v): (i32, i32)| (right - u, front - v);
-    let loops = loops(shape, &place)?;
+/// Where the front's right end of a house is, in units of its storey on the ground.
+pub fn right_end(ground: &Shape) -> Option<(i32, i32)> {
+    let right = ground.cells.iter().map(|c| c.0).max()? + 1;
+    let front = ground.cells.iter().map(|c| c.1).max()? + 1;
+    Some((right, front))
+}
+
+/// Writes a house, storey by storey from the ground; `None` if an outline is none.
+pub fn write(levels: &[Level<'_>], head: &Head, era: Era) -> Option<Written> {
+    let (right, front) = right_end(levels.first()?.shape)?;
     let mut out = Written::default();
     out.text.push_str("<!--\n");
     for line in &head.lines {
@@ -91,28 +125,53 @@ pub fn write(shape: &Shape, head: &Head, era: Era) -> Option<Written> {
     out.text.push_str("-->\n");
     let unit = head.unit.map(|u| format!(" unit=\"{u}\"")).unwrap_or_default();
     let _ = writeln!(out.text, "<House name=\"{}\"{unit}>", escaped(&head.name));
-    let _ = writeln!(out.text, "  <Storey height=\"{}\">", head.height);
-    let origin = loops.first()?.first()?.from;
+    let mut origin = None;
+    for (storey, level) in levels.iter().enumerate() {
+        let place = |(u, v): (i32, i32)| (right - u - level.shift.0, front - v - level.shift.1);
+        let before = out.doubts.len();
+        let loops = loops(level.shape, &place)?;
+        let start = loops.first()?.first()?.from;
+        let origin = *origin.get_or_insert(start);
+        storey_of(level, &loops, &place, origin, era, &mut out);
+        out.doubts[before..].iter_mut().for_each(|d| d.storey = storey);
+    }
+    out.text.push_str("  <Roofs kind=\"K\" shape=\"KIR\" pitch=\"4.5\"/>\n</House>\n");
+    Some(out)
+}
+
+/// Writes a storey.
+fn storey_of(level: &Level<'_>, loops: &[Vec<Unit>], place: &dyn Fn((i32, i32)) -> Place, origin: Place, era: Era, out: &mut Written) {
+    let start = loops[0].first().map_or((0, 0), |unit| relative(unit.from, origin));
+    let start = if start == (0, 0) { String::new() } else { format!(" start=\"{} {}\"", start.0, start.1) };
+    let _ = writeln!(out.text, "  <Storey height=\"{}\"{start}>", level.height);
     for (k, walk) in loops.iter().enumerate() {
         let indent = if k == 0 { 4 } else { 6 };
-        if k > 0 {
-            let start = relative(walk.first()?.from, origin);
+        if let (1.., Some(first)) = (k, walk.first()) {
+            let start = relative(first.from, origin);
             let _ = writeln!(out.text, "    <Loop hole=\"yes\" start=\"{} {}\">", start.0, start.1);
         }
-        rows(walk, era, false, indent, &mut out);
+        rows(walk, Writing { era, origin, is_inner: false, indent }, out);
         if k > 0 {
             out.text.push_str("    </Loop>\n");
         }
     }
-    inner(shape, &place, origin, era, &mut out);
-    for (k, room) in shape.rooms.iter().enumerate() {
+    inner(level.shape, place, origin, era, out);
+    for (k, room) in level.shape.rooms.iter().enumerate() {
         let Some(cell) = middle(room) else { continue };
         let (a, b) = relative(place(cell), origin);
-        let floor = if shape.mats.contains(&k) { " floor=\"tatami\"" } else { "" };
+        let floor = if level.shape.mats.contains(&k) { " floor=\"tatami\"" } else { "" };
         let _ = writeln!(out.text, "    <Room name=\"{}\" at=\"{} {}\"{floor}/>", k + 1, f64::from(a) - 0.5, f64::from(b) - 0.5);
     }
-    out.text.push_str("  </Storey>\n  <Roofs kind=\"K\" shape=\"KIR\" pitch=\"4.5\"/>\n</House>\n");
-    Some(out)
+    out.text.push_str("  </Storey>\n");
+}
+
+/// How rows are written.
+#[derive(Clone, Copy)]
+struct Writing {
+    era: Era,
+    origin: Place,
+    is_inner: bool,
+    indent: usize,
 }
 
 fn escaped(text: &str) -> String {
@@ -190,7 +249,7 @@ fn start(walk: &[Unit]) -> Option<usize> {
 }
 
 /// Writes the rows of a walk: one for each straight wall.
-fn rows(walk: &[Unit], era: Era, is_inner: bool, indent: usize, out: &mut Written) {
+fn rows(walk: &[Unit], writing: Writing, out: &mut Written) {
     let mut from = 0;
     while from < walk.len() {
         let ahead = heading(&walk[from]);
@@ -202,16 +261,20 @@ fn rows(walk: &[Unit], era: Era, is_inner: bool, indent: usize, out: &mut Writte
             let left = ahead.0 * next.1 - ahead.1 * next.0 < 0;
             if left { " turn=\"L\"" } else { "" }
         });
-        row(&walk[from..end], era, is_inner, indent, turn, out);
+        row(&walk[from..end], writing, turn, out);
         from = end;
     }
 }
 
 /// Writes one straight wall.
-fn row(units: &[Unit], era: Era, is_inner: bool, indent: usize, turn: &str, out: &mut Written) {
-    let pad = " ".repeat(indent);
-    let codes = codes(units, era, is_inner);
-    let doubts: Vec<String> = codes.iter().filter(|c| c.2).map(|c| format!("{} at {} {}", c.0.trim_end(), units[c.1].from.0, units[c.1].from.1)).collect();
+fn row(units: &[Unit], writing: Writing, turn: &str, out: &mut Written) {
+    let pad = " ".repeat(writing.indent);
+    let codes = codes(units, writing.era, writing.is_inner);
+    let told = |(code, k, _): &(&str, usize, bool)| {
+        let (a, b) = relative(units[*k].from, writing.origin);
+        format!("{} at {a} {b}", code.trim_end())
+    };
+    let doubts: Vec<String> = codes.iter().filter(|c| c.2).map(told).collect();
     if !doubts.is_empty() {
         let _ = writeln!(out.text, "{pad}<!-- in doubt: {} -->", doubts.join(", "));
     }
@@ -222,7 +285,7 @@ fn row(units: &[Unit], era: Era, is_inner: bool, indent: usize, turn: &str, out:
         if doubtful {
             let w = units[k].wall;
             let at = |p: (i32, i32)| DVec2::new(f64::from(p.0), f64::from(p.1));
-            out.doubts.push(Doubt { span: start..start + 3, at: (at(w.from) + at(w.to)) / 2.0, role: w.read.role, is_joined: w.is_joined });
+            out.doubts.push(Doubt { span: start..start + 3, at: (at(w.from) + at(w.to)) / 2.0, role: w.read.role, is_joined: w.is_joined, storey: 0 });
         }
     }
     out.text.push_str("</Row>\n");
@@ -294,6 +357,6 @@ fn walk(run: &[Unit], upright: bool, origin: Place, era: Era, out: &mut Written)
     if upright {
         out.text.push_str("      <Row turn=\"R\"/>\n");
     }
-    row(run, era, true, 6, "", out);
+    row(run, Writing { era, origin, is_inner: true, indent: 6 }, "", out);
     out.text.push_str("    </Loop>\n");
 }
