@@ -5,6 +5,7 @@ mod fmt;
 mod folders;
 mod languages;
 mod leftovers;
+mod plan;
 mod render;
 
 use hsd::fs::FolderWorld;

@@ -76,6 +76,12 @@ const WITHOUT_FIXTURE: &[(u16, &str)] = &[
     (1012, "a map: tests/maps.rs"),
     (1013, "a map: tests/maps.rs"),
     (1014, "a map: tests/ground.rs"),
+    (1201, "a picture: tests/plans.rs"),
+    (1202, "a picture: tests/plans.rs"),
+    (1203, "a picture: tests/plans.rs"),
+    (1204, "a picture: tests/plans.rs"),
+    (1205, "a legend: tests/plans.rs"),
+    (1206, "a picture: tests/plans.rs"),
 ];
 
 /// Codes whose page shows no text that can be run, and why.
@@ -149,6 +155,12 @@ const WITHOUT_EXAMPLE: &[(u16, &str)] = &[
     (1141, "the map is not there"),
     (1142, "the map is not there"),
     (1143, "the map is not there"),
+    (1201, "a picture, no text of a house"),
+    (1202, "a picture, no text of a house"),
+    (1203, "a picture, no text of a house"),
+    (1204, "a picture, no text of a house"),
+    (1205, "a legend, no text of a house"),
+    (1206, "a picture, no text of a house"),
 ];
 
 /// Messages of layouts are said by `hsd fmt` alone; they have their own fixtures and test, in tests/convert.rs.

@@ -55,6 +55,8 @@ mod parts_windows;
 mod pictures;
 mod pieces;
 mod places;
+mod plan_drawings;
+mod plans;
 mod readme;
 mod real_outlines;
 mod real_roofs;

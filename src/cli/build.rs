@@ -3,6 +3,7 @@
 mod bake;
 pub(in crate::cli) mod draw;
 mod job;
+pub(in crate::cli) mod plan;
 mod statistics;
 pub(in crate::cli) mod streamed;
 pub(in crate::cli) mod init;

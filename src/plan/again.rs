@@ -19,9 +19,16 @@ pub struct Merged {
 /// Puts the changes of an author, who began with one reading, into another.
 pub fn merged(before: &str, edited: &str, now: &str) -> Merged {
     let mut options = MergeOptions::new();
-    options.set_conflict_marker_length(MARK).set_conflict_style(ConflictStyle::Merge);
-    let both = options.merge(&pieces(before), &pieces(edited), &pieces(now)).unwrap_or_else(|marked| marked);
-    let mut out = Merged { text: String::new(), kept: vec![] };
+    options
+        .set_conflict_marker_length(MARK)
+        .set_conflict_style(ConflictStyle::Merge);
+    let both = options
+        .merge(&pieces(before), &pieces(edited), &pieces(now))
+        .unwrap_or_else(|marked| marked);
+    let mut out = Merged {
+        text: String::new(),
+        kept: vec![],
+    };
     let is_mark = |line: &str, c: char| line.chars().take_while(|d| *d == c).count() == MARK;
     let (mut start, mut is_theirs) = (0, false);
     for line in both.split_inclusive('\n') {
@@ -73,14 +80,20 @@ fn row(line: &str) -> Option<(&str, &str, &str)> {
 mod tests {
     use super::*;
 
-    const BEFORE: &str = "<House>\n  <!-- in doubt: KTU at 1 0 -->\n  <Row>KTU  KTU  GSI  KTU  </Row>\n</House>\n";
+    const BEFORE: &str =
+        "<House>\n  <!-- in doubt: KTU at 1 0 -->\n  <Row>KTU  KTU  GSI  KTU  </Row>\n</House>\n";
 
     #[test]
     fn changes_of_both_stay_in_one_row() {
-        let edited = BEFORE.replace("<Row>KTU  KTU", "<Row>KTU  AKI").replace("  <!-- in doubt: KTU at 1 0 -->\n", "");
+        let edited = BEFORE
+            .replace("<Row>KTU  KTU", "<Row>KTU  AKI")
+            .replace("  <!-- in doubt: KTU at 1 0 -->\n", "");
         let now = BEFORE.replace("GSI  KTU  ", "GSI  TSH  ");
         let both = merged(BEFORE, &edited, &now);
-        assert_eq!(both.text, "<House>\n  <Row>KTU  AKI  GSI  TSH  </Row>\n</House>\n");
+        assert_eq!(
+            both.text,
+            "<House>\n  <Row>KTU  AKI  GSI  TSH  </Row>\n</House>\n"
+        );
         assert_eq!(both.kept, []);
     }
 
@@ -90,7 +103,9 @@ mod tests {
         let now = BEFORE.replace("GSI  ", "TSH  ");
         let both = merged(BEFORE, &edited, &now);
         assert_eq!(both.text, edited);
-        let [place] = &both.kept[..] else { panic!("{:?}", both.kept) };
+        let [place] = &both.kept[..] else {
+            panic!("{:?}", both.kept)
+        };
         assert_eq!(&both.text[place.clone()], "MRE  ");
     }
 

@@ -27,7 +27,9 @@ impl Wanted {
     pub fn heights(&self, storeys: usize) -> Vec<f64> {
         let usual = HEIGHTS[storeys.clamp(1, HEIGHTS.len()) - 1];
         let usual = usual.iter().chain(std::iter::repeat(&HEIGHTS[2][2]));
-        let all = usual.enumerate().map(|(k, usual)| self.heights.get(k).unwrap_or(usual));
+        let all = usual
+            .enumerate()
+            .map(|(k, usual)| self.heights.get(k).unwrap_or(usual));
         all.take(storeys).copied().collect()
     }
 }
@@ -39,14 +41,11 @@ pub struct House {
     pub written: Written,
     /// How each storey lies over the ground: to the right and down, units.
     pub shifts: Vec<(i32, i32)>,
-    /// The right end of its front, units of the storey on the ground.
-    pub right_end: (i32, i32),
 }
 
 /// Puts the storeys of a house over each other and writes it; `sheets` says of each storey what it was read from.
 pub fn write(shapes: &[&Shape], sheets: &[String], wanted: &Wanted) -> Option<House> {
     let ground = shapes.first()?;
-    let right_end = text::right_end(ground)?;
     let given = |k: usize| wanted.shifts.get(k).copied().flatten();
     let shift = |(k, shape): (usize, &&Shape)| match k.checked_sub(1) {
         None => (0, 0),
@@ -54,11 +53,23 @@ pub fn write(shapes: &[&Shape], sheets: &[String], wanted: &Wanted) -> Option<Ho
     };
     let shifts: Vec<(i32, i32)> = shapes.iter().enumerate().map(shift).collect();
     let heights = wanted.heights(shapes.len());
-    let levels: Vec<Level<'_>> =
-        shapes.iter().zip(&shifts).zip(&heights).map(|((shape, shift), height)| Level { shape, shift: *shift, height: *height }).collect();
-    let head = Head { name: wanted.name.clone(), lines: lines(sheets, &heights, wanted), unit: wanted.unit };
+    let levels: Vec<Level<'_>> = shapes
+        .iter()
+        .zip(&shifts)
+        .zip(&heights)
+        .map(|((shape, shift), height)| Level {
+            shape,
+            shift: *shift,
+            height: *height,
+        })
+        .collect();
+    let head = Head {
+        name: wanted.name.clone(),
+        lines: lines(sheets, &heights, wanted),
+        unit: wanted.unit,
+    };
     let written = text::write(&levels, &head, wanted.era)?;
-    Some(House { written, shifts, right_end })
+    Some(House { written, shifts })
 }
 
 /// The lines of the comment at the head: what was read, and what a plan cannot say.
@@ -67,8 +78,17 @@ fn lines(sheets: &[String], heights: &[f64], wanted: &Wanted) -> Vec<String> {
     let heights: Vec<String> = heights.iter().map(f64::to_string).collect();
     lines.push(String::new());
     lines.push("A plan does not say these; they are usual and may be changed:".to_owned());
-    lines.push(format!("  heights of storeys: {} shaku; roof: kirizuma of tiles, 4.5 sun", heights.join(", ")));
-    lines.extend(wanted.era.lines().into_iter().map(|line| format!("  {line}")));
+    lines.push(format!(
+        "  heights of storeys: {} shaku; roof: kirizuma of tiles, 4.5 sun",
+        heights.join(", ")
+    ));
+    lines.extend(
+        wanted
+            .era
+            .lines()
+            .into_iter()
+            .map(|line| format!("  {line}")),
+    );
     lines.push("Walls that were read with doubt are named in a comment before their row: correct the row, then delete the comment.".to_owned());
     lines
 }

@@ -29,7 +29,9 @@ pub fn review(found: &Found, doubts: &[DVec2]) -> RgbImage {
     for at in doubts {
         let middle = found.grid.at(at.x, at.y);
         let ring = (0..=48).map(|k| std::f64::consts::TAU * f64::from(k) / 48.0);
-        let ring: Vec<DVec2> = ring.map(|a| middle + dvec2(libm::cos(a), libm::sin(a)) * reach).collect();
+        let ring: Vec<DVec2> = ring
+            .map(|a| middle + dvec2(libm::cos(a), libm::sin(a)) * reach)
+            .collect();
         for pair in ring.windows(2) {
             line(&mut out, pair[0], pair[1], DOUBT, 2);
         }
@@ -39,7 +41,9 @@ pub fn review(found: &Found, doubts: &[DVec2]) -> RgbImage {
 
 fn ink(found: &Found) -> RgbImage {
     let ink = &found.ink;
-    let black = GrayImage::from_fn(ink.dark.width(), ink.dark.height(), |x, y| Luma([if ink.is(x, y) { 0 } else { 255 }]));
+    let black = GrayImage::from_fn(ink.dark.width(), ink.dark.height(), |x, y| {
+        Luma([if ink.is(x, y) { 0 } else { 255 }])
+    });
     image::DynamicImage::ImageLuma8(black).to_rgb8()
 }
 
@@ -61,7 +65,10 @@ fn strokes(found: &Found) -> RgbImage {
     let (across, down) = (found.grid.across, found.grid.down);
     for v in down.0..=down.1 {
         for u in across.0..=across.1 {
-            for (read, to) in [(found.units.level(u, v), (u + 1, v)), (found.units.upright(u, v), (u, v + 1))] {
+            for (read, to) in [
+                (found.units.level(u, v), (u + 1, v)),
+                (found.units.upright(u, v), (u, v + 1)),
+            ] {
                 unit(&mut out, found, (u, v), to, read.role);
             }
         }
@@ -75,7 +82,13 @@ fn house(found: &Found) -> RgbImage {
         let at = |a: f64, b: f64| found.grid.at(f64::from(cell.0) + a, f64::from(cell.1) + b);
         line(&mut out, at(0.42, 0.5), at(0.58, 0.5), [170, 200, 170], 1);
     }
-    for Wall { from, to, read, is_joined } in found.shape.outer.iter().chain(&found.shape.inner) {
+    for Wall {
+        from,
+        to,
+        read,
+        is_joined,
+    } in found.shape.outer.iter().chain(&found.shape.inner)
+    {
         let role = if *is_joined { Role::Open } else { read.role };
         unit(&mut out, found, *from, *to, role);
     }

@@ -16,21 +16,34 @@ type Side = ((i32, i32), (i32, i32));
 pub fn register(ground: &Shape, upper: &Shape) -> (i32, i32) {
     let outer: BTreeSet<Side> = ground.outer.iter().map(side).collect();
     let inner: BTreeSet<Side> = ground.inner.iter().map(side).collect();
-    let moves = between(ground, upper, |c| c.0).flat_map(|u| between(ground, upper, |c| c.1).map(move |v| (u, v)));
+    let moves = between(ground, upper, |c| c.0)
+        .flat_map(|u| between(ground, upper, |c| c.1).map(move |v| (u, v)));
     let agreement = |&by: &(i32, i32)| {
         let on = |wall: &Wall, most: i32| match moved(side(wall), by) {
             at if outer.contains(&at) => most,
             at if inner.contains(&at) => 1,
             _ => 0,
         };
-        let outside = upper.cells.iter().filter(|c| !ground.cells.contains(&(c.0 + by.0, c.1 + by.1))).count() as i32;
-        upper.outer.iter().map(|w| on(w, OUTER)).sum::<i32>() + upper.inner.iter().map(|w| on(w, 1)).sum::<i32>() - OVERHANG * outside
+        let outside = upper
+            .cells
+            .iter()
+            .filter(|c| !ground.cells.contains(&(c.0 + by.0, c.1 + by.1)))
+            .count() as i32;
+        upper.outer.iter().map(|w| on(w, OUTER)).sum::<i32>()
+            + upper.inner.iter().map(|w| on(w, 1)).sum::<i32>()
+            - OVERHANG * outside
     };
-    moves.max_by_key(|by| (agreement(by), -by.0.abs() - by.1.abs(), -by.1, -by.0)).unwrap_or_default()
+    moves
+        .max_by_key(|by| (agreement(by), -by.0.abs() - by.1.abs(), -by.1, -by.0))
+        .unwrap_or_default()
 }
 
 /// Moves along one direction after which the storeys lie over each other: from one's end at the other's end to the reverse.
-fn between(ground: &Shape, upper: &Shape, of: impl Fn(&(i32, i32)) -> i32) -> std::ops::RangeInclusive<i32> {
+fn between(
+    ground: &Shape,
+    upper: &Shape,
+    of: impl Fn(&(i32, i32)) -> i32,
+) -> std::ops::RangeInclusive<i32> {
     let ends = |shape: &Shape| {
         let all = || shape.cells.iter().map(&of);
         (all().min().unwrap_or(0), all().max().unwrap_or(0))

@@ -25,9 +25,30 @@ pub struct Era {
 
 /// Parts by era: of walls outside and inside, of sliding doors of one and two units outside and inside, and of the rest.
 pub const ERAS: [Era; 3] = [
-    Era { name: "edo", wall: ["KTU  ", "KTU  "], slide: [["TSH  ", "TSH 2"], ["TSH  ", "TFU 2"]], hinged: "TCH  ", window: "MRE  ", lattice: "GSI  " },
-    Era { name: "meiji", wall: ["KSS  ", "KTU  "], slide: [["TSH  ", "TSH 2"], ["TSH  ", "TFU 2"]], hinged: "TCH  ", window: "MHI  ", lattice: "GSI  " },
-    Era { name: "showa", wall: ["KSS  ", "KTU  "], slide: [["TSH  ", "TGL 2"], ["TSH  ", "TFU 2"]], hinged: "TCH  ", window: "MGA  ", lattice: "GSI  " },
+    Era {
+        name: "edo",
+        wall: ["KTU  ", "KTU  "],
+        slide: [["TSH  ", "TSH 2"], ["TSH  ", "TFU 2"]],
+        hinged: "TCH  ",
+        window: "MRE  ",
+        lattice: "GSI  ",
+    },
+    Era {
+        name: "meiji",
+        wall: ["KSS  ", "KTU  "],
+        slide: [["TSH  ", "TSH 2"], ["TSH  ", "TFU 2"]],
+        hinged: "TCH  ",
+        window: "MHI  ",
+        lattice: "GSI  ",
+    },
+    Era {
+        name: "showa",
+        wall: ["KSS  ", "KTU  "],
+        slide: [["TSH  ", "TGL 2"], ["TSH  ", "TFU 2"]],
+        hinged: "TCH  ",
+        window: "MGA  ",
+        lattice: "GSI  ",
+    },
 ];
 
 impl Era {
@@ -40,11 +61,25 @@ impl Era {
     pub(super) fn lines(&self) -> Vec<String> {
         let sides = |of: [&str; 2]| match of {
             [outside, inside] if outside == inside => outside.trim_end().to_owned(),
-            [outside, inside] => format!("{} outside, {} inside", outside.trim_end(), inside.trim_end()),
+            [outside, inside] => format!(
+                "{} outside, {} inside",
+                outside.trim_end(),
+                inside.trim_end()
+            ),
         };
         vec![
-            format!("parts of the era {}: wall {}; sliding doors {}", self.name, sides(self.wall), sides([self.slide[0][1], self.slide[1][1]])),
-            format!("  hinged door {}; window {}; lattice {}; way without a door AKI", self.hinged.trim_end(), self.window.trim_end(), self.lattice.trim_end()),
+            format!(
+                "parts of the era {}: wall {}; sliding doors {}",
+                self.name,
+                sides(self.wall),
+                sides([self.slide[0][1], self.slide[1][1]])
+            ),
+            format!(
+                "  hinged door {}; window {}; lattice {}; way without a door AKI",
+                self.hinged.trim_end(),
+                self.window.trim_end(),
+                self.lattice.trim_end()
+            ),
         ]
     }
 }
@@ -62,6 +97,8 @@ pub struct Doubt {
     pub is_joined: bool,
     /// Its storey, counted from 0.
     pub storey: usize,
+    /// What the comment before its row says of it.
+    pub entry: String,
 }
 
 /// A storey of a house.
@@ -96,6 +133,8 @@ pub struct Written {
     pub text: String,
     /// Walls in doubt, in the order of the text.
     pub doubts: Vec<Doubt>,
+    /// Where the house begins, units of the storey on the ground: to the right and down on its sheet.
+    pub origin: (i32, i32),
 }
 
 /// A unit of a wall in the author's frame.
@@ -106,8 +145,8 @@ struct Unit {
     wall: Wall,
 }
 
-/// Where the front's right end of a house is, in units of its storey on the ground.
-pub fn right_end(ground: &Shape) -> Option<(i32, i32)> {
+/// Where the right end of a front would be, units: farther right and farther down than any cell.
+fn right_end(ground: &Shape) -> Option<(i32, i32)> {
     let right = ground.cells.iter().map(|c| c.0).max()? + 1;
     let front = ground.cells.iter().map(|c| c.1).max()? + 1;
     Some((right, front))
@@ -123,9 +162,12 @@ pub fn write(levels: &[Level<'_>], head: &Head, era: Era) -> Option<Written> {
         let _ = writeln!(out.text, "  {}", line.replace("--", "- -"));
     }
     out.text.push_str("-->\n");
-    let unit = head.unit.map(|u| format!(" unit=\"{u}\"")).unwrap_or_default();
+    let unit = head
+        .unit
+        .map(|u| format!(" unit=\"{u}\""))
+        .unwrap_or_default();
     let _ = writeln!(out.text, "<House name=\"{}\"{unit}>", escaped(&head.name));
-    let mut origin = None;
+    let mut origin: Option<Place> = None;
     for (storey, level) in levels.iter().enumerate() {
         let place = |(u, v): (i32, i32)| (right - u - level.shift.0, front - v - level.shift.1);
         let before = out.doubts.len();
@@ -133,24 +175,55 @@ pub fn write(levels: &[Level<'_>], head: &Head, era: Era) -> Option<Written> {
         let start = loops.first()?.first()?.from;
         let origin = *origin.get_or_insert(start);
         storey_of(level, &loops, &place, origin, era, &mut out);
-        out.doubts[before..].iter_mut().for_each(|d| d.storey = storey);
+        out.doubts[before..]
+            .iter_mut()
+            .for_each(|d| d.storey = storey);
     }
-    out.text.push_str("  <Roofs kind=\"K\" shape=\"KIR\" pitch=\"4.5\"/>\n</House>\n");
+    let (a, b) = origin?;
+    out.origin = (right - a, front - b);
+    out.text
+        .push_str("  <Roofs kind=\"K\" shape=\"KIR\" pitch=\"4.5\"/>\n</House>\n");
     Some(out)
 }
 
 /// Writes a storey.
-fn storey_of(level: &Level<'_>, loops: &[Vec<Unit>], place: &dyn Fn((i32, i32)) -> Place, origin: Place, era: Era, out: &mut Written) {
-    let start = loops[0].first().map_or((0, 0), |unit| relative(unit.from, origin));
-    let start = if start == (0, 0) { String::new() } else { format!(" start=\"{} {}\"", start.0, start.1) };
+fn storey_of(
+    level: &Level<'_>,
+    loops: &[Vec<Unit>],
+    place: &dyn Fn((i32, i32)) -> Place,
+    origin: Place,
+    era: Era,
+    out: &mut Written,
+) {
+    let start = loops[0]
+        .first()
+        .map_or((0, 0), |unit| relative(unit.from, origin));
+    let start = if start == (0, 0) {
+        String::new()
+    } else {
+        format!(" start=\"{} {}\"", start.0, start.1)
+    };
     let _ = writeln!(out.text, "  <Storey height=\"{}\"{start}>", level.height);
     for (k, walk) in loops.iter().enumerate() {
         let indent = if k == 0 { 4 } else { 6 };
         if let (1.., Some(first)) = (k, walk.first()) {
             let start = relative(first.from, origin);
-            let _ = writeln!(out.text, "    <Loop hole=\"yes\" start=\"{} {}\">", start.0, start.1);
+            let _ = writeln!(
+                out.text,
+                "    <Loop hole=\"yes\" start=\"{} {}\">",
+                start.0, start.1
+            );
         }
-        rows(walk, Writing { era, origin, is_inner: false, indent }, out);
+        rows(
+            walk,
+            Writing {
+                era,
+                origin,
+                is_inner: false,
+                indent,
+            },
+            out,
+        );
         if k > 0 {
             out.text.push_str("    </Loop>\n");
         }
@@ -159,8 +232,18 @@ fn storey_of(level: &Level<'_>, loops: &[Vec<Unit>], place: &dyn Fn((i32, i32)) 
     for (k, room) in level.shape.rooms.iter().enumerate() {
         let Some(cell) = middle(room) else { continue };
         let (a, b) = relative(place(cell), origin);
-        let floor = if level.shape.mats.contains(&k) { " floor=\"tatami\"" } else { "" };
-        let _ = writeln!(out.text, "    <Room name=\"{}\" at=\"{} {}\"{floor}/>", k + 1, f64::from(a) - 0.5, f64::from(b) - 0.5);
+        let floor = if level.shape.mats.contains(&k) {
+            " floor=\"tatami\""
+        } else {
+            ""
+        };
+        let _ = writeln!(
+            out.text,
+            "    <Room name=\"{}\" at=\"{} {}\"{floor}/>",
+            k + 1,
+            f64::from(a) - 0.5,
+            f64::from(b) - 0.5
+        );
     }
     out.text.push_str("  </Storey>\n");
 }
@@ -175,7 +258,9 @@ struct Writing {
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('"', "&quot;")
 }
 
 fn relative(place: Place, origin: Place) -> Place {
@@ -185,7 +270,13 @@ fn relative(place: Place, origin: Place) -> Place {
 /// The cell of a room that lies farthest inside: the middle of its longest row of cells.
 fn middle(room: &BTreeSet<(i32, i32)>) -> Option<(i32, i32)> {
     let depth = |(u, v): (i32, i32)| {
-        (1..).find(|k| ![(u - k, v), (u + k, v), (u, v - k), (u, v + k)].iter().all(|c| room.contains(c))).unwrap_or(1)
+        (1..)
+            .find(|k| {
+                ![(u - k, v), (u + k, v), (u, v - k), (u, v + k)]
+                    .iter()
+                    .all(|c| room.contains(c))
+            })
+            .unwrap_or(1)
     };
     room.iter().copied().max_by_key(|c| (depth(*c), -c.1, -c.0))
 }
@@ -198,8 +289,16 @@ fn loops(shape: &Shape, place: &dyn Fn((i32, i32)) -> Place) -> Option<Vec<Vec<U
         // The cell below or to the right of the wall.
         let beyond = shape.cells.contains(&wall.from);
         // With the house below it a wall runs to the right on the sheet; with the house to its right, upwards.
-        let (from, to) = if level == beyond { (wall.from, wall.to) } else { (wall.to, wall.from) };
-        let unit = Unit { from: place(from), to: place(to), wall: *wall };
+        let (from, to) = if level == beyond {
+            (wall.from, wall.to)
+        } else {
+            (wall.to, wall.from)
+        };
+        let unit = Unit {
+            from: place(from),
+            to: place(to),
+            wall: *wall,
+        };
         next.entry(unit.from).or_default().push(unit);
     }
     let mut walks: Vec<Vec<Unit>> = Vec::new();
@@ -274,24 +373,32 @@ fn row(units: &[Unit], writing: Writing, turn: &str, out: &mut Written) {
         let (a, b) = relative(units[*k].from, writing.origin);
         format!("{} at {a} {b}", code.trim_end())
     };
-    let doubts: Vec<String> = codes.iter().filter(|c| c.2).map(told).collect();
+    let doubts: Vec<String> = codes.iter().filter(|c| c.2).map(&told).collect();
     if !doubts.is_empty() {
         let _ = writeln!(out.text, "{pad}<!-- in doubt: {} -->", doubts.join(", "));
     }
     let _ = write!(out.text, "{pad}<Row{turn}>");
-    for (code, k, doubtful) in codes {
+    for part in codes {
+        let (code, k, doubtful) = part;
         let start = out.text.len();
         out.text.push_str(code);
         if doubtful {
             let w = units[k].wall;
             let at = |p: (i32, i32)| DVec2::new(f64::from(p.0), f64::from(p.1));
-            out.doubts.push(Doubt { span: start..start + 3, at: (at(w.from) + at(w.to)) / 2.0, role: w.read.role, is_joined: w.is_joined, storey: 0 });
+            out.doubts.push(Doubt {
+                span: start..start + 3,
+                at: (at(w.from) + at(w.to)) / 2.0,
+                role: w.read.role,
+                is_joined: w.is_joined,
+                storey: 0,
+                entry: told(&part),
+            });
         }
     }
     out.text.push_str("</Row>\n");
 }
 
-fn is_doubtful(wall: &Wall) -> bool {
+pub fn is_doubtful(wall: &Wall) -> bool {
     wall.is_joined || !wall.read.role.parts() || wall.read.lead < DOUBT || wall.read.likeness < LIKE
 }
 
@@ -323,17 +430,35 @@ fn codes(units: &[Unit], era: Era, is_inner: bool) -> Vec<(&'static str, usize, 
 }
 
 /// Writes the walls inside: straight runs along the grid, to the left, then to the back.
-fn inner(shape: &Shape, place: &dyn Fn((i32, i32)) -> Place, origin: Place, era: Era, out: &mut Written) {
+fn inner(
+    shape: &Shape,
+    place: &dyn Fn((i32, i32)) -> Place,
+    origin: Place,
+    era: Era,
+    out: &mut Written,
+) {
     let mut units: Vec<Unit> = Vec::new();
     for wall in &shape.inner {
         let level = wall.from.1 == wall.to.1;
-        let (from, to) = if level { (wall.to, wall.from) } else { (wall.to, wall.from) };
-        units.push(Unit { from: place(from), to: place(to), wall: *wall });
+        let (from, to) = if level {
+            (wall.to, wall.from)
+        } else {
+            (wall.to, wall.from)
+        };
+        units.push(Unit {
+            from: place(from),
+            to: place(to),
+            wall: *wall,
+        });
     }
     for upright in [false, true] {
         let mut lines: BTreeMap<i32, BTreeMap<i32, Unit>> = BTreeMap::new();
         for unit in units.iter().filter(|u| (heading(u).0 == 0) == upright) {
-            let (line, at) = if upright { unit.from } else { (unit.from.1, unit.from.0) };
+            let (line, at) = if upright {
+                unit.from
+            } else {
+                (unit.from.1, unit.from.0)
+            };
             lines.entry(line).or_default().insert(at, *unit);
         }
         for line in lines.values() {
@@ -357,6 +482,16 @@ fn walk(run: &[Unit], upright: bool, origin: Place, era: Era, out: &mut Written)
     if upright {
         out.text.push_str("      <Row turn=\"R\"/>\n");
     }
-    row(run, Writing { era, origin, is_inner: true, indent: 6 }, "", out);
+    row(
+        run,
+        Writing {
+            era,
+            origin,
+            is_inner: true,
+            indent: 6,
+        },
+        "",
+        out,
+    );
     out.text.push_str("    </Loop>\n");
 }

@@ -12,6 +12,7 @@ use crate::cli::files::terminal;
 use clap::builder::PossibleValue;
 use clap::{Arg, Command};
 use help::draw::DRAW;
+use help::plan::PLAN;
 use help::town::TOWN;
 use help::{COMMANDS, COMMON, CommandHelp};
 
@@ -38,6 +39,7 @@ fn translated(mut command: Command, path: &str) -> Command {
         .iter()
         .chain(TOWN)
         .chain(DRAW)
+        .chain(PLAN)
         .find(|w| w.path == path);
     let below = |name: &str| match path {
         "" | "help" => name.to_owned(),
@@ -210,7 +212,7 @@ mod tests {
     fn every_entry_of_the_table_has_a_command() {
         let mut english = Cli::command();
         english.build();
-        for entry in COMMANDS.iter().chain(TOWN) {
+        for entry in COMMANDS.iter().chain(TOWN).chain(DRAW).chain(PLAN) {
             let mut command = &english;
             for name in entry.path.split_whitespace() {
                 let found = command.find_subcommand(name);

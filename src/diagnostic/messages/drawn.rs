@@ -33,7 +33,8 @@ pub fn joined(span: Span, sheet: &str, (x, y): (i64, i64)) -> Diagnostic {
 /// A picture without a plan that can be read, for a reason.
 #[cold]
 fn no_plan(span: Span, why: Text) -> Diagnostic {
-    let message = text!([why] "there is no plan in this picture: {why}", "この画像に図面がありません。{why}");
+    let message =
+        text!([why] "there is no plan in this picture: {why}", "この画像に図面がありません。{why}");
     Diagnostic::error(1203, span, message).help(text!(
         "crop the picture to one plan; if it is one, give the length of half a ken in pixels with --unit-px, the corners of the sheet with --corners, or the legend with --legend",
         "画像を一つの平面図に切り抜いてください。平面図なら、半間の画素数を --unit-px で、紙の四隅を --corners で、凡例を --legend で指定してください"
@@ -44,33 +45,45 @@ fn no_plan(span: Span, why: Text) -> Diagnostic {
 #[cold]
 pub fn blank(span: Span, share: f64) -> Diagnostic {
     let share = (share * 10_000.0).round() / 100.0;
-    no_plan(span, text!([share] "only {share} % of it is ink", "インクの部分が {share} % しかありません"))
+    no_plan(
+        span,
+        text!([share] "only {share} % of it is ink", "インクの部分が {share} % しかありません"),
+    )
 }
 
 /// A picture whose strokes keep to no grid; `share` is how far they agree with the best.
 #[cold]
 pub fn no_grid(span: Span, share: f64) -> Diagnostic {
     let share = (share * 100.0).round();
-    no_plan(span, text!([share]
-        "its strokes keep to no grid of half ken (agreement {share} %)",
-        "線が半間の格子に合いません（一致 {share} %）"
-    ))
+    no_plan(
+        span,
+        text!([share]
+            "its strokes keep to no grid of half ken (agreement {share} %)",
+            "線が半間の格子に合いません（一致 {share} %）"
+        ),
+    )
 }
 
 /// A picture whose strokes are those of no legend; `share` is how far they agree with the best.
 #[cold]
 pub fn no_symbols(span: Span, share: f64) -> Diagnostic {
     let share = (share * 100.0).round();
-    no_plan(span, text!([share]
-        "its strokes lie on a grid, but look like the walls of no known legend (agreement {share} %)",
-        "線は格子に合いますが、どの凡例の壁にも似ていません（一致 {share} %）"
-    ))
+    no_plan(
+        span,
+        text!([share]
+            "its strokes lie on a grid, but look like the walls of no known legend (agreement {share} %)",
+            "線は格子に合いますが、どの凡例の壁にも似ていません（一致 {share} %）"
+        ),
+    )
 }
 
 /// A picture whose walls enclose nothing.
 #[cold]
 pub fn no_house(span: Span) -> Diagnostic {
-    no_plan(span, text!("its walls enclose no house", "壁が家を囲んでいません"))
+    no_plan(
+        span,
+        text!("its walls enclose no house", "壁が家を囲んでいません"),
+    )
 }
 
 /// A file that is no picture, or one that cannot be read, for a reason.
@@ -85,16 +98,22 @@ fn unreadable(span: Span, message: Text) -> Diagnostic {
 /// A file of another format.
 #[cold]
 pub fn no_picture(span: Span) -> Diagnostic {
-    unreadable(span, text!(
-        "this is no picture that can be read: not PNG, JPEG, TIFF or WebP",
-        "読める画像ではありません（PNG、JPEG、TIFF、WebP のどれでもない）"
-    ))
+    unreadable(
+        span,
+        text!(
+            "this is no picture that can be read: not PNG, JPEG, TIFF or WebP",
+            "読める画像ではありません（PNG、JPEG、TIFF、WebP のどれでもない）"
+        ),
+    )
 }
 
 /// A picture of too many pixels.
 #[cold]
 pub fn too_large(span: Span) -> Diagnostic {
-    let message = text!("this picture has more than 100 million pixels", "この画像は1億画素を超えています");
+    let message = text!(
+        "this picture has more than 100 million pixels",
+        "この画像は1億画素を超えています"
+    );
     Diagnostic::error(1204, span, message).help(text!(
         "make it smaller; 60 pixels for half a ken are enough",
         "縮小してください。半間が60画素あれば足ります"
@@ -104,7 +123,10 @@ pub fn too_large(span: Span) -> Diagnostic {
 /// A damaged picture.
 #[cold]
 pub fn damaged(span: Span, why: &str) -> Diagnostic {
-    unreadable(span, text!([why] "this picture is damaged: {why}", "この画像は壊れています: {why}"))
+    unreadable(
+        span,
+        text!([why] "this picture is damaged: {why}", "この画像は壊れています: {why}"),
+    )
 }
 
 /// A legend that cannot be read; `what` is in English, as it names elements and attributes.

@@ -2,6 +2,7 @@
 //! entries.
 
 pub(super) mod draw;
+pub(super) mod plan;
 pub(super) mod town;
 
 /// The help of a command.

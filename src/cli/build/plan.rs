@@ -1,0 +1,435 @@
+//! `hsd plan`: drawn floor plans become a house.
+
+use crate::cli::files::output;
+use crate::cli::files::terminal::counted;
+use crate::cli::options::report;
+use crate::cli::{Exit, Failure, Outcome};
+use crate::diagnostic::messages::drawn as say;
+use crate::diagnostic::{Diagnostics, Language, noun};
+use crate::driver;
+use crate::fs::FolderWorld;
+use crate::plan::flatten::{Given, project};
+use crate::plan::house::{self, House, Wanted};
+use crate::plan::legend::Legend;
+use crate::plan::record::{self, Record};
+use crate::plan::text::{Doubt, Era};
+use crate::plan::{self, Found, LEGENDS, Options, Picture, again, marks, said};
+use crate::report::{Format, Report};
+use crate::source::{FileId, Source};
+use crate::text;
+use clap::Args;
+use glam::DVec2;
+use image::{ImageFormat, RgbImage};
+use std::io::{self, Cursor, Write};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use values::{EraArg, Ken, Same, Side};
+
+mod values;
+
+/// Metres in a shaku.
+const SHAKU: f64 = 10.0 / 33.0;
+
+/// Turn pictures of floor plans into a house file.
+///
+/// Reads survey drawings, Edo sashizu and carpenters' board plans that were photographed or scanned: one picture a storey, from
+/// the ground up. What is not certain is named in the text at its wall, ringed in OUT.review.png and reported. OUT.plan.json and
+/// OUT.sheet-1.jpg beside it are for `hsd view`, which shows the plan under the house. An OUT that was read before and changed
+/// by hand keeps its changes.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  hsd plan scan.jpg -o house.hsd                                      read the plan of one storey
+  hsd plan ground.png upper.png -o house.hsd --unit kyo-ma            read two storeys; half a ken is 3.25 shaku
+  hsd plan photo.jpg -o house.hsd --corners \"80,60 900,70 880,1240 90,1220\"
+  hsd plan scan.jpg -o house.hsd --steps steps/                       also draw what each step has found")]
+pub(in crate::cli) struct Plan {
+    /// Pictures of plans, one a storey, from the ground up: PNG, JPEG, TIFF or WebP.
+    #[arg(required = true, value_name = "IN")]
+    inputs: Vec<PathBuf>,
+
+    /// Write the house to this file.
+    #[arg(short, long, value_name = "OUT")]
+    output: PathBuf,
+
+    /// Read by this legend: survey, sashizu, itazu, or a file; repeatable [default: the one that agrees best].
+    #[arg(long = "legend", value_name = "NAME|FILE")]
+    legends: Vec<String>,
+
+    /// Set the length of half a ken in the picture, pixels.
+    #[arg(long, value_name = "N", value_parser = values::pixels, conflicts_with = "ken")]
+    unit_px: Option<f64>,
+
+    /// Set the scale by two points of the picture and the ken between them.
+    #[arg(long, value_name = "\"X,Y X,Y N\"", value_parser = values::ken)]
+    ken: Option<Ken>,
+
+    /// Set the corners of the sheet in the picture, pixels, clockwise from the upper left.
+    #[arg(long, value_name = "\"X,Y X,Y X,Y X,Y\"", value_parser = values::corners)]
+    corners: Option<[DVec2; 4]>,
+
+    /// Set how far the picture is turned, degrees clockwise.
+    #[arg(long, value_name = "DEG", allow_hyphen_values = true, value_parser = values::degrees)]
+    turn: Option<f64>,
+
+    /// Set the side of the sheet where the street is.
+    #[arg(long, value_enum, value_name = "SIDE", default_value = "bottom")]
+    front: Side,
+
+    /// Lay a further storey so that two points meet: one of the first picture, and the same of the further one; once for each
+    /// further picture.
+    #[arg(long = "register", value_name = "X,Y=X,Y", value_parser = values::same)]
+    registered: Vec<Same>,
+
+    /// Choose the parts that stand for walls, doors and windows.
+    #[arg(long, value_enum, value_name = "ERA", default_value = "edo")]
+    era: EraArg,
+
+    /// Set the length of half a ken: edo-ma (3 shaku), kyo-ma (3.25), or a number of shaku.
+    #[arg(long, value_name = "UNIT", default_value = "edo-ma", value_parser = values::unit)]
+    unit: f64,
+
+    /// Set the height of a storey in shaku; once for each storey, from the ground up.
+    #[arg(long = "height", value_name = "SHAKU", value_parser = values::height)]
+    heights: Vec<f64>,
+
+    /// Draw what each step has found into this folder.
+    #[arg(long, value_name = "DIR")]
+    steps: Option<PathBuf>,
+
+    /// Replace a house that was changed by hand, or that was not read from a plan.
+    #[arg(long)]
+    force: bool,
+
+    /// Print only diagnostics.
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// A sheet that was read.
+struct Sheet {
+    file: String,
+    found: Found,
+    /// Pixels of the file in one of the picture that was read.
+    shrink: f64,
+}
+
+impl Plan {
+    pub(in crate::cli) fn run(&self, language: Language) -> Outcome {
+        let before = self.before()?;
+        let mut out = Diagnostics::new();
+        let mut sources = vec![];
+        let legends = self.legends(&mut sources, &mut out)?;
+        let sheets = self.sheets(&legends, &mut sources, &mut out)?;
+        let read = sheets.and_then(|sheets| Some((self.house(&sheets)?, sheets)));
+        let mut told = None;
+        if let Some((house, sheets)) = read {
+            told = Some(self.write(&house, &sheets, before, &mut sources, &mut out)?);
+        }
+        let failed = out.has_errors();
+        let list = out.into_sorted();
+        if !list.is_empty() {
+            let written = Report::new(&sources, &list).in_language(language);
+            report(&written, Format::Human, &mut io::stderr())?;
+        }
+        if let Some(told) = told.filter(|_| !self.quiet) {
+            writeln!(io::stderr(), "{}", told.in_language(language))?;
+        }
+        Ok(if failed { Exit::Errors } else { Exit::Done })
+    }
+
+    /// The text that is there, and what it was when it was read; fails if it was not read from a plan.
+    fn before(&self) -> Result<Option<(String, Record)>, Failure> {
+        if self.force || !self.output.exists() {
+            return Ok(None);
+        }
+        let text = std::fs::read_to_string(&self.output).ok();
+        let record = std::fs::read_to_string(self.beside("plan.json"))
+            .ok()
+            .and_then(|json| Record::read(&json));
+        match text.zip(record) {
+            Some(before) => Ok(Some(before)),
+            None => {
+                let name = self.output.display();
+                Err(Failure::Usage(text!([name]
+                    "{name} exists and was not read from a plan; `--force` replaces it",
+                    "{name} はすでにあり、図面から読んだものではありません。置き換えるなら `--force` を付けてください"
+                )))
+            }
+        }
+    }
+
+    /// The legends that were asked for, or all.
+    fn legends(
+        &self,
+        sources: &mut Vec<Source>,
+        out: &mut Diagnostics,
+    ) -> Result<Vec<Legend>, Failure> {
+        let known = |name: &str| LEGENDS.iter().find(|legend| legend.0 == name);
+        let mut texts: Vec<(String, Vec<u8>)> = vec![];
+        for name in &self.legends {
+            let text = match known(name) {
+                Some((_, text)) => text.as_bytes().to_vec(),
+                None => std::fs::read(name).map_err(|e| Failure::at(name, e))?,
+            };
+            texts.push((name.clone(), text));
+        }
+        if texts.is_empty() {
+            texts = LEGENDS
+                .iter()
+                .map(|(name, text)| ((*name).to_owned(), text.as_bytes().to_vec()))
+                .collect();
+        }
+        let mut legends = vec![];
+        for (name, text) in texts {
+            let source = Source::new(FileId(sources.len() as u32), name, &text);
+            match Legend::read(source.text()) {
+                Ok(legend) => legends.push(legend),
+                Err(wrong) => out.push(say::legend(source.span(wrong.at.clone()), &wrong.what)),
+            }
+            sources.push(source);
+        }
+        Ok(legends)
+    }
+
+    /// Reads all pictures; `None` if one of them has no plan.
+    fn sheets(
+        &self,
+        legends: &[Legend],
+        sources: &mut Vec<Source>,
+        out: &mut Diagnostics,
+    ) -> Result<Option<Vec<Sheet>>, Failure> {
+        let mut sheets = vec![];
+        for path in &self.inputs {
+            let bytes = std::fs::read(path).map_err(|e| Failure::at(path.display(), e))?;
+            let source = Source::new(
+                FileId(sources.len() as u32),
+                path.display().to_string(),
+                b"",
+            );
+            let at = source.span(0..0);
+            sources.push(source);
+            let picture = match Picture::decode(&bytes) {
+                Ok(picture) => picture,
+                Err(why) => {
+                    out.push(said::unreadable(at, &why));
+                    continue;
+                }
+            };
+            if legends.is_empty() {
+                continue;
+            }
+            let shrink = picture.shrink;
+            match plan::find(&picture, legends, &self.options(shrink)) {
+                Ok(found) => sheets.push(Sheet {
+                    file: name_of(path),
+                    found,
+                    shrink,
+                }),
+                Err(refused) => out.push(said::refused(at, refused)),
+            }
+        }
+        Ok((sheets.len() == self.inputs.len()).then_some(sheets))
+    }
+
+    /// What is known of a picture that was made so much smaller.
+    fn options(&self, shrink: f64) -> Options {
+        let unit = self.unit_px.or(self.ken.map(|ken| ken.unit));
+        Options {
+            given: Given {
+                corners: self.corners.map(|c| c.map(|p| p / shrink)),
+                turn: self.turn,
+            },
+            unit: unit.map(|u| u / shrink),
+            front: self.front.into(),
+        }
+    }
+
+    /// The house of some sheets.
+    fn house(&self, sheets: &[Sheet]) -> Option<House> {
+        let shapes: Vec<_> = sheets.iter().map(|s| &s.found.shape).collect();
+        let ground = sheets.first()?;
+        let shifts = sheets.iter().skip(1).zip(
+            self.registered
+                .iter()
+                .map(Some)
+                .chain(std::iter::repeat(None)),
+        );
+        let shifts = shifts.map(|(upper, same)| {
+            let by = ground.units_of(same?.ground) - upper.units_of(same?.upper);
+            Some((by.x.round() as i32, by.y.round() as i32))
+        });
+        let wanted = Wanted {
+            name: self
+                .output
+                .file_stem()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned(),
+            era: Era::named(self.era.name())?,
+            heights: self.heights.clone(),
+            unit: (self.unit != 3.0).then_some(self.unit),
+            shifts: shifts.collect(),
+        };
+        let told = sheets.iter().map(|sheet| {
+            let (unit, legend) = (sheet.found.grid.unit * sheet.shrink, &sheet.found.legend);
+            format!(
+                "Read by hsd plan from {}: legend {legend}, half a ken is {unit:.1} pixels",
+                sheet.file
+            )
+        });
+        house::write(&shapes, &told.collect::<Vec<_>>(), &wanted)
+    }
+
+    /// Writes the house and what is beside it; says what was written.
+    fn write(
+        &self,
+        house: &House,
+        sheets: &[Sheet],
+        before: Option<(String, Record)>,
+        sources: &mut Vec<Source>,
+        out: &mut Diagnostics,
+    ) -> Result<crate::diagnostic::Text, Failure> {
+        let read = &house.written;
+        let merged =
+            before.map(|(edited, record)| again::merged(&record.read, &edited, &read.text));
+        let kept = merged.as_ref().map(|m| m.kept.clone()).unwrap_or_default();
+        let text = merged.map_or_else(|| read.text.clone(), |m| m.text);
+        let source = Source::new(
+            FileId(sources.len() as u32),
+            self.output.display().to_string(),
+            text.as_bytes(),
+        );
+        let mut doubts = 0;
+        for doubt in &read.doubts {
+            let Some(span) = place(doubt, &read.text, &text) else {
+                continue;
+            };
+            let sheet = &sheets[doubt.storey];
+            let at = sheet.found.in_picture(doubt.at) * sheet.shrink;
+            out.push(said::doubt(source.span(span), doubt, &sheet.file, at));
+            doubts += 1;
+        }
+        for place in kept {
+            out.push(say::kept(source.span(place)));
+        }
+        driver::check(
+            &[&source],
+            &FolderWorld::new(vec![], 0),
+            &driver::Options::default(),
+            out,
+        );
+        sources.push(source);
+        output::write_all(self.files(house, sheets, text)?)?;
+        let (name, rooms) = (
+            self.output.display(),
+            sheets.iter().map(|s| s.found.shape.rooms.len()).sum(),
+        );
+        let rooms = counted(rooms, noun("room", "部屋{}室"));
+        let doubts = counted(doubts, noun("wall in doubt", "確かでない壁{}か所"));
+        Ok(text!([name, rooms, doubts]
+            "{name}: {rooms}, {doubts}; `hsd view {name}` shows it over the plan, `hsd build {name} -o OUT.glb` builds it",
+            "{name}: {rooms}、{doubts}。`hsd view {name}` で図面に重ねて確かめ、`hsd build {name} -o OUT.glb` で作れます"
+        ))
+    }
+
+    /// All files, with their paths.
+    fn files(
+        &self,
+        house: &House,
+        sheets: &[Sheet],
+        text: String,
+    ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+        let mut files = vec![];
+        let mut kept = vec![];
+        let metres = self.unit * SHAKU;
+        for (k, (sheet, shift)) in sheets.iter().zip(&house.shifts).enumerate() {
+            let (origin, storey) = (house.written.origin, k + 1);
+            let (flat, to_house) = record::flat(
+                &sheet.found,
+                (origin.0 - shift.0, origin.1 - shift.1),
+                metres,
+            );
+            let path = self.beside(&format!("sheet-{storey}.jpg"));
+            kept.push(record::Sheet {
+                storey: storey as u32,
+                picture: name_of(&path),
+                to_house,
+            });
+            files.push((path, bytes(&flat, ImageFormat::Jpeg)?));
+            let doubts: Vec<DVec2> = house
+                .written
+                .doubts
+                .iter()
+                .filter(|d| d.storey == k)
+                .map(|d| d.at)
+                .collect();
+            let review = match sheets.len() {
+                1 => "review.png".to_owned(),
+                _ => format!("review-{storey}.png"),
+            };
+            files.push((
+                self.beside(&review),
+                bytes(&marks::review(&sheet.found, &doubts), ImageFormat::Png)?,
+            ));
+            if let Some(folder) = &self.steps {
+                std::fs::create_dir_all(folder).map_err(|e| Failure::at(folder.display(), e))?;
+                for (name, picture) in marks::steps(&sheet.found) {
+                    let name = if sheets.len() == 1 {
+                        name.to_owned()
+                    } else {
+                        format!("{storey}-{name}")
+                    };
+                    files.push((folder.join(name), bytes(&picture, ImageFormat::Png)?));
+                }
+            }
+        }
+        let record = Record::new(kept, house.written.text.clone());
+        files.push((self.beside("plan.json"), record.json().into_bytes()));
+        files.push((self.output.clone(), text.into_bytes()));
+        Ok(files)
+    }
+
+    /// A file beside the house: its name with another ending.
+    fn beside(&self, ending: &str) -> PathBuf {
+        self.output.with_extension(ending)
+    }
+}
+
+impl Sheet {
+    /// Units of a pixel of the file.
+    fn units_of(&self, pixel: DVec2) -> DVec2 {
+        self.found.grid.units_of(project(
+            self.found.flat.to_picture.inverse(),
+            pixel / self.shrink,
+        ))
+    }
+}
+
+/// Where a doubt is in a text: at its part if the text is as it was read, otherwise at its entry in the comment, if that is
+/// still there.
+fn place(doubt: &Doubt, read: &str, text: &str) -> Option<Range<usize>> {
+    if read == text {
+        return Some(doubt.span.clone());
+    }
+    let start = text.find(&doubt.entry)?;
+    Some(start..start + doubt.entry.len())
+}
+
+fn bytes(picture: &RgbImage, format: ImageFormat) -> Result<Vec<u8>, Failure> {
+    let mut bytes = Cursor::new(vec![]);
+    let written = picture
+        .write_to(&mut bytes, format)
+        .map_err(|e| e.to_string());
+    written.map_err(|why| {
+        Failure::Io(text!([why] "the image cannot be written: {why}", "画像を書けません: {why}"))
+    })?;
+    Ok(bytes.into_inner())
+}
+
+fn name_of(path: &Path) -> String {
+    path.file_name()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned()
+}

@@ -1,0 +1,168 @@
+//! Drawn plans are read and compared with the houses that they were drawn from.
+
+use super::{drawing, drawings, find};
+use crate::support::{number, on_all_processors};
+use drawings::{Convention, Degradation, Kind, Plan, Point, Unit};
+use hsd::plan::legend::Role;
+use hsd::plan::shape::Wall;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::AddAssign;
+use std::sync::Mutex;
+
+/// The ends of a unit of wall, the lesser first, to the left and back from the right end of the front.
+type Side = (Point, Point);
+
+/// What was counted over some plans.
+#[derive(Clone, Copy, Debug, Default)]
+struct Score {
+    plans: usize,
+    /// Plans whose outline is exact.
+    exact: usize,
+    /// Of those: outer units, those of the right class, the wrong ones, and how many of these are in doubt.
+    outer: usize,
+    right: usize,
+    told: usize,
+    /// Right ones that are in doubt.
+    needless: usize,
+    /// Inner units, those that were found, and what was found where there is none.
+    inner: usize,
+    found: usize,
+    false_inner: usize,
+}
+
+impl AddAssign for Score {
+    fn add_assign(&mut self, other: Score) {
+        self.plans += other.plans;
+        self.exact += other.exact;
+        self.outer += other.outer;
+        self.right += other.right;
+        self.told += other.told;
+        self.needless += other.needless;
+        self.inner += other.inner;
+        self.found += other.found;
+        self.false_inner += other.false_inner;
+    }
+}
+
+/// The classes that the contract tells apart: wall, door, window.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Class {
+    Wall,
+    Door,
+    Window,
+}
+
+fn class(kind: Kind) -> Class {
+    match kind {
+        Kind::Wall => Class::Wall,
+        Kind::Slide | Kind::Hinged | Kind::Open => Class::Door,
+        Kind::Window | Kind::Lattice => Class::Window,
+    }
+}
+
+fn class_read(wall: &Wall) -> Class {
+    match wall.read.role {
+        _ if wall.is_joined => Class::Door,
+        Role::Wall => Class::Wall,
+        Role::Window | Role::Lattice => Class::Window,
+        _ => Class::Door,
+    }
+}
+
+fn side(a: Point, b: Point) -> Side {
+    (a.min(b), a.max(b))
+}
+
+/// The units of the outline of a plan, without its courts.
+fn outline(plan: &Plan) -> BTreeSet<Side> {
+    let corners = &plan.outline;
+    let walls = (0..corners.len()).map(|k| (corners[k], corners[(k + 1) % corners.len()]));
+    let mut sides = BTreeSet::new();
+    for (from, to) in walls {
+        let step = ((to.0 - from.0).signum(), (to.1 - from.1).signum());
+        let mut at = from;
+        while at != to {
+            let next = (at.0 + step.0, at.1 + step.1);
+            sides.insert(side(at, next));
+            at = next;
+        }
+    }
+    sides
+}
+
+fn judge(seed: u64, convention: Convention, way: Degradation, px: f32) -> Score {
+    let plan = drawings::plan(seed);
+    let mut score = Score {
+        plans: 1,
+        ..Score::default()
+    };
+    let Ok(found) = find(drawing(seed, convention, way, px)) else {
+        return score;
+    };
+    let right = found.shape.cells.iter().map(|c| c.0).max().unwrap() + 1;
+    let front = found.shape.cells.iter().map(|c| c.1).max().unwrap() + 1;
+    let place = |p: Point| (right - p.0, front - p.1);
+    let of = |walls: &[Wall]| -> BTreeMap<Side, Wall> {
+        walls
+            .iter()
+            .map(|w| (side(place(w.from), place(w.to)), *w))
+            .collect()
+    };
+    let (outer, inner) = (of(&found.shape.outer), of(&found.shape.inner));
+    // A plan draws a court as it draws a room, so both are right.
+    let truth: BTreeSet<Side> = plan.outer.iter().map(|u| side(u.from, u.to)).collect();
+    let exact = outer.keys().all(|k| truth.contains(k))
+        && outline(&plan).iter().all(|k| outer.contains_key(k));
+    if !exact {
+        return score;
+    }
+    score.exact = 1;
+    let read = |unit: &Unit| {
+        let at = side(unit.from, unit.to);
+        outer.get(&at).or_else(|| inner.get(&at))
+    };
+    for unit in &plan.outer {
+        score.outer += 1;
+        let Some(wall) = read(unit) else { continue };
+        let in_doubt = hsd::plan::text::is_doubtful(wall);
+        let right = class_read(wall) == class(unit.kind);
+        score.right += usize::from(right);
+        score.told += usize::from(!right && in_doubt);
+        score.needless += usize::from(right && in_doubt);
+    }
+    let walls = plan.inner.iter().filter(|u| u.kind != Kind::Open);
+    for unit in walls {
+        score.inner += 1;
+        score.found += usize::from(read(unit).is_some());
+    }
+    let known: BTreeSet<Side> = plan.inner.iter().map(|u| side(u.from, u.to)).collect();
+    let invented = inner
+        .keys()
+        .filter(|k| !known.contains(k) && !truth.contains(k));
+    score.false_inner = invented.count();
+    score
+}
+
+/// Reads some plans of a convention, from a seed on, at 26 to 60 pixels a unit.
+fn trial(convention: Convention, way: Degradation) -> Score {
+    let (first, plans) = (number("HSD_PLAN_SEED", 100) as u64, number("HSD_PLANS", 6));
+    let sum = Mutex::new(Score::default());
+    on_all_processors(plans, |k| {
+        let seed = first + k as u64;
+        let px = 26.0 + (seed * 7919 % 35) as f32;
+        let score = judge(seed, convention, way, px);
+        *sum.lock().unwrap() += score;
+        vec![]
+    });
+    let score = *sum.lock().unwrap();
+    println!("{convention:?} {way:?}: {score:?}");
+    score
+}
+
+/// Fails if fewer of `all` than a share are so.
+fn at_least(what: &str, some: usize, all: usize, percent: usize) {
+    assert!(
+        some * 100 >= all * percent,
+        "{what}: {some} of {all}, not {percent} %"
+    );
+}
