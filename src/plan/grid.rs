@@ -55,8 +55,7 @@ impl Grid {
         let (px, py, fit) = found;
         let origin = dvec2(phase(&strokes.upright, px), phase(&strokes.level, py));
         let mut grid = Grid {
-            to_sheet: DMat3::from_translation(origin)
-                * DMat3::from_diagonal(dvec2(px, py).extend(1.0)),
+            to_sheet: DMat3::from_translation(origin) * DMat3::from_diagonal(dvec2(px, py).extend(1.0)),
             across: extent(&strokes.upright, origin.x, px)?,
             down: extent(&strokes.level, origin.y, py)?,
             fit,
@@ -75,31 +74,19 @@ impl Grid {
         let ((u0, u1), (v0, v1)) = (self.across, self.down);
         for k in u0..=u1 {
             for v in v0..v1 {
-                let place =
-                    |offset: f64, along: f64| self.at(f64::from(k) + offset, f64::from(v) + along);
+                let place = |offset: f64, along: f64| self.at(f64::from(k) + offset, f64::from(v) + along);
                 if let Some(offset) = stroke_near(ink, self.unit, reach, place) {
                     let at = self.at(f64::from(k) + offset, f64::from(v) + 0.5);
-                    seen.push(Seen {
-                        unit: dvec2(f64::from(k), f64::from(v) + 0.5),
-                        pixel: at.x,
-                        upright: true,
-                        off: offset,
-                    });
+                    seen.push(Seen { unit: dvec2(f64::from(k), f64::from(v) + 0.5), pixel: at.x, upright: true, off: offset });
                 }
             }
         }
         for k in v0..=v1 {
             for u in u0..u1 {
-                let place =
-                    |offset: f64, along: f64| self.at(f64::from(u) + along, f64::from(k) + offset);
+                let place = |offset: f64, along: f64| self.at(f64::from(u) + along, f64::from(k) + offset);
                 if let Some(offset) = stroke_near(ink, self.unit, reach, place) {
                     let at = self.at(f64::from(u) + 0.5, f64::from(k) + offset);
-                    seen.push(Seen {
-                        unit: dvec2(f64::from(u) + 0.5, f64::from(k)),
-                        pixel: at.y,
-                        upright: false,
-                        off: offset,
-                    });
+                    seen.push(Seen { unit: dvec2(f64::from(u) + 0.5, f64::from(k)), pixel: at.y, upright: false, off: offset });
                 }
             }
         }
@@ -150,13 +137,8 @@ fn stroke_near(ink: &Ink, unit: f64, reach: f64, place: impl Fn(f64, f64) -> DVe
 /// The ink at the pixel nearest to a place; none outside.
 pub fn dark_at(ink: &Ink, at: DVec2) -> u8 {
     let (x, y) = (at.x.floor(), at.y.floor());
-    let inside =
-        x >= 0.0 && y >= 0.0 && x < f64::from(ink.dark.width()) && y < f64::from(ink.dark.height());
-    if inside {
-        ink.dark.get_pixel(x as u32, y as u32)[0]
-    } else {
-        0
-    }
+    let inside = x >= 0.0 && y >= 0.0 && x < f64::from(ink.dark.width()) && y < f64::from(ink.dark.height());
+    if inside { ink.dark.get_pixel(x as u32, y as u32)[0] } else { 0 }
 }
 
 /// The projective map that takes the units of strokes to their pixels, without the strokes farthest off.
@@ -164,10 +146,7 @@ fn fitted(seen: &[Seen], now: DMat3) -> Option<DMat3> {
     // Shifted and scaled to about one, so that the equations are well set.
     let middle = seen.iter().map(|s| s.unit).sum::<DVec2>() / seen.len() as f64;
     let centre = super::flatten::project(now, middle);
-    let scale = seen
-        .iter()
-        .map(|s| (s.unit - middle).abs().max_element())
-        .fold(1.0, f64::max);
+    let scale = seen.iter().map(|s| (s.unit - middle).abs().max_element()).fold(1.0, f64::max);
     let pixels = (now.x_axis.x.abs() + now.y_axis.y.abs()) / 2.0 * scale;
     let mut kept: Vec<&Seen> = seen.iter().collect();
     let mut map = now;
@@ -192,10 +171,8 @@ fn fitted(seen: &[Seen], now: DMat3) -> Option<DMat3> {
         normal[7][7] += 1e-3 * kept.len() as f64;
         let h = solved(normal)?;
         let local = DMat3::from_cols_array(&[h[0], h[3], h[6], h[1], h[4], h[7], h[2], h[5], 1.0]);
-        let out = DMat3::from_translation(centre)
-            * DMat3::from_diagonal(DVec2::splat(pixels).extend(1.0));
-        let into = DMat3::from_diagonal(DVec2::splat(1.0 / scale).extend(1.0))
-            * DMat3::from_translation(-middle);
+        let out = DMat3::from_translation(centre) * DMat3::from_diagonal(DVec2::splat(pixels).extend(1.0));
+        let into = DMat3::from_diagonal(DVec2::splat(1.0 / scale).extend(1.0)) * DMat3::from_translation(-middle);
         map = out * local * into;
         let off = |s: &Seen| {
             let at = super::flatten::project(map, s.unit);
@@ -251,12 +228,7 @@ impl Strokes {
         let upright = sums(width, height, least, |line, at| ink.is(line, at));
         let joints_across = joints(&level, width, |line, at| ink.is(at, line));
         let joints_down = joints(&upright, height, |line, at| ink.is(line, at));
-        Strokes {
-            level,
-            upright,
-            joints_across,
-            joints_down,
-        }
+        Strokes { level, upright, joints_across, joints_down }
     }
 }
 
@@ -267,8 +239,7 @@ fn joints(sums: &[f64], length: u32, is: impl Fn(u32, u32) -> bool) -> Vec<f64> 
     let mut out = vec![0.0; length as usize];
     for line in 0..sums.len() {
         let near = line.saturating_sub(reach)..(line + reach + 1).min(sums.len());
-        let is_peak =
-            sums[line] > 0.2 * most && sums[near.clone()].iter().all(|s| *s <= sums[line]);
+        let is_peak = sums[line] > 0.2 * most && sums[near.clone()].iter().all(|s| *s <= sums[line]);
         if !is_peak {
             continue;
         }
@@ -288,11 +259,7 @@ fn joints(sums: &[f64], length: u32, is: impl Fn(u32, u32) -> bool) -> Vec<f64> 
 fn sums(lines: u32, length: u32, least: f64, is: impl Fn(u32, u32) -> bool) -> Vec<f64> {
     (0..lines)
         .map(|line| {
-            let near = |at: u32| {
-                is(line, at)
-                    || (line > 0 && is(line - 1, at))
-                    || (line + 1 < lines && is(line + 1, at))
-            };
+            let near = |at: u32| is(line, at) || (line > 0 && is(line - 1, at)) || (line + 1 < lines && is(line + 1, at));
             let (mut sum, mut from, mut own) = (0.0, 0, 0_u32);
             for at in 0..=length {
                 if at < length && near(at) {
@@ -357,17 +324,10 @@ fn period(strokes: &Strokes, given: Option<f64>, aspect: f64) -> Option<(f64, f6
         let of = |sums: [&[f64]; 2]| sums.map(|s| in_phase(s, period).0);
         let fit = of([&strokes.upright, &strokes.level]);
         let joints = of([&strokes.joints_across, &strokes.joints_down]);
-        tries.push(Tried {
-            period,
-            fit,
-            joints,
-        });
+        tries.push(Tried { period, fit, joints });
         period *= 1.003;
     }
-    let best = tries
-        .iter()
-        .map(|t| t.fit[0] + t.fit[1])
-        .fold(0.0, f64::max);
+    let best = tries.iter().map(|t| t.fit[0] + t.fit[1]).fold(0.0, f64::max);
     let mut found: Option<(f64, (f64, f64, f64))> = None;
     for (k, across) in tries.iter().enumerate() {
         let near = tries[k.saturating_sub(60)..(k + 60).min(tries.len())].iter();

@@ -46,12 +46,7 @@ impl Role {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
     /// A stroke along the wall, so many pens wide.
-    Line {
-        at: f64,
-        from: f64,
-        to: f64,
-        width: f64,
-    },
+    Line { at: f64, from: f64, to: f64, width: f64 },
     /// An area between two lines.
     Bar { at: [f64; 2], from: f64, to: f64 },
     /// Short strokes across the wall, so many in a unit, between two places across.
@@ -100,20 +95,12 @@ impl Legend {
     /// At the first thing that is none of a legend's.
     pub fn read(text: &str) -> Result<Legend, Wrong> {
         let mut reader = Reader::from_str(text);
-        let mut legend = Legend {
-            name: String::new(),
-            symbols: Vec::new(),
-        };
+        let mut legend = Legend { name: String::new(), symbols: Vec::new() };
         loop {
             let start = reader.buffer_position() as usize;
             let event = reader.read_event();
-            let end = (reader.buffer_position() as usize)
-                .max(reader.error_position() as usize)
-                .min(text.len());
-            let wrong = |what: String| Wrong {
-                at: start.min(end)..end,
-                what,
-            };
+            let end = (reader.buffer_position() as usize).max(reader.error_position() as usize).min(text.len());
+            let wrong = |what: String| Wrong { at: start.min(end)..end, what };
             match event.map_err(|e| wrong(e.to_string()))? {
                 Event::Eof => return Ok(legend),
                 Event::Start(tag) | Event::Empty(tag) => {
@@ -131,10 +118,7 @@ impl Legend {
             "Symbol" => self.symbols.push(symbol(values)?),
             _ => {
                 let mark = mark(name, values)?;
-                let symbol = self
-                    .symbols
-                    .last_mut()
-                    .ok_or("a mark stands in a <Symbol>")?;
+                let symbol = self.symbols.last_mut().ok_or("a mark stands in a <Symbol>")?;
                 symbol.marks.push(mark);
             }
         }
@@ -160,21 +144,9 @@ fn mark(name: &str, values: &Values) -> Result<Mark, String> {
     let to = values.number("to")?.unwrap_or(1.0);
     let across = || values.pair("at").map(|at| at.unwrap_or([-1.0, 1.0]));
     Ok(match name {
-        "Line" => Mark::Line {
-            at: values.number("at")?.unwrap_or(0.0),
-            from,
-            to,
-            width: values.number("width")?.unwrap_or(1.0),
-        },
-        "Bar" => Mark::Bar {
-            at: across()?,
-            from,
-            to,
-        },
-        "Ticks" => Mark::Ticks {
-            at: across()?,
-            count: values.number("count")?.unwrap_or(4.0).clamp(1.0, 20.0) as u32,
-        },
+        "Line" => Mark::Line { at: values.number("at")?.unwrap_or(0.0), from, to, width: values.number("width")?.unwrap_or(1.0) },
+        "Bar" => Mark::Bar { at: across()?, from, to },
+        "Ticks" => Mark::Ticks { at: across()?, count: values.number("count")?.unwrap_or(4.0).clamp(1.0, 20.0) as u32 },
         "Arc" => Mark::Arc,
         other => return Err(format!("<{other}> is no mark")),
     })
@@ -193,30 +165,18 @@ impl Values {
     }
 
     fn text(&self, name: &str) -> Option<&str> {
-        self.0
-            .iter()
-            .find(|(key, _)| key == name)
-            .map(|(_, value)| value.as_str())
+        self.0.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
     }
 
     fn number(&self, name: &str) -> Result<Option<f64>, String> {
-        let Some(text) = self.text(name) else {
-            return Ok(None);
-        };
+        let Some(text) = self.text(name) else { return Ok(None) };
         let number = text.trim().parse::<f64>().ok().filter(|n| n.is_finite());
-        number
-            .map(Some)
-            .ok_or_else(|| format!("{name}=\"{text}\" is no number"))
+        number.map(Some).ok_or_else(|| format!("{name}=\"{text}\" is no number"))
     }
 
     fn pair(&self, name: &str) -> Result<Option<[f64; 2]>, String> {
-        let Some(text) = self.text(name) else {
-            return Ok(None);
-        };
-        let numbers: Vec<f64> = text
-            .split_whitespace()
-            .filter_map(|n| n.parse().ok())
-            .collect();
+        let Some(text) = self.text(name) else { return Ok(None) };
+        let numbers: Vec<f64> = text.split_whitespace().filter_map(|n| n.parse().ok()).collect();
         match numbers[..] {
             [one] => Ok(Some([one, one])),
             [low, high] => Ok(Some([low, high])),

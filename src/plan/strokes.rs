@@ -33,11 +33,7 @@ pub struct Read {
 }
 
 impl Read {
-    const EMPTY: Read = Read {
-        role: Role::Empty,
-        likeness: 1.0,
-        lead: 1.0,
-    };
+    const EMPTY: Read = Read { role: Role::Empty, likeness: 1.0, lead: 1.0 };
 }
 
 /// All units of a grid.
@@ -61,10 +57,7 @@ impl Units {
     /// The same, with what lies in the cells.
     #[must_use]
     pub fn with_cells(self, ink: &Ink, grid: &Grid) -> Units {
-        Units {
-            inked: inked(ink, grid),
-            ..self
-        }
+        Units { inked: inked(ink, grid), ..self }
     }
 
     /// Whether there is ink in the middle of the cell below and to the right of a crossing.
@@ -98,66 +91,25 @@ pub fn read(ink: &Ink, all: &Ink, grid: &Grid, legend: &Legend, pen: f64) -> Uni
         best(&patches, &stamps, pen)
     };
     let level: Vec<Vec<Read>> = (v0..=v1)
-        .map(|v| {
-            line(u1 - u0, &|k| {
-                Patch::of(
-                    (ink, all),
-                    grid,
-                    DVec2::new(f64::from(u0 + k), f64::from(v)),
-                    false,
-                )
-            })
-        })
+        .map(|v| line(u1 - u0, &|k| Patch::of((ink, all), grid, DVec2::new(f64::from(u0 + k), f64::from(v)), false)))
         .collect();
     let upright: Vec<Vec<Read>> = (u0..=u1)
-        .map(|u| {
-            line(v1 - v0, &|k| {
-                Patch::of(
-                    (ink, all),
-                    grid,
-                    DVec2::new(f64::from(u), f64::from(v0 + k)),
-                    true,
-                )
-            })
-        })
+        .map(|u| line(v1 - v0, &|k| Patch::of((ink, all), grid, DVec2::new(f64::from(u), f64::from(v0 + k)), true)))
         .collect();
     let mut lines = [level, upright];
     settle(&mut lines);
     let [level, upright] = lines;
-    let read = level
-        .iter()
-        .chain(&upright)
-        .flatten()
-        .filter(|r| r.role.parts() && r.role != Role::Open);
+    let read = level.iter().chain(&upright).flatten().filter(|r| r.role.parts() && r.role != Role::Open);
     let (sum, count) = read.fold((0.0, 0.0), |(s, n), r| (s + r.likeness, n + 1.0));
     let likeness = if count > 0.0 { sum / count } else { 0.0 };
-    Units {
-        across: grid.across,
-        down: grid.down,
-        level,
-        upright,
-        likeness,
-        inked: BTreeSet::new(),
-    }
+    Units { across: grid.across, down: grid.down, level, upright, likeness, inked: BTreeSet::new() }
 }
 
 /// A plan has more walls than ways without doors: where the two are drawn alike, what was read as ways are walls.
 fn settle(lines: &mut [Vec<Vec<Read>>; 2]) {
-    let count = |role: Role| {
-        lines
-            .iter()
-            .flatten()
-            .flatten()
-            .filter(|r| r.role == role)
-            .count()
-    };
+    let count = |role: Role| lines.iter().flatten().flatten().filter(|r| r.role == role).count();
     if count(Role::Open) > count(Role::Wall) {
-        for read in lines
-            .iter_mut()
-            .flatten()
-            .flatten()
-            .filter(|r| r.role == Role::Open)
-        {
+        for read in lines.iter_mut().flatten().flatten().filter(|r| r.role == Role::Open) {
             read.role = Role::Wall;
         }
     }
@@ -170,12 +122,7 @@ fn inked(ink: &Ink, grid: &Grid) -> BTreeSet<(i32, i32)> {
     for v in grid.down.0..grid.down.1 {
         for u in grid.across.0..grid.across.1 {
             let inside = |k: i32| 0.2 + 0.6 * (f64::from(k) + 0.5) / f64::from(SAMPLES);
-            let places = (0..SAMPLES * SAMPLES).map(|k| {
-                grid.at(
-                    f64::from(u) + inside(k % SAMPLES),
-                    f64::from(v) + inside(k / SAMPLES),
-                )
-            });
+            let places = (0..SAMPLES * SAMPLES).map(|k| grid.at(f64::from(u) + inside(k % SAMPLES), f64::from(v) + inside(k / SAMPLES)));
             if places.filter(|p| dark_at(ink, *p) > ink.threshold).count() >= 8 {
                 out.insert((u, v));
             }
@@ -202,9 +149,7 @@ pub fn pen(ink: &Ink, grid: &Grid) -> f64 {
         }
     }
     let most = counts.iter().copied().max().unwrap_or(0);
-    let common = (1..counts.len())
-        .find(|k| counts[*k] * 4 >= most)
-        .unwrap_or(1);
+    let common = (1..counts.len()).find(|k| counts[*k] * 4 >= most).unwrap_or(1);
     (common as f64 / grid.unit).clamp(0.02, 0.12)
 }
 
@@ -232,10 +177,7 @@ impl Patch {
             for i in 0..ALONG {
                 let (mut black, mut colour) = (0.0, 0.0);
                 for (a, b) in [(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)] {
-                    let at = place(
-                        (i as f64 + a) / ALONG as f64,
-                        ((j as f64 + b) / ACROSS as f64 * 2.0 - 1.0) * REACH,
-                    );
+                    let at = place((i as f64 + a) / ALONG as f64, ((j as f64 + b) / ACROSS as f64 * 2.0 - 1.0) * REACH);
                     black += f64::from(dark_at(ink, at)) / 4.0;
                     colour += f64::from(red_at(ink, at)) / 4.0;
                 }
@@ -245,58 +187,29 @@ impl Patch {
             }
         }
         let skip = (END * ALONG as f64).round() as usize;
-        let middle: f32 = (0..ACROSS)
-            .map(|j| {
-                dark[j * ALONG + skip..(j + 1) * ALONG - skip]
-                    .iter()
-                    .sum::<f32>()
-            })
-            .sum();
+        let middle: f32 = (0..ACROSS).map(|j| dark[j * ALONG + skip..(j + 1) * ALONG - skip].iter().sum::<f32>()).sum();
         let arc = arc(all, &place);
-        Patch {
-            dark: soft(&dark, ALONG),
-            red: soft(&red, ALONG),
-            arc,
-            is_inked: middle > 4.0 || arc > 0.5,
-        }
+        Patch { dark: soft(&dark, ALONG), red: soft(&red, ALONG), arc, is_inked: middle > 4.0 || arc > 0.5 }
     }
 }
 
 fn red_at(ink: &Ink, at: DVec2) -> u8 {
     let (x, y) = (at.x.floor(), at.y.floor());
-    let inside =
-        x >= 0.0 && y >= 0.0 && x < f64::from(ink.red.width()) && y < f64::from(ink.red.height());
-    if inside {
-        ink.red.get_pixel(x as u32, y as u32)[0]
-    } else {
-        0
-    }
+    let inside = x >= 0.0 && y >= 0.0 && x < f64::from(ink.red.width()) && y < f64::from(ink.red.height());
+    if inside { ink.red.get_pixel(x as u32, y as u32)[0] } else { 0 }
 }
 
 /// The best share of ink along a quarter circle about one of the ends, on one of the sides.
 fn arc(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> f64 {
     let mut most = 0.0_f64;
-    for (hinge, way) in [
-        (0.0, 1.0),
-        (0.04, 1.0),
-        (0.08, 1.0),
-        (1.0, -1.0),
-        (0.96, -1.0),
-        (0.92, -1.0),
-    ] {
-        for (side, k) in [-1.0, 1.0]
-            .into_iter()
-            .flat_map(|side| (0..8).map(move |k| (side, k)))
-        {
+    for (hinge, way) in [(0.0, 1.0), (0.04, 1.0), (0.08, 1.0), (1.0, -1.0), (0.96, -1.0), (0.92, -1.0)] {
+        for (side, k) in [-1.0, 1.0].into_iter().flat_map(|side| (0..8).map(move |k| (side, k))) {
             let radius = 0.82 + 0.025 * f64::from(k);
             let seen = (0..18).filter(|k| {
                 let angle = (14.0 + 62.0 * f64::from(*k) / 17.0_f64).to_radians();
                 let (along, across) = (libm::cos(angle), libm::sin(angle));
                 let dark = |r: f64| dark_at(ink, place(hinge + way * r * along, side * r * across));
-                dark(radius)
-                    .max(dark(radius - 0.015))
-                    .max(dark(radius + 0.015))
-                    > ink.threshold
+                dark(radius).max(dark(radius - 0.015)).max(dark(radius + 0.015)) > ink.threshold
             });
             most = most.max(seen.count() as f64 / 18.0);
         }
@@ -345,12 +258,7 @@ fn stamps(legend: &Legend, pen: f64) -> Vec<Stamp> {
             let spread = low + (high - low) * k as f64 / (SPREADS - 1) as f64;
             for (turned, mirrored) in [(false, false), (true, false), (false, true), (true, true)] {
                 let stamp = stamp(symbol, spread, pen, turned, mirrored);
-                if !out.iter().any(|s: &Stamp| {
-                    s.role == stamp.role
-                        && s.is_red == stamp.is_red
-                        && s.ink == stamp.ink
-                        && s.is_arc == stamp.is_arc
-                }) {
+                if !out.iter().any(|s: &Stamp| s.role == stamp.role && s.is_red == stamp.is_red && s.ink == stamp.ink && s.is_arc == stamp.is_arc) {
                     out.push(stamp);
                 }
             }
@@ -368,28 +276,15 @@ fn stamp(symbol: &Symbol, spread: f64, pen: f64, turned: bool, mirrored: bool) -
             let mut hits = 0;
             for (a, b) in (0..sub * sub).map(|k| (k % sub, k / sub)) {
                 let t = (i as f64 + (a as f64 + 0.5) / sub as f64) / along as f64;
-                let s = ((j as f64 + (b as f64 + 0.5) / sub as f64) / ACROSS as f64 * 2.0 - 1.0)
-                    * REACH;
-                let (t, s) = (
-                    if turned { 1.0 - t } else { t },
-                    if mirrored { -s } else { s },
-                );
-                hits += usize::from(
-                    symbol
-                        .marks
-                        .iter()
-                        .any(|m| covers(*m, t, s, spread, pen, symbol.units)),
-                );
+                let s = ((j as f64 + (b as f64 + 0.5) / sub as f64) / ACROSS as f64 * 2.0 - 1.0) * REACH;
+                let (t, s) = (if turned { 1.0 - t } else { t }, if mirrored { -s } else { s });
+                hits += usize::from(symbol.marks.iter().any(|m| covers(*m, t, s, spread, pen, symbol.units)));
             }
             ink[j * along + i] = hits as f32 / (sub * sub) as f32;
         }
     }
     let ink = soft(&ink, along);
-    let unit = |k: usize| {
-        (0..ACROSS)
-            .flat_map(|j| ink[j * along + k * ALONG..j * along + (k + 1) * ALONG].to_vec())
-            .collect()
-    };
+    let unit = |k: usize| (0..ACROSS).flat_map(|j| ink[j * along + k * ALONG..j * along + (k + 1) * ALONG].to_vec()).collect();
     Stamp {
         role: symbol.role,
         units: symbol.units,
@@ -403,21 +298,9 @@ fn stamp(symbol: &Symbol, spread: f64, pen: f64, turned: bool, mirrored: bool) -
 /// Whether a mark covers a place.
 fn covers(mark: Mark, t: f64, s: f64, spread: f64, pen: f64, units: usize) -> bool {
     match mark {
-        Mark::Line {
-            at,
-            from,
-            to,
-            width,
-        } => t >= from && t <= to && (s - at * spread).abs() <= pen * width / 2.0,
-        Mark::Bar {
-            at: [low, high],
-            from,
-            to,
-        } => t >= from && t <= to && s >= low * spread && s <= high * spread,
-        Mark::Ticks {
-            at: [low, high],
-            count,
-        } => {
+        Mark::Line { at, from, to, width } => t >= from && t <= to && (s - at * spread).abs() <= pen * width / 2.0,
+        Mark::Bar { at: [low, high], from, to } => t >= from && t <= to && s >= low * spread && s <= high * spread,
+        Mark::Ticks { at: [low, high], count } => {
             let n = f64::from(count) * units as f64;
             let off = (t * n - 0.5) - libm::round(t * n - 0.5);
             s >= low * spread && s <= high * spread && off.abs() / n * units as f64 <= pen / 2.0
@@ -432,11 +315,7 @@ fn likeness(stamp: &Stamp, patches: &[Patch]) -> f64 {
     let skip = (END * ALONG as f64).round() as usize;
     let (mut shared, mut all) = (0.0, 0.0);
     for (k, (mine, patch)) in stamp.ink.iter().zip(patches).enumerate() {
-        let theirs = if stamp.is_red {
-            &patch.red
-        } else {
-            &patch.dark
-        };
+        let theirs = if stamp.is_red { &patch.red } else { &patch.dark };
         for j in 0..ACROSS {
             for i in 0..ALONG {
                 let at = k * ALONG + i;
@@ -464,9 +343,7 @@ fn emptiness(patch: &Patch, pen: f64) -> f64 {
         // What stands in a room is not on its wall.
         let s = ((j as f64 + 0.5) / ACROSS as f64 * 2.0 - 1.0) * REACH;
         if s.abs() < 0.16 {
-            sum += (skip..ALONG - skip)
-                .map(|i| f64::from(patch.dark[j * ALONG + i]))
-                .sum::<f64>();
+            sum += (skip..ALONG - skip).map(|i| f64::from(patch.dark[j * ALONG + i])).sum::<f64>();
         }
     }
     let line = (ALONG - 2 * skip) as f64 * (pen / (2.0 * REACH) * ACROSS as f64).max(1.0);
@@ -482,33 +359,22 @@ fn best(patches: &[Patch], stamps: &[Stamp], pen: f64) -> Vec<Read> {
         // A leaf's way makes a door of what is empty otherwise.
         let bare = emptiness(&patches[k], pen);
         let leaf = ((patches[k].arc - 0.5) / 0.35).clamp(0.0, 1.0);
-        let mut here: Vec<(Role, usize, f64)> =
-            vec![(Role::Empty, 1, bare.max(CLUTTER) * (1.0 - 0.5 * leaf))];
-        let mut note = |role: Role, units: usize, value: f64| match here
-            .iter_mut()
-            .find(|h| h.0 == role && h.1 == units)
-        {
-            Some(h) => h.2 = h.2.max(value),
-            None => here.push((role, units, value)),
+        let mut here: Vec<(Role, usize, f64)> = vec![(Role::Empty, 1, bare.max(CLUTTER) * (1.0 - 0.5 * leaf))];
+        let mut note = |role: Role, units: usize, value: f64| {
+            match here.iter_mut().find(|h| h.0 == role && h.1 == units) {
+                Some(h) => h.2 = h.2.max(value),
+                None => here.push((role, units, value)),
+            }
         };
         // Most of a sheet is empty, and no symbol stands there.
-        let reach =
-            |units: usize| k + units <= n && patches[k..k + units].iter().any(|p| p.is_inked);
+        let reach = |units: usize| k + units <= n && patches[k..k + units].iter().any(|p| p.is_inked);
         for stamp in stamps.iter().filter(|s| reach(s.units)) {
             if stamp.is_arc {
                 // A leaf stands open on a drawing: its line is beside the way, not in it.
-                let way = if stamp.is_bare {
-                    bare
-                } else {
-                    likeness(stamp, &patches[k..=k])
-                };
+                let way = if stamp.is_bare { bare } else { likeness(stamp, &patches[k..=k]) };
                 note(stamp.role, 1, way * leaf.max(0.01) * 1.1);
             } else {
-                note(
-                    stamp.role,
-                    stamp.units,
-                    likeness(stamp, &patches[k..k + stamp.units]),
-                );
+                note(stamp.role, stamp.units, likeness(stamp, &patches[k..k + stamp.units]));
             }
         }
         likely.push(here);
@@ -516,15 +382,9 @@ fn best(patches: &[Patch], stamps: &[Stamp], pen: f64) -> Vec<Read> {
     let mut table: Vec<Option<(f64, usize, Role, f64)>> = vec![None; n + 1];
     table[0] = Some((0.0, 0, Role::Empty, 1.0));
     for k in 0..n {
-        let Some((sum, _, before, _)) = table[k] else {
-            continue;
-        };
+        let Some((sum, _, before, _)) = table[k] else { continue };
         for &(role, units, value) in &likely[k] {
-            let cost = if role == before && units == 1 {
-                0.0
-            } else {
-                CHANGE
-            };
+            let cost = if role == before && units == 1 { 0.0 } else { CHANGE };
             let total = sum + units as f64 * value - cost;
             if table[k + units].is_none_or(|t| total > t.0) {
                 table[k + units] = Some((total, units, role, value));
@@ -534,16 +394,10 @@ fn best(patches: &[Patch], stamps: &[Stamp], pen: f64) -> Vec<Read> {
     let mut out = vec![Read::EMPTY; n];
     let mut end = n;
     while end > 0 {
-        let Some((_, units, role, value)) = table[end] else {
-            break;
-        };
+        let Some((_, units, role, value)) = table[end] else { break };
         for k in end - units..end {
             let others = likely[k].iter().filter(|l| l.0 != role).map(|l| l.2);
-            out[k] = Read {
-                role,
-                likeness: value,
-                lead: value - others.fold(0.0, f64::max),
-            };
+            out[k] = Read { role, likeness: value, lead: value - others.fold(0.0, f64::max) };
         }
         end -= units;
     }

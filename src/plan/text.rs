@@ -398,6 +398,7 @@ fn row(units: &[Unit], writing: Writing, turn: &str, out: &mut Written) {
     out.text.push_str("</Row>\n");
 }
 
+/// Whether a wall may well be another than it was read as, or none.
 pub fn is_doubtful(wall: &Wall) -> bool {
     wall.is_joined || !wall.read.role.parts() || wall.read.lead < DOUBT || wall.read.likeness < LIKE
 }
