@@ -53,6 +53,8 @@ pub enum Mark {
     Ticks { at: [f64; 2], count: u32 },
     /// A quarter circle about an end, a leaf's way, and the leaf.
     Arc,
+    /// A stroke aslant from an end: a leaf without its way.
+    Leaf,
 }
 
 /// How a thing is drawn.
@@ -75,6 +77,8 @@ pub struct Symbol {
 pub struct Legend {
     /// Its name.
     pub name: String,
+    /// Whether its strokes are drawn by hand and sway about the lines of the grid.
+    pub is_by_hand: bool,
     /// Its symbols.
     pub symbols: Vec<Symbol>,
 }
@@ -95,7 +99,7 @@ impl Legend {
     /// At the first thing that is none of a legend's.
     pub fn read(text: &str) -> Result<Legend, Wrong> {
         let mut reader = Reader::from_str(text);
-        let mut legend = Legend { name: String::new(), symbols: Vec::new() };
+        let mut legend = Legend { name: String::new(), is_by_hand: false, symbols: Vec::new() };
         loop {
             let start = reader.buffer_position() as usize;
             let event = reader.read_event();
@@ -114,7 +118,10 @@ impl Legend {
 
     fn take(&mut self, name: &str, values: &Values) -> Result<(), String> {
         match name {
-            "Legend" => self.name = values.text("name").unwrap_or_default().to_owned(),
+            "Legend" => {
+                self.name = values.text("name").unwrap_or_default().to_owned();
+                self.is_by_hand = values.text("hand") == Some("free");
+            }
             "Symbol" => self.symbols.push(symbol(values)?),
             _ => {
                 let mark = mark(name, values)?;
@@ -148,6 +155,7 @@ fn mark(name: &str, values: &Values) -> Result<Mark, String> {
         "Bar" => Mark::Bar { at: across()?, from, to },
         "Ticks" => Mark::Ticks { at: across()?, count: values.number("count")?.unwrap_or(4.0).clamp(1.0, 20.0) as u32 },
         "Arc" => Mark::Arc,
+        "Leaf" => Mark::Leaf,
         other => return Err(format!("<{other}> is no mark")),
     })
 }
