@@ -49,12 +49,22 @@ pub enum Mark {
     Line { at: f64, from: f64, to: f64, width: f64 },
     /// An area between two lines.
     Bar { at: [f64; 2], from: f64, to: f64 },
-    /// Short strokes across the wall, so many in a unit, between two places across.
-    Ticks { at: [f64; 2], count: u32 },
+    /// Short strokes across the wall, so many in a unit, between two places across, so many pens wide. Between posts there are
+    /// spaces of one size; otherwise half a space is at each end.
+    Ticks { at: [f64; 2], count: u32, width: f64, between_posts: bool },
     /// A quarter circle about an end, a leaf's way, and the leaf.
     Arc,
     /// A stroke aslant from an end: a leaf without its way.
     Leaf,
+}
+
+/// What a mark is drawn with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pen {
+    /// Whether it is red.
+    pub is_red: bool,
+    /// How dark it is beside the darkest, 0 to 1.
+    pub ink: f64,
 }
 
 /// How a thing is drawn.
@@ -66,10 +76,10 @@ pub struct Symbol {
     pub units: usize,
     /// The least and the greatest spread, units.
     pub spread: [f64; 2],
-    /// Whether it is drawn in red.
+    /// Whether all of it is drawn in red.
     pub is_red: bool,
-    /// Its marks.
-    pub marks: Vec<Mark>,
+    /// Its marks and what they are drawn with.
+    pub marks: Vec<(Mark, Pen)>,
 }
 
 /// A convention.
@@ -126,7 +136,9 @@ impl Legend {
             _ => {
                 let mark = mark(name, values)?;
                 let symbol = self.symbols.last_mut().ok_or("a mark stands in a <Symbol>")?;
-                symbol.marks.push(mark);
+                let is_red = symbol.is_red || values.text("colour") == Some("red");
+                let ink = values.number("ink")?.unwrap_or(1.0).clamp(0.05, 1.0);
+                symbol.marks.push((mark, Pen { is_red, ink }));
             }
         }
         Ok(())
@@ -153,7 +165,12 @@ fn mark(name: &str, values: &Values) -> Result<Mark, String> {
     Ok(match name {
         "Line" => Mark::Line { at: values.number("at")?.unwrap_or(0.0), from, to, width: values.number("width")?.unwrap_or(1.0) },
         "Bar" => Mark::Bar { at: across()?, from, to },
-        "Ticks" => Mark::Ticks { at: across()?, count: values.number("count")?.unwrap_or(4.0).clamp(1.0, 20.0) as u32 },
+        "Ticks" => Mark::Ticks {
+            at: across()?,
+            count: values.number("count")?.unwrap_or(4.0).clamp(1.0, 20.0) as u32,
+            width: values.number("width")?.unwrap_or(1.0),
+            between_posts: values.text("between") == Some("posts"),
+        },
         "Arc" => Mark::Arc,
         "Leaf" => Mark::Leaf,
         other => return Err(format!("<{other}> is no mark")),

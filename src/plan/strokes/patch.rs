@@ -15,13 +15,15 @@ pub(super) const END: f64 = 0.14;
 /// Samples to each side over which ink is spread, so that strokes a hair beside each other still agree.
 const SOFT: usize = 2;
 /// How far from the line of the grid a wall drawn by hand may run, units.
-const SWAY: f64 = 0.1;
+const SWAY: f64 = 0.06;
 
 /// Ink by place: row by row across, from the right side of the unit's direction to the left.
 #[derive(Clone)]
 pub(super) struct Patch {
-    pub(super) dark: Vec<f32>,
+    pub(super) black: Vec<f32>,
     pub(super) red: Vec<f32>,
+    /// Whether there is red ink in it.
+    pub(super) is_red: bool,
     /// The share of ink on the quarter circles about its ends: the way of a leaf.
     pub(super) arc: f64,
     /// The share of ink on a stroke that leaves one of its ends aslant: a leaf that stands open.
@@ -37,30 +39,32 @@ impl Patch {
             false => grid.at(from.x + along, from.y + across),
             true => grid.at(from.x + across, from.y + along),
         };
-        let mut dark = vec![0.0; ALONG * ACROSS];
+        let mut black = vec![0.0; ALONG * ACROSS];
         let mut red = vec![0.0; ALONG * ACROSS];
         let full = f64::from(ink.threshold) * 1.7;
         for j in 0..ACROSS {
             for i in 0..ALONG {
-                let (mut black, mut colour) = (0.0, 0.0);
+                let (mut dark, mut colour) = (0.0, 0.0);
                 for (a, b) in [(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)] {
                     let at = place((i as f64 + a) / ALONG as f64, ((j as f64 + b) / ACROSS as f64 * 2.0 - 1.0) * REACH);
-                    black += f64::from(dark_at(ink, at)) / 4.0;
+                    dark += f64::from(dark_at(ink, at)) / 4.0;
                     colour += f64::from(red_at(ink, at)) / 4.0;
                 }
-                let share = ((black - f64::from(ink.threshold) * 0.35) / full).clamp(0.0, 1.0);
-                dark[j * ALONG + i] = share as f32;
-                red[j * ALONG + i] = (colour / full * 1.5).clamp(0.0, 1.0).min(share) as f32;
+                let share = ((dark - f64::from(ink.threshold) * 0.35) / full).clamp(0.0, 1.0);
+                let of_red = (colour / full * 2.0).clamp(0.0, 1.0).min(share);
+                black[j * ALONG + i] = (share - of_red) as f32;
+                red[j * ALONG + i] = of_red as f32;
             }
         }
         if is_by_hand {
-            straighten(&mut dark, &mut red);
+            straighten(&mut black, &mut red);
         }
         let skip = skip();
-        let middle: f32 = (0..ACROSS).map(|j| dark[j * ALONG + skip..(j + 1) * ALONG - skip].iter().sum::<f32>()).sum();
+        let middle = |ink: &[f32]| (0..ACROSS).map(|j| ink[j * ALONG + skip..(j + 1) * ALONG - skip].iter().sum::<f32>()).sum::<f32>();
+        let (blacks, reds) = (middle(&black), middle(&red));
         let (arc, leaf) = (arc(all, &place), leaf(all, &place));
-        let is_inked = middle > 3.0 || arc > 0.5 || leaf > 0.5;
-        Patch { dark: soft(&dark, ALONG), red: soft(&red, ALONG), arc, leaf, is_inked }
+        let is_inked = blacks + reds > 3.0 || arc > 0.5 || leaf > 0.5;
+        Patch { black: soft(&black, ALONG), red: soft(&red, ALONG), is_red: reds > 3.0, arc, leaf, is_inked }
     }
 }
 
@@ -81,13 +85,13 @@ fn red_at(ink: &Ink, at: DVec2) -> u8 {
 }
 
 /// Moves the columns of a patch so that the middle of its strokes lies on the line of the grid.
-fn straighten(dark: &mut [f32], red: &mut [f32]) {
+fn straighten(black: &mut [f32], red: &mut [f32]) {
     let reach = |j: usize| across(j).abs() < SWAY + 0.06;
+    // For each column its ink, and its ink by place.
     let sums: Vec<[f64; 2]> = (0..ALONG)
         .map(|i| {
-            let near = (0..ACROSS).filter(|j| reach(*j)).map(|j| f64::from(dark[j * ALONG + i]) * if j < ACROSS { 1.0 } else { 0.0 });
-            let weighed = (0..ACROSS).filter(|j| reach(*j)).map(|j| f64::from(dark[j * ALONG + i]) * j as f64);
-            [near.sum(), weighed.sum()]
+            let near = (0..ACROSS).filter(|j| reach(*j)).map(|j| (j as f64, f64::from(black[j * ALONG + i] + red[j * ALONG + i])));
+            near.fold([0.0, 0.0], |[ink, weighed], (j, d)| [ink + d, weighed + d * j])
         })
         .collect();
     let middle = (ACROSS / 2) as f64;
@@ -102,7 +106,7 @@ fn straighten(dark: &mut [f32], red: &mut [f32]) {
         })
         .collect();
     let most = (SWAY / REACH * ACROSS as f64 / 2.0).round() as i64;
-    for values in [dark, red] {
+    for values in [black, red] {
         let old = values.to_vec();
         for (i, shift) in shifts.iter().enumerate() {
             for j in 0..ACROSS {

@@ -10,13 +10,14 @@ const SPREADS: usize = 9;
 pub(super) struct Stamp {
     pub(super) role: Role,
     pub(super) units: usize,
+    /// Whether it has red marks.
     is_red: bool,
     /// The way of a leaf, or the leaf.
     way: Option<Mark>,
     /// Whether nothing stands in the way of its leaf.
     is_bare: bool,
-    /// For each unit of it.
-    ink: Vec<Vec<f32>>,
+    /// Its black ink and its red ink, for each unit of it.
+    ink: [Vec<Vec<f32>>; 2],
 }
 
 pub(super) fn stamps(legend: &Legend, pen: f64) -> Vec<Stamp> {
@@ -38,29 +39,31 @@ pub(super) fn stamps(legend: &Legend, pen: f64) -> Vec<Stamp> {
 
 fn stamp(symbol: &Symbol, spread: f64, pen: f64, turned: bool, mirrored: bool) -> Stamp {
     let along = ALONG * symbol.units;
-    let mut ink = vec![0.0_f32; along * ACROSS];
     let sub = 3;
-    for j in 0..ACROSS {
-        for i in 0..along {
-            let mut hits = 0;
+    let ink = [false, true].map(|is_red| {
+        let marks: Vec<_> = symbol.marks.iter().filter(|(_, p)| p.is_red == is_red).collect();
+        let mut ink = vec![0.0_f32; along * ACROSS];
+        for (at, value) in ink.iter_mut().enumerate().filter(|_| !marks.is_empty()) {
+            let (j, i) = (at / along, at % along);
             for (a, b) in (0..sub * sub).map(|k| (k % sub, k / sub)) {
                 let t = (i as f64 + (a as f64 + 0.5) / sub as f64) / along as f64;
                 let s = ((j as f64 + (b as f64 + 0.5) / sub as f64) / ACROSS as f64 * 2.0 - 1.0) * REACH;
                 let (t, s) = (if turned { 1.0 - t } else { t }, if mirrored { -s } else { s });
-                hits += usize::from(symbol.marks.iter().any(|m| covers(*m, t, s, spread, pen, symbol.units)));
+                let inks = marks.iter().filter(|(m, _)| covers(*m, t, s, spread, pen, symbol.units)).map(|(_, p)| p.ink as f32);
+                *value += inks.fold(0.0, f32::max) / (sub * sub) as f32;
             }
-            ink[j * along + i] = hits as f32 / (sub * sub) as f32;
         }
-    }
-    let ink = soft(&ink, along);
-    let unit = |k: usize| (0..ACROSS).flat_map(|j| ink[j * along + k * ALONG..j * along + (k + 1) * ALONG].to_vec()).collect();
+        let ink = soft(&ink, along);
+        let unit = |k: usize| (0..ACROSS).flat_map(|j| ink[j * along + k * ALONG..j * along + (k + 1) * ALONG].to_vec()).collect();
+        (0..symbol.units).map(unit).collect::<Vec<Vec<f32>>>()
+    });
     Stamp {
         role: symbol.role,
         units: symbol.units,
-        is_red: symbol.is_red,
-        way: symbol.marks.iter().copied().find(|m| is_way(*m)),
-        is_bare: symbol.marks.iter().all(|m| is_way(*m)),
-        ink: (0..symbol.units).map(unit).collect(),
+        is_red: symbol.marks.iter().any(|(_, p)| p.is_red),
+        way: symbol.marks.iter().map(|(m, _)| *m).find(|m| is_way(*m)),
+        is_bare: symbol.marks.iter().all(|(m, _)| is_way(*m)),
+        ink,
     }
 }
 
@@ -73,10 +76,12 @@ fn covers(mark: Mark, t: f64, s: f64, spread: f64, pen: f64, units: usize) -> bo
     match mark {
         Mark::Line { at, from, to, width } => t >= from && t <= to && (s - at * spread).abs() <= pen * width / 2.0,
         Mark::Bar { at: [low, high], from, to } => t >= from && t <= to && s >= low * spread && s <= high * spread,
-        Mark::Ticks { at: [low, high], count } => {
-            let n = f64::from(count) * units as f64;
-            let off = (t * n - 0.5) - libm::round(t * n - 0.5);
-            s >= low * spread && s <= high * spread && off.abs() / n * units as f64 <= pen / 2.0
+        Mark::Ticks { at: [low, high], count, width, between_posts } => {
+            // In units from an end of one.
+            let along = (t * units as f64).fract();
+            let (n, shift) = if between_posts { (f64::from(count) + 1.0, 0.0) } else { (f64::from(count), 0.5) };
+            let off = along * n - shift - libm::round(along * n - shift);
+            s >= low * spread && s <= high * spread && off.abs() / n <= pen * width / 2.0
         }
         Mark::Arc | Mark::Leaf => false,
     }
@@ -95,17 +100,14 @@ impl Stamp {
     /// Twice the ink that both share by all ink of both, without the ends.
     fn agreement(&self, unit: usize, patch: &Patch) -> f64 {
         let skip = skip();
-        let theirs = if self.is_red { &patch.red } else { &patch.dark };
         let (mut shared, mut all) = (0.0_f32, 0.0_f32);
-        for j in 0..ACROSS {
-            let row = j * ALONG + if unit == 0 { skip } else { 0 }..(j + 1) * ALONG - if unit + 1 == self.units { skip } else { 0 };
-            for (a, b) in self.ink[unit][row.clone()].iter().zip(&theirs[row.clone()]) {
-                shared += a.min(*b);
-                all += a + b;
-            }
-            // Red marks have no black ink beside them.
-            if self.is_red {
-                all += patch.dark[row.clone()].iter().zip(&patch.red[row]).map(|(d, r)| (d - r).max(0.0)).sum::<f32>();
+        for (mine, theirs, is_there) in [(&self.ink[0], &patch.black, true), (&self.ink[1], &patch.red, self.is_red || patch.is_red)] {
+            for j in (0..ACROSS).filter(|_| is_there) {
+                let row = j * ALONG + if unit == 0 { skip } else { 0 }..(j + 1) * ALONG - if unit + 1 == self.units { skip } else { 0 };
+                for (a, b) in mine[unit][row.clone()].iter().zip(&theirs[row]) {
+                    shared += a.min(*b);
+                    all += a + b;
+                }
             }
         }
         if all > 0.0 { f64::from(2.0 * shared / all) } else { 0.0 }
@@ -116,8 +118,9 @@ impl Stamp {
 pub(super) fn emptiness(patch: &Patch, pen: f64) -> f64 {
     let skip = skip();
     // What stands in a room is not on its wall.
+    let row = |patch: &Patch, j: usize| (j * ALONG + skip..(j + 1) * ALONG - skip).map(|k| f64::from(patch.black[k] + patch.red[k])).collect::<Vec<_>>().into_iter();
     let near = (0..ACROSS).filter(|j| across(*j).abs() < 0.16);
-    let sum: f64 = near.map(|j| patch.dark[j * ALONG + skip..(j + 1) * ALONG - skip].iter().map(|d| f64::from(*d)).sum::<f64>()).sum();
+    let sum: f64 = near.map(|j| row(patch, j).sum::<f64>()).sum();
     let line = (ALONG - 2 * skip) as f64 * (pen / (2.0 * REACH) * ACROSS as f64).max(1.0);
     (1.0 - sum / line).max(0.0)
 }
