@@ -13,7 +13,7 @@ pub(super) const REACH: f64 = 0.3;
 /// The share of a unit at its ends that posts and other walls cover.
 pub(super) const END: f64 = 0.14;
 /// Samples to each side over which ink is spread, so that strokes a hair beside each other still agree.
-const SOFT: usize = 2;
+const SOFT: usize = 1;
 /// How far from the line of the grid a wall drawn by hand may run, units.
 const SWAY: f64 = 0.06;
 

@@ -5,6 +5,8 @@ use super::patch::{ACROSS, ALONG, Patch, REACH, across, skip, soft};
 
 /// Spreads of a symbol that are tried.
 const SPREADS: usize = 9;
+/// How many pens strokes lie apart at least, from middle to middle.
+const APART: f64 = 1.6;
 
 /// A symbol as ink.
 pub(super) struct Stamp {
@@ -26,6 +28,10 @@ pub(super) fn stamps(legend: &Legend, pen: f64) -> Vec<Stamp> {
         for k in 0..SPREADS {
             let [low, high] = symbol.spread;
             let spread = low + (high - low) * k as f64 / (SPREADS - 1) as f64;
+            // Strokes that run into each other are a bar.
+            if narrowest(symbol) * spread < APART * pen {
+                continue;
+            }
             for (turned, mirrored) in [(false, false), (true, false), (false, true), (true, true)] {
                 let stamp = stamp(symbol, spread, pen, turned, mirrored);
                 if !out.iter().any(|s: &Stamp| s.role == stamp.role && s.is_red == stamp.is_red && s.ink == stamp.ink && s.way == stamp.way) {
@@ -35,6 +41,14 @@ pub(super) fn stamps(legend: &Legend, pen: f64) -> Vec<Stamp> {
         }
     }
     out
+}
+
+/// The least distance between strokes that run beside each other, in spreads.
+fn narrowest(symbol: &Symbol) -> f64 {
+    let lines = || symbol.marks.iter().filter_map(|(m, _)| if let Mark::Line { at, from, to, .. } = m { Some((*at, *from, *to)) } else { None });
+    let pairs = lines().flat_map(|a| lines().map(move |b| (a, b)));
+    let beside = pairs.filter(|(a, b)| a.0 < b.0 && a.1.max(b.1) + 0.2 < a.2.min(b.2));
+    beside.map(|(a, b)| b.0 - a.0).fold(f64::INFINITY, f64::min)
 }
 
 fn stamp(symbol: &Symbol, spread: f64, pen: f64, turned: bool, mirrored: bool) -> Stamp {
