@@ -72,8 +72,8 @@ pub struct Pen {
 pub struct Symbol {
     /// What it stands for.
     pub role: Role,
-    /// Units that it takes.
-    pub units: usize,
+    /// The fewest and the most units over which it is drawn.
+    pub units: [usize; 2],
     /// The least and the greatest spread, units.
     pub spread: [f64; 2],
     /// Whether all of it is drawn in red.
@@ -151,7 +151,7 @@ fn symbol(values: &Values) -> Result<Symbol, String> {
     let (_, role) = role.ok_or_else(|| format!("`{named}` is no role"))?;
     Ok(Symbol {
         role: *role,
-        units: values.number("units")?.unwrap_or(1.0).clamp(1.0, 8.0) as usize,
+        units: values.pair("units")?.unwrap_or([1.0, 1.0]).map(|n| n.clamp(1.0, 8.0) as usize),
         spread: values.pair("spread")?.unwrap_or([0.0, 0.0]),
         is_red: values.text("colour") == Some("red"),
         marks: Vec::new(),

@@ -20,8 +20,11 @@ const SWAY: f64 = 0.06;
 /// Ink by place: row by row across, from the right side of the unit's direction to the left.
 #[derive(Clone)]
 pub(super) struct Patch {
-    pub(super) black: Vec<f32>,
-    pub(super) red: Vec<f32>,
+    pub(super) black: Vec<u8>,
+    pub(super) red: Vec<u8>,
+    /// Their sums: without nothing, without the beginning, without the end, without both.
+    pub(super) blacks: [u32; 4],
+    pub(super) reds: [u32; 4],
     /// Whether there is red ink in it.
     pub(super) is_red: bool,
     /// The share of ink on the quarter circles about its ends: the way of a leaf.
@@ -64,8 +67,23 @@ impl Patch {
         let (blacks, reds) = (middle(&black), middle(&red));
         let (arc, leaf) = (arc(all, &place), leaf(all, &place));
         let is_inked = blacks + reds > 3.0 || arc > 0.5 || leaf > 0.5;
-        Patch { black: soft(&black, ALONG), red: soft(&red, ALONG), is_red: reds > 3.0, arc, leaf, is_inked }
+        let tones = |ink: &[f32]| soft(ink, ALONG).into_iter().map(tone).collect::<Vec<u8>>();
+        let (black, red) = (tones(&black), tones(&red));
+        Patch { blacks: sums(&black), reds: sums(&red), black, red, is_red: reds > 3.0, arc, leaf, is_inked }
     }
+}
+
+/// A share of ink as a number of 0 to 255.
+pub(super) fn tone(share: f32) -> u8 {
+    (share * 255.0).round() as u8
+}
+
+fn sums(ink: &[u8]) -> [u32; 4] {
+    std::array::from_fn(|ends| {
+        let from = if ends & 1 == 1 { skip() } else { 0 };
+        let to = if ends & 2 == 2 { ALONG - skip() } else { ALONG };
+        (0..ACROSS).flat_map(|j| &ink[j * ALONG + from..j * ALONG + to]).map(|d| u32::from(*d)).sum()
+    })
 }
 
 /// Samples at each end that tell nothing of a unit.

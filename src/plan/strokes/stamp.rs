@@ -1,10 +1,10 @@
 //! Symbols of a legend as ink, and how well the ink of a unit agrees with them.
 
 use super::super::legend::{Legend, Mark, Role, Symbol};
-use super::patch::{ACROSS, ALONG, Patch, REACH, across, skip, soft};
+use super::patch::{ACROSS, ALONG, Patch, REACH, across, skip, soft, tone};
 
 /// Spreads of a symbol that are tried.
-const SPREADS: usize = 9;
+const SPREADS: usize = 7;
 /// How many pens strokes lie apart at least, from middle to middle.
 const APART: f64 = 1.6;
 
@@ -19,13 +19,13 @@ pub(super) struct Stamp {
     /// Whether nothing stands in the way of its leaf.
     is_bare: bool,
     /// Its black ink and its red ink, for each unit of it.
-    ink: [Vec<Vec<f32>>; 2],
+    ink: [Vec<Vec<u8>>; 2],
 }
 
 pub(super) fn stamps(legend: &Legend, pen: f64) -> Vec<Stamp> {
     let mut out = Vec::new();
     for symbol in &legend.symbols {
-        for k in 0..SPREADS {
+        for (units, k) in (symbol.units[0]..=symbol.units[1]).flat_map(|units| (0..SPREADS).map(move |k| (units, k))) {
             let [low, high] = symbol.spread;
             let spread = low + (high - low) * k as f64 / (SPREADS - 1) as f64;
             // Strokes that run into each other are a bar.
@@ -33,8 +33,8 @@ pub(super) fn stamps(legend: &Legend, pen: f64) -> Vec<Stamp> {
                 continue;
             }
             for (turned, mirrored) in [(false, false), (true, false), (false, true), (true, true)] {
-                let stamp = stamp(symbol, spread, pen, turned, mirrored);
-                if !out.iter().any(|s: &Stamp| s.role == stamp.role && s.is_red == stamp.is_red && s.ink == stamp.ink && s.way == stamp.way) {
+                let stamp = stamp(symbol, units, spread, pen, turned, mirrored);
+                if !out.iter().any(|s: &Stamp| s.role == stamp.role && s.ink == stamp.ink && s.way == stamp.way) {
                     out.push(stamp);
                 }
             }
@@ -51,8 +51,8 @@ fn narrowest(symbol: &Symbol) -> f64 {
     beside.map(|(a, b)| b.0 - a.0).fold(f64::INFINITY, f64::min)
 }
 
-fn stamp(symbol: &Symbol, spread: f64, pen: f64, turned: bool, mirrored: bool) -> Stamp {
-    let along = ALONG * symbol.units;
+fn stamp(symbol: &Symbol, units: usize, spread: f64, pen: f64, turned: bool, mirrored: bool) -> Stamp {
+    let along = ALONG * units;
     let sub = 3;
     let ink = [false, true].map(|is_red| {
         let marks: Vec<_> = symbol.marks.iter().filter(|(_, p)| p.is_red == is_red).collect();
@@ -63,17 +63,21 @@ fn stamp(symbol: &Symbol, spread: f64, pen: f64, turned: bool, mirrored: bool) -
                 let t = (i as f64 + (a as f64 + 0.5) / sub as f64) / along as f64;
                 let s = ((j as f64 + (b as f64 + 0.5) / sub as f64) / ACROSS as f64 * 2.0 - 1.0) * REACH;
                 let (t, s) = (if turned { 1.0 - t } else { t }, if mirrored { -s } else { s });
-                let inks = marks.iter().filter(|(m, _)| covers(*m, t, s, spread, pen, symbol.units)).map(|(_, p)| p.ink as f32);
+                let inks = marks.iter().filter(|(m, _)| covers(*m, t, s, spread, pen, units)).map(|(_, p)| p.ink as f32);
                 *value += inks.fold(0.0, f32::max) / (sub * sub) as f32;
             }
         }
         let ink = soft(&ink, along);
-        let unit = |k: usize| (0..ACROSS).flat_map(|j| ink[j * along + k * ALONG..j * along + (k + 1) * ALONG].to_vec()).collect();
-        (0..symbol.units).map(unit).collect::<Vec<Vec<f32>>>()
+        let unit = |k: usize| {
+            let within = |at: usize| at >= skip() && at + skip() < along;
+            let value = &|j: usize, i: usize| if within(k * ALONG + i) { tone(ink[j * along + k * ALONG + i]) } else { 0 };
+            (0..ACROSS).flat_map(|j| (0..ALONG).map(move |i| value(j, i))).collect()
+        };
+        (0..units).map(unit).collect::<Vec<Vec<u8>>>()
     });
     Stamp {
         role: symbol.role,
-        units: symbol.units,
+        units,
         is_red: symbol.marks.iter().any(|(_, p)| p.is_red),
         way: symbol.marks.iter().map(|(m, _)| *m).find(|m| is_way(*m)),
         is_bare: symbol.marks.iter().all(|(m, _)| is_way(*m)),
@@ -113,18 +117,15 @@ impl Stamp {
 
     /// Twice the ink that both share by all ink of both, without the ends.
     fn agreement(&self, unit: usize, patch: &Patch) -> f64 {
-        let skip = skip();
-        let (mut shared, mut all) = (0.0_f32, 0.0_f32);
-        for (mine, theirs, is_there) in [(&self.ink[0], &patch.black, true), (&self.ink[1], &patch.red, self.is_red || patch.is_red)] {
-            for j in (0..ACROSS).filter(|_| is_there) {
-                let row = j * ALONG + if unit == 0 { skip } else { 0 }..(j + 1) * ALONG - if unit + 1 == self.units { skip } else { 0 };
-                for (a, b) in mine[unit][row.clone()].iter().zip(&theirs[row]) {
-                    shared += a.min(*b);
-                    all += a + b;
-                }
+        let ends = usize::from(unit == 0) + 2 * usize::from(unit + 1 == self.units);
+        let (mut shared, mut all) = (0, 0);
+        for (mine, theirs, sums, is_there) in [(&self.ink[0], &patch.black, &patch.blacks, true), (&self.ink[1], &patch.red, &patch.reds, self.is_red || patch.is_red)] {
+            if is_there {
+                shared += mine[unit].iter().zip(theirs).map(|(a, b)| u32::from(*a.min(b))).sum::<u32>();
+                all += mine[unit].iter().map(|a| u32::from(*a)).sum::<u32>() + sums[ends];
             }
         }
-        if all > 0.0 { f64::from(2.0 * shared / all) } else { 0.0 }
+        if all > 0 { 2.0 * f64::from(shared) / f64::from(all) } else { 0.0 }
     }
 }
 
@@ -132,9 +133,9 @@ impl Stamp {
 pub(super) fn emptiness(patch: &Patch, pen: f64) -> f64 {
     let skip = skip();
     // What stands in a room is not on its wall.
-    let row = |patch: &Patch, j: usize| (j * ALONG + skip..(j + 1) * ALONG - skip).map(|k| f64::from(patch.black[k] + patch.red[k])).collect::<Vec<_>>().into_iter();
     let near = (0..ACROSS).filter(|j| across(*j).abs() < 0.16);
-    let sum: f64 = near.map(|j| row(patch, j).sum::<f64>()).sum();
+    let cells = near.flat_map(|j| j * ALONG + skip..(j + 1) * ALONG - skip);
+    let sum = cells.map(|k| f64::from(patch.black[k]) + f64::from(patch.red[k])).sum::<f64>() / 255.0;
     let line = (ALONG - 2 * skip) as f64 * (pen / (2.0 * REACH) * ACROSS as f64).max(1.0);
     (1.0 - sum / line).max(0.0)
 }
