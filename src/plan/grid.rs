@@ -5,10 +5,20 @@ use glam::{DMat3, DVec2, dvec2};
 
 /// The shortest unit that is looked for, pixels.
 const SHORTEST: f64 = 11.0;
-/// A unit is believed if the strokes keep to it nearly as well as to the best one.
-const NEARLY: f64 = 0.8;
-/// What joints count beside strokes.
-const JOINTS: f64 = 1.2;
+/// The share by which one unit that is tried is longer than the one before.
+const STEP: f64 = 1.003;
+/// The same, where a unit is known already.
+const FINE: f64 = 0.001;
+/// How far off a unit may be that is known, a share.
+const KNOWN: f64 = 0.03;
+/// A unit is believed if all that tells of it keeps to it nearly as well as to the best one.
+const NEARLY: f64 = 0.94;
+/// A projective grid has to have more strokes on its lines than a level one by this factor.
+const LEANS: f64 = 1.01;
+/// The fewest units along the shorter side of a sheet.
+const FEWEST: f64 = 5.0;
+/// What is on a line of the grid at the edge of a house, beside what is on the strongest one.
+const LEAST_LINE: f64 = 0.04;
 
 /// Where units are on a sheet.
 #[derive(Clone, Copy, Debug)]
@@ -43,62 +53,80 @@ impl Grid {
     /// `aspect` is how much the units along and across may differ: the proportions of a photographed sheet are guessed.
     pub fn find(ink: &Ink, unit: Option<f64>, aspect: f64) -> Option<Grid> {
         let size = f64::from(ink.dark.width().max(ink.dark.height()));
-        let mut least = (size / 55.0).max(9.0);
-        let mut strokes = Strokes::of(ink, least);
-        let mut found = period(&strokes, unit, aspect)?;
+        let thick = thick(ink);
+        let mut strokes = Strokes::of(ink, (size / 55.0).max(9.0), &thick);
+        let mut periods = match unit {
+            Some(unit) => near(&strokes, [unit; 2], aspect.max(KNOWN)),
+            None => period(&strokes, aspect)?,
+        };
         // Strokes of a unit's length are the walls; writing is shorter.
         for _ in 0..2 {
-            least = 0.7 * found.0;
-            strokes = Strokes::of(ink, least);
-            found = period(&strokes, unit.or(Some(found.0)), aspect)?;
+            strokes = Strokes::of(ink, 0.7 * periods[0], &thick);
+            periods = near(&strokes, periods, KNOWN);
         }
-        let (px, py, fit) = found;
+        let [px, py] = periods;
+        let fit = (in_phase(&strokes.upright, px).0 + in_phase(&strokes.level, py).0) / 2.0;
         let origin = dvec2(phase(&strokes.upright, px), phase(&strokes.level, py));
         let mut grid = Grid {
             to_sheet: DMat3::from_translation(origin) * DMat3::from_diagonal(dvec2(px, py).extend(1.0)),
-            across: extent(&strokes.upright, origin.x, px)?,
-            down: extent(&strokes.level, origin.y, py)?,
+            across: extent(&strokes.upright, &thick[0], origin.x, px)?,
+            down: extent(&strokes.level, &thick[1], origin.y, py)?,
             fit,
             unit: px,
             residual: 0.0,
         };
-        for reach in [0.24, 0.16, 0.12] {
-            grid.refine(ink, reach);
+        // Farther than that from a line stand boards, four to a unit.
+        for reach in [0.2, 0.15, 0.12] {
+            grid.refine(ink, reach, false);
+        }
+        // Perspective is what is left over when the lines are nearly right; before that it only fits noise.
+        let level = grid;
+        for _ in 0..2 {
+            grid.refine(ink, 0.15, true);
+        }
+        if grid.support(ink) < LEANS * level.support(ink) {
+            grid = level;
         }
         Some(grid)
     }
 
-    /// Moves the lines onto the strokes near them: a projective map, by least squares.
-    fn refine(&mut self, ink: &Ink, reach: f64) {
-        let mut seen = Vec::new();
-        let ((u0, u1), (v0, v1)) = (self.across, self.down);
-        for k in u0..=u1 {
-            for v in v0..v1 {
-                let place = |offset: f64, along: f64| self.at(f64::from(k) + offset, f64::from(v) + along);
-                if let Some(offset) = stroke_near(ink, self.unit, reach, place) {
-                    let at = self.at(f64::from(k) + offset, f64::from(v) + 0.5);
-                    seen.push(Seen { unit: dvec2(f64::from(k), f64::from(v) + 0.5), pixel: at.x, upright: true, off: offset });
-                }
-            }
-        }
-        for k in v0..=v1 {
-            for u in u0..u1 {
-                let place = |offset: f64, along: f64| self.at(f64::from(u) + along, f64::from(k) + offset);
-                if let Some(offset) = stroke_near(ink, self.unit, reach, place) {
-                    let at = self.at(f64::from(u) + 0.5, f64::from(k) + offset);
-                    seen.push(Seen { unit: dvec2(f64::from(u) + 0.5, f64::from(k)), pixel: at.y, upright: false, off: offset });
-                }
-            }
-        }
+    /// Moves the lines onto the strokes near them by least squares; projective if the sheet leans.
+    fn refine(&mut self, ink: &Ink, reach: f64, leans: bool) {
+        let seen = self.seen(ink, reach);
         let mut offs: Vec<f64> = seen.iter().map(|s| s.off.abs()).collect();
         if offs.len() < 12 {
             return;
         }
         let half = offs.len() / 2;
         self.residual = *offs.select_nth_unstable_by(half, f64::total_cmp).1;
-        if let Some(map) = fitted(&seen, self.to_sheet) {
+        if let Some(map) = fitted(&seen, self.to_sheet, leans) {
             self.to_sheet = map;
         }
+    }
+
+    /// How many strokes lie on its lines: each counts the less the farther it is off.
+    fn support(&self, ink: &Ink) -> f64 {
+        self.seen(ink, 0.12).iter().map(|s| 1.0 - s.off.abs() / 0.12).sum()
+    }
+
+    /// The strokes near its lines.
+    fn seen(&self, ink: &Ink, reach: f64) -> Vec<Seen> {
+        let mut seen = Vec::new();
+        for upright in [true, false] {
+            let (lines, along) = if upright { (self.across, self.down) } else { (self.down, self.across) };
+            for (k, t) in (lines.0..=lines.1).flat_map(|k| (along.0..along.1).map(move |t| (k, t))) {
+                let unit = |offset: f64, t1: f64| {
+                    let (line, at) = (f64::from(k) + offset, f64::from(t) + t1);
+                    if upright { dvec2(line, at) } else { dvec2(at, line) }
+                };
+                let place = |offset: f64, t1: f64| super::flatten::project(self.to_sheet, unit(offset, t1));
+                if let Some(off) = stroke_near(ink, self.unit, reach, place) {
+                    let at = place(off, 0.5);
+                    seen.push(Seen { unit: unit(0.0, 0.5), pixel: if upright { at.x } else { at.y }, upright, off });
+                }
+            }
+        }
+        seen
     }
 }
 
@@ -141,8 +169,8 @@ pub fn dark_at(ink: &Ink, at: DVec2) -> u8 {
     if inside { ink.dark.get_pixel(x as u32, y as u32)[0] } else { 0 }
 }
 
-/// The projective map that takes the units of strokes to their pixels, without the strokes farthest off.
-fn fitted(seen: &[Seen], now: DMat3) -> Option<DMat3> {
+/// The map that takes the units of strokes to their pixels, without the strokes farthest off; projective if it leans.
+fn fitted(seen: &[Seen], now: DMat3, leans: bool) -> Option<DMat3> {
     // Shifted and scaled to about one, so that the equations are well set.
     let middle = seen.iter().map(|s| s.unit).sum::<DVec2>() / seen.len() as f64;
     let centre = super::flatten::project(now, middle);
@@ -167,8 +195,9 @@ fn fitted(seen: &[Seen], now: DMat3) -> Option<DMat3> {
             }
         }
         // A little weight on no perspective, for sheets with strokes in one corner only.
-        normal[6][6] += 1e-3 * kept.len() as f64;
-        normal[7][7] += 1e-3 * kept.len() as f64;
+        let level = if leans { 2e-3 } else { 1e6 } * kept.len() as f64;
+        normal[6][6] += level;
+        normal[7][7] += level;
         let h = solved(normal)?;
         let local = DMat3::from_cols_array(&[h[0], h[3], h[6], h[1], h[4], h[7], h[2], h[5], 1.0]);
         let out = DMat3::from_translation(centre) * DMat3::from_diagonal(DVec2::splat(pixels).extend(1.0));
@@ -208,28 +237,63 @@ fn solved(mut m: [[f64; 9]; 8]) -> Option<[f64; 8]> {
     Some(std::array::from_fn(|i| m[i][8] / m[i][i]))
 }
 
+/// What tells of one direction's lines, by the place across them.
+type Sums = Vec<f64>;
+
 /// The ink of strokes that run along the sheet, summed along each line of pixels.
 struct Strokes {
     /// Level strokes, by their y.
-    level: Vec<f64>,
+    level: Sums,
     /// Upright strokes, by their x.
-    upright: Vec<f64>,
-    /// Changes along level lines, by their x: posts, ends of doors.
-    joints_across: Vec<f64>,
-    /// Changes along upright lines, by their y.
-    joints_down: Vec<f64>,
+    upright: Sums,
+    /// What tells of the units to the right and down: strokes; changes along those that cross (posts, ends of doors); thick ink.
+    told: [[Sums; 3]; 2],
 }
 
 impl Strokes {
     /// Strokes of a length or more.
-    fn of(ink: &Ink, least: f64) -> Strokes {
+    fn of(ink: &Ink, least: f64, thick: &[Sums; 2]) -> Strokes {
         let (width, height) = ink.dark.dimensions();
         let level = sums(height, width, least, |line, at| ink.is(at, line));
         let upright = sums(width, height, least, |line, at| ink.is(line, at));
-        let joints_across = joints(&level, width, |line, at| ink.is(at, line));
-        let joints_down = joints(&upright, height, |line, at| ink.is(line, at));
-        Strokes { level, upright, joints_across, joints_down }
+        let across = joints(&level, width, |line, at| ink.is(at, line));
+        let down = joints(&upright, height, |line, at| ink.is(line, at));
+        let told = [[upright.clone(), across, thick[0].clone()], [level.clone(), down, thick[1].clone()]];
+        Strokes { level, upright, told }
     }
+}
+
+/// The thickness of ink by x and by y: posts and walls tell of the grid, mats, boards and writing are thin.
+///
+/// The cube of the distance to paper, of which the root is taken so that one black area does not outweigh all posts.
+fn thick(ink: &Ink) -> [Sums; 2] {
+    let (width, height) = ink.dark.dimensions();
+    let (w, h) = (width as usize, height as usize);
+    let mut depth = vec![0_u8; w * h];
+    // Distances over the eight neighbours, from above and then from below.
+    for y in 1..h {
+        for x in 1..w.max(1) - 1 {
+            if ink.is(x as u32, y as u32) {
+                let k = y * w + x;
+                let above = depth[k - w - 1].min(depth[k - w]).min(depth[k - w + 1]);
+                depth[k] = depth[k - 1].min(above).saturating_add(1);
+            }
+        }
+    }
+    let mut out = [vec![0.0; w], vec![0.0; h]];
+    for y in (0..h.max(1) - 1).rev() {
+        for x in (1..w.max(1) - 1).rev() {
+            let k = y * w + x;
+            if depth[k] > 0 {
+                let below = depth[k + w - 1].min(depth[k + w]).min(depth[k + w + 1]);
+                depth[k] = depth[k].min(depth[k + 1].min(below).saturating_add(1));
+                let d = f64::from(depth[k]);
+                out[0][x] += d * d * d;
+                out[1][y] += d * d * d;
+            }
+        }
+    }
+    out.map(|sums| sums.into_iter().map(libm::sqrt).collect())
 }
 
 /// How much the ink along the strongest lines changes, place by place along them.
@@ -276,19 +340,21 @@ fn sums(lines: u32, length: u32, least: f64, is: impl Fn(u32, u32) -> bool) -> V
         .collect()
 }
 
-/// How well sums keep to a period: the share of them that is in phase, at most 1.
+/// How well sums keep to a period: the share of them that is in phase, at most 1, and the phase.
 fn in_phase(sums: &[f64], period: f64) -> (f64, f64) {
-    let (mut re, mut im, mut all) = (0.0, 0.0, 0.0);
-    for (k, s) in sums.iter().enumerate().filter(|(_, s)| **s > 0.0) {
-        let angle = std::f64::consts::TAU * (k as f64 + 0.5) / period;
-        re += s * libm::cos(angle);
-        im += s * libm::sin(angle);
+    let angle = std::f64::consts::TAU / period;
+    let turned = |at: f64| dvec2(libm::cos(at * angle), libm::sin(at * angle));
+    let (mut now, step) = (turned(0.5), turned(1.0));
+    let (mut all, mut sum) = (0.0, DVec2::ZERO);
+    for s in sums {
+        sum += now * *s;
         all += s;
+        now = now.rotate(step);
     }
     if all == 0.0 {
         return (0.0, 0.0);
     }
-    (libm::sqrt(re * re + im * im) / all, libm::atan2(im, re))
+    (libm::sqrt(sum.length_squared()) / all, libm::atan2(sum.y, sum.x))
 }
 
 /// Where the first line of a period lies.
@@ -296,66 +362,70 @@ fn phase(sums: &[f64], period: f64) -> f64 {
     in_phase(sums, period).1 / std::f64::consts::TAU * period
 }
 
-/// A period that is tried: how well the strokes of each axis keep to it, and their joints.
-struct Tried {
-    period: f64,
-    fit: [f64; 2],
-    joints: [f64; 2],
+/// How well all that tells of an axis keeps to a period, each beside the best it does with any.
+fn agreement(told: &[Sums; 3], best: [f64; 3], period: f64) -> f64 {
+    told.iter().zip(best).map(|(sums, best)| if best > 0.0 { in_phase(sums, period).0 / best } else { 0.0 }).sum()
 }
 
-impl Tried {
-    /// Multiples and parts of a unit fit as well as the unit where a plan has few lines or single strokes; posts and the ends
-    /// of doors tell which it is.
-    fn score(&self, axis: usize) -> f64 {
-        self.fit[axis] + JOINTS * self.joints[axis]
+/// The units to the right and down that the strokes keep to best; the two differ by at most a share.
+///
+/// Parts of a unit fit as well as the unit where mats and boards are drawn: of those that fit the longest is taken. Multiples
+/// do not, since posts and the ends of doors stand on every line.
+fn period(strokes: &Strokes, aspect: f64) -> Option<[f64; 2]> {
+    let longest = strokes.level.len().min(strokes.upright.len()) as f64 / FEWEST;
+    let mut periods = vec![SHORTEST];
+    while periods.last().is_some_and(|p| p * STEP <= longest) {
+        periods.push(periods[periods.len() - 1] * STEP);
     }
-}
-
-/// The units to the right and down that the strokes keep to best, and how well; the two differ by at most a share.
-fn period(strokes: &Strokes, given: Option<f64>, aspect: f64) -> Option<(f64, f64, f64)> {
-    let longest = strokes.level.len().min(strokes.upright.len()) as f64 / 3.0;
-    let (low, high) = match given {
-        Some(unit) => (unit * 0.96, unit * 1.04),
-        None => (SHORTEST, longest),
+    let [across, down] = [0, 1].map(|axis| {
+        let told = &strokes.told[axis];
+        let shares: Vec<[f64; 3]> = periods.iter().map(|p| [0, 1, 2].map(|k| in_phase(&told[k], *p).0)).collect();
+        let best = [0, 1, 2].map(|k| shares.iter().map(|s| s[k]).fold(1e-9, f64::max));
+        shares.iter().map(|s| (0..3).map(|k| s[k] / best[k]).sum()).collect::<Vec<f64>>()
+    });
+    let reach = (aspect / (STEP - 1.0)).ceil() as usize;
+    let pair = |k: usize| {
+        let near = k.saturating_sub(reach)..(k + reach + 1).min(periods.len());
+        let other = near.max_by(|a, b| down[*a].total_cmp(&down[*b]))?;
+        Some((across[k] + down[other], other))
     };
-    let mut tries = Vec::new();
-    let mut period = low;
-    while period <= high {
-        let of = |sums: [&[f64]; 2]| sums.map(|s| in_phase(s, period).0);
-        let fit = of([&strokes.upright, &strokes.level]);
-        let joints = of([&strokes.joints_across, &strokes.joints_down]);
-        tries.push(Tried { period, fit, joints });
-        period *= 1.003;
-    }
-    let best = tries.iter().map(|t| t.fit[0] + t.fit[1]).fold(0.0, f64::max);
-    let mut found: Option<(f64, (f64, f64, f64))> = None;
-    for (k, across) in tries.iter().enumerate() {
-        let near = tries[k.saturating_sub(60)..(k + 60).min(tries.len())].iter();
-        let near = near.filter(|t| (t.period / across.period - 1.0).abs() <= aspect);
-        let Some(down) = near.max_by(|a, b| a.score(1).total_cmp(&b.score(1))) else {
-            continue;
-        };
-        let fit = across.fit[0] + down.fit[1];
-        let score = across.score(0) + down.score(1);
-        if fit >= NEARLY * best && found.is_none_or(|f| score > f.0) {
-            found = Some((score, (across.period, down.period, fit / 2.0)));
-        }
-    }
-    found.map(|f| f.1)
+    let pairs: Vec<(f64, usize)> = (0..periods.len()).map(pair).collect::<Option<_>>()?;
+    let best = pairs.iter().map(|p| p.0).fold(0.0, f64::max);
+    let last = pairs.iter().rposition(|p| p.0 >= NEARLY * best)?;
+    // Its peak.
+    let near = last.saturating_sub(12)..(last + 13).min(pairs.len());
+    let peak = near.max_by(|a, b| pairs[*a].0.total_cmp(&pairs[*b].0))?;
+    Some([periods[peak], periods[pairs[peak].1]])
 }
 
-/// The first and the last line of a grid with strokes on it.
-fn extent(sums: &[f64], phase: f64, period: f64) -> Option<(i32, i32)> {
-    let mut lines = std::collections::BTreeMap::new();
-    for (k, s) in sums.iter().enumerate() {
-        let at = (k as f64 + 0.5 - phase) / period;
-        if (at - at.round()).abs() < 0.25 {
-            *lines.entry(at.round() as i32).or_insert(0.0) += s;
+/// The units nearest to some that are known to a share.
+fn near(strokes: &Strokes, known: [f64; 2], share: f64) -> [f64; 2] {
+    [0, 1].map(|axis| {
+        let steps = (share / FINE).ceil() as i32;
+        let tried: Vec<f64> = (-steps..=steps).map(|k| known[axis] * (1.0 + f64::from(k) * FINE)).collect();
+        let told = &strokes.told[axis];
+        let best = [0, 1, 2].map(|k| tried.iter().map(|p| in_phase(&told[k], *p).0).fold(0.0, f64::max));
+        let agree = |p: f64| agreement(told, best, p);
+        tried.into_iter().max_by(|a, b| agree(*a).total_cmp(&agree(*b))).unwrap_or(known[axis])
+    })
+}
+
+/// The first and the last line of a grid with strokes or posts on it, and two more.
+fn extent(strokes: &[f64], thick: &[f64], phase: f64, period: f64) -> Option<(i32, i32)> {
+    let lines = |sums: &[f64]| {
+        let mut lines = std::collections::BTreeMap::new();
+        for (k, s) in sums.iter().enumerate() {
+            let at = (k as f64 + 0.5 - phase) / period;
+            if (at - at.round()).abs() < 0.25 {
+                *lines.entry(at.round() as i32).or_insert(0.0) += s;
+            }
         }
-    }
-    let most = lines.values().copied().fold(0.0, f64::max);
-    let strong = |(_, s): &(&i32, &f64)| **s > 0.04 * most;
-    let first = lines.iter().find(strong)?.0;
-    let last = lines.iter().rev().find(strong)?.0;
-    Some((first - 1, last + 1))
+        let most = lines.values().copied().fold(0.0, f64::max);
+        lines.retain(|_, s| *s > LEAST_LINE * most);
+        lines
+    };
+    let (strokes, thick) = (lines(strokes), lines(thick));
+    let first = strokes.keys().chain(thick.keys()).min()?;
+    let last = strokes.keys().chain(thick.keys()).max()?;
+    Some((first - 2, last + 2))
 }
