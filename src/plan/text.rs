@@ -386,7 +386,7 @@ fn row(units: &[Unit], writing: Writing, turn: &str, out: &mut Written) {
             let w = units[k].wall;
             let at = |p: (i32, i32)| DVec2::new(f64::from(p.0), f64::from(p.1));
             out.doubts.push(Doubt {
-                span: start..start + 3,
+                span: start..out.text.len(),
                 at: (at(w.from) + at(w.to)) / 2.0,
                 role: w.read.role,
                 is_joined: w.is_joined,

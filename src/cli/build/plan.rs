@@ -12,7 +12,7 @@ use crate::plan::flatten::{Given, project};
 use crate::plan::house::{self, House, Wanted};
 use crate::plan::legend::Legend;
 use crate::plan::record::{self, Record};
-use crate::plan::text::{Doubt, Era};
+use crate::plan::text::{Doubt, Era, Written};
 use crate::plan::{self, Found, LEGENDS, Options, Picture, again, marks, said};
 use crate::report::{Format, Report};
 use crate::source::{FileId, Source};
@@ -300,16 +300,7 @@ impl Plan {
             self.output.display().to_string(),
             text.as_bytes(),
         );
-        let mut doubts = 0;
-        for doubt in &read.doubts {
-            let Some(span) = place(doubt, &read.text, &text) else {
-                continue;
-            };
-            let sheet = &sheets[doubt.storey];
-            let at = sheet.found.in_picture(doubt.at) * sheet.shrink;
-            out.push(said::doubt(source.span(span), doubt, &sheet.file, at));
-            doubts += 1;
-        }
+        let doubts = self.doubts(read, sheets, &source, out);
         for place in kept {
             out.push(say::kept(source.span(place)));
         }
@@ -326,11 +317,33 @@ impl Plan {
             sheets.iter().map(|s| s.found.shape.rooms.len()).sum(),
         );
         let rooms = counted(rooms, noun("room", "部屋{}室"));
-        let doubts = counted(doubts, noun("wall in doubt", "確かでない壁{}か所"));
+        let doubts = counted(doubts, noun("doubtful wall", "確かでない壁{}か所"));
         Ok(text!([name, rooms, doubts]
             "{name}: {rooms}, {doubts}; `hsd view {name}` shows it over the plan, `hsd build {name} -o OUT.glb` builds it",
             "{name}: {rooms}、{doubts}。`hsd view {name}` で図面に重ねて確かめ、`hsd build {name} -o OUT.glb` で作れます"
         ))
+    }
+
+    /// Says which walls are in doubt, those of one row that follow each other and were read alike together; returns how many
+    /// such walls there are.
+    fn doubts(&self, read: &Written, sheets: &[Sheet], source: &Source, out: &mut Diagnostics) -> usize {
+        let follows = |a: &Doubt, b: &Doubt| {
+            let between = read.text.get(a.span.end..b.span.start);
+            let alike = (a.role, a.is_joined, a.storey) == (b.role, b.is_joined, b.storey);
+            alike && between.is_some_and(|t| t.len() <= 2 && !t.contains('<'))
+        };
+        let runs = read.doubts.chunk_by(follows);
+        let mut count = 0;
+        for run in runs {
+            let places: Vec<Range<usize>> = run.iter().filter_map(|d| place(d, &read.text, source.text())).collect();
+            let (Some(first), Some(last), [doubt, ..]) = (places.first(), places.last(), run) else { continue };
+            let sheet = &sheets[doubt.storey];
+            let middle = run.iter().map(|d| d.at).sum::<DVec2>() / run.len() as f64;
+            let at = sheet.found.in_picture(middle) * sheet.shrink;
+            out.push(said::doubt(source.span(first.start..last.end), doubt, &sheet.file, at));
+            count += 1;
+        }
+        count
     }
 
     /// All files, with their paths.
