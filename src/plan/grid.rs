@@ -14,7 +14,7 @@ const KNOWN: f64 = 0.03;
 /// A unit is believed if all that tells of it keeps to it nearly as well as to the best one.
 const NEARLY: f64 = 0.94;
 /// A projective grid has to have more strokes on its lines than a level one by this factor.
-const LEANS: f64 = 1.01;
+const LEANS: f64 = 1.03;
 /// The fewest units along the shorter side of a sheet.
 const FEWEST: f64 = 5.0;
 /// What is on a line of the grid at the edge of a house, beside what is on the strongest one.
@@ -150,7 +150,7 @@ fn stroke_near(ink: &Ink, unit: f64, reach: f64, place: impl Fn(f64, f64) -> DVe
         let mut count = 0.0;
         for t in 0..along {
             let at = place(offset, 0.2 + 0.6 * (f64::from(t) + 0.5) / f64::from(along));
-            count += f64::from(dark_at(ink, at)) / 255.0;
+            count += f64::from(u8::from(dark_at(ink, at) > ink.threshold));
         }
         let share = count / f64::from(along);
         // What crosses the line is in every row; a stroke along it in some.
@@ -369,8 +369,8 @@ fn agreement(told: &[Sums; 3], best: [f64; 3], period: f64) -> f64 {
 
 /// The units to the right and down that the strokes keep to best; the two differ by at most a share.
 ///
-/// Parts of a unit fit as well as the unit where mats and boards are drawn: of those that fit the longest is taken. Multiples
-/// do not, since posts and the ends of doors stand on every line.
+/// Parts of a unit fit as well as the unit where mats and boards are drawn: of what fits best the greatest multiple is
+/// taken that fits nearly as well. Multiples of the unit do not, since posts and the ends of doors stand on every line.
 fn period(strokes: &Strokes, aspect: f64) -> Option<[f64; 2]> {
     let longest = strokes.level.len().min(strokes.upright.len()) as f64 / FEWEST;
     let mut periods = vec![SHORTEST];
@@ -390,11 +390,13 @@ fn period(strokes: &Strokes, aspect: f64) -> Option<[f64; 2]> {
         Some((across[k] + down[other], other))
     };
     let pairs: Vec<(f64, usize)> = (0..periods.len()).map(pair).collect::<Option<_>>()?;
-    let best = pairs.iter().map(|p| p.0).fold(0.0, f64::max);
-    let last = pairs.iter().rposition(|p| p.0 >= NEARLY * best)?;
-    // Its peak.
-    let near = last.saturating_sub(12)..(last + 13).min(pairs.len());
-    let peak = near.max_by(|a, b| pairs[*a].0.total_cmp(&pairs[*b].0))?;
+    let better = |a: &usize, b: &usize| pairs[*a].0.total_cmp(&pairs[*b].0);
+    let best = (0..pairs.len()).max_by(better)?;
+    let multiple = |n: u32| {
+        let middle = best + (libm::log(f64::from(n)) / libm::log(STEP)).round() as usize;
+        (middle.saturating_sub(6)..(middle + 7).min(pairs.len())).max_by(better)
+    };
+    let peak = (2..=4).filter_map(multiple).filter(|k| pairs[*k].0 >= NEARLY * pairs[best].0).next_back().unwrap_or(best);
     Some([periods[peak], periods[pairs[peak].1]])
 }
 
