@@ -56,13 +56,13 @@ impl Grid {
         let thick = thick(ink);
         let mut strokes = Strokes::of(ink, (size / 55.0).max(9.0), &thick);
         let mut periods = match unit {
-            Some(unit) => near(&strokes, [unit; 2], aspect.max(KNOWN)),
+            Some(unit) => near(&strokes, [unit; 2], aspect.max(KNOWN), aspect),
             None => period(&strokes, aspect)?,
         };
         // Strokes of a unit's length are the walls; writing is shorter.
-        for _ in 0..2 {
+        for share in [KNOWN, KNOWN / 2.0] {
             strokes = Strokes::of(ink, 0.7 * periods[0], &thick);
-            periods = near(&strokes, periods, KNOWN);
+            periods = near(&strokes, periods, share, aspect);
         }
         let [px, py] = periods;
         let fit = (in_phase(&strokes.upright, px).0 + in_phase(&strokes.level, py).0) / 2.0;
@@ -400,16 +400,24 @@ fn period(strokes: &Strokes, aspect: f64) -> Option<[f64; 2]> {
     Some([periods[peak], periods[pairs[peak].1]])
 }
 
-/// The units nearest to some that are known to a share.
-fn near(strokes: &Strokes, known: [f64; 2], share: f64) -> [f64; 2] {
-    [0, 1].map(|axis| {
-        let steps = (share / FINE).ceil() as i32;
-        let tried: Vec<f64> = (-steps..=steps).map(|k| known[axis] * (1.0 + f64::from(k) * FINE)).collect();
+/// The units to the right and down nearest to some that are known to a share; the two differ by at most another share.
+fn near(strokes: &Strokes, known: [f64; 2], share: f64, aspect: f64) -> [f64; 2] {
+    let steps = (share / FINE).ceil() as i32;
+    let tried = [0, 1].map(|axis| {
+        let periods: Vec<f64> = (-steps..=steps).map(|k| known[axis] * (1.0 + f64::from(k) * FINE)).collect();
         let told = &strokes.told[axis];
-        let best = [0, 1, 2].map(|k| tried.iter().map(|p| in_phase(&told[k], *p).0).fold(0.0, f64::max));
-        let agree = |p: f64| agreement(told, best, p);
-        tried.into_iter().max_by(|a, b| agree(*a).total_cmp(&agree(*b))).unwrap_or(known[axis])
-    })
+        let best = [0, 1, 2].map(|k| periods.iter().map(|p| in_phase(&told[k], *p).0).fold(0.0, f64::max));
+        periods.into_iter().map(|p| (p, agreement(told, best, p))).collect::<Vec<_>>()
+    });
+    let mut found = (0.0, known);
+    for (x, a) in &tried[0] {
+        for (y, b) in &tried[1] {
+            if a + b > found.0 && (y / x - 1.0).abs() <= aspect {
+                found = (a + b, [*x, *y]);
+            }
+        }
+    }
+    found.1
 }
 
 /// The first and the last line of a grid with strokes or posts on it, and two more.
