@@ -14,6 +14,7 @@
 //! | `routes`, `guard` | the API; access control |
 //! | `strokes`, `history` | edits drawn in the page; undo and redo |
 //! | `screenshots` | receives the images that the page renders for documents |
+//! | `scan` | the scans that a house was read from |
 //! | `model_file` | existing models and their external textures |
 //! | `page` | the embedded files of the page |
 //! | `fingerprint` | content hashes |
@@ -28,6 +29,7 @@ mod locked;
 mod model_file;
 mod page;
 mod routes;
+mod scan;
 mod screenshots;
 mod snapshot;
 mod strokes;
@@ -38,6 +40,7 @@ mod workspace;
 pub use editor_host::EditorHost;
 pub use notify_debouncer_full::notify::RecursiveMode;
 pub use page::{how_to_build, is_built};
+pub use scan::{PlanFile, PlanSheet};
 pub use screenshots::Screenshot;
 pub use town::map_folders;
 

@@ -19,7 +19,8 @@
 //!     "ridge":[[6,4],[0,4]]}]}],
 //!  "views":[{"name":"garden","from":[2,-5,1.6],"to":[-2,0,2],"fov":45,"date":null,"hour":null,"file":0,"span":[12,60]}],
 //!  "places":[{"kind":"Group","origin":[0,0],"turn":0,"at":[2,3],"heading":5,"houses":[0],"fixed":null,"turn_fixed":null}],
-//!  "outlines":[{"origin":[2,3],"turn":5,"corners":[[0,0],[6.2,-0.4],[6.8,8]],"fixed":null}]}
+//!  "outlines":[{"origin":[2,3],"turn":5,"corners":[[0,0],[6.2,-0.4],[6.8,8]],"fixed":null}],
+//!  "doubts":[{"code":"KTU","at":[3,0],"unit":{"house":0,"storey":0,"ring":0,"wall":0,"unit":3},"file":0,"span":[310,320]}]}
 //! ```
 //!
 //! `fixed` is null, or the key of the reason why no stroke can change an item (for a wall: move it); `reasons` has its
@@ -30,9 +31,11 @@
 //! `picture`, `split`. `regions` are those of `hsd dump --stage regions`. The `rect` of a roof are its bounds with its
 //! eaves, `ridge` the line of its highest points, null where that is a point, a surface or broken.
 
+mod doubts;
 mod roofs;
 mod rooms;
 
+pub use doubts::{DoubtfulUnit, PlanDoubt};
 pub use rooms::{PlanFixture, PlanRoom};
 
 use super::Analysis;
@@ -65,6 +68,8 @@ pub struct Plan {
     pub places: Vec<PlanStanding>,
     /// Surveyed outlines, each before its courtyards.
     pub outlines: Vec<PlanOutline>,
+    /// Walls in doubt, in the order of the file.
+    pub doubts: Vec<PlanDoubt>,
 }
 
 /// A named view; places are metres east, north and up.
@@ -278,6 +283,7 @@ impl Plan {
             views: a.checked.views.iter().map(view).collect(),
             places,
             outlines,
+            doubts: doubts::all(&sheet),
         }
     }
 }

@@ -29,6 +29,9 @@
 //! {"do":"add-fixture","house":0,"storey":0,"kind":"tokonoma","at":[2,7],"faces":"F"}
 //! {"do":"set-fixture","house":0,"storey":0,"fixture":0,"at":[4,7],"size":[1.5,1]}
 //! {"do":"remove-fixture","house":0,"storey":0,"fixture":0}
+//! {"do":"accept-doubt","doubt":0}
+//! {"do":"change-doubt","doubt":0,"kind":"window"}
+//! {"do":"delete-doubt","doubt":0}
 //! ```
 //!
 //! | stroke | does |
@@ -52,6 +55,9 @@
 //! | `add-fixture` | Adds what is built into a room: its `kind`, its least corner `at`, `size` along a and b if it is not the usual one, and the side `faces` of its front (`F`, `B`, `L`, `R`; `F` without). |
 //! | `set-fixture` | Writes those that are given. What turns keeps its width and depth, and without `at` a corner of its place or its middle, whichever fits first. |
 //! | `remove-fixture` | Removes a fixture. |
+//! | `accept-doubt` | Takes a wall in doubt, counted as in `doubts` of the plan, as it is: its entry goes out of its comment. |
+//! | `change-doubt` | Makes it a `wall`, `slide`, `window`, `lattice` or `open` way of the same width, of parts that the house has already where it has such, and takes out the entry. `set-part` takes it out too. |
+//! | `delete-doubt` | Takes it away. Inside, its walk ends before it and another one goes on behind it; outside an open way is left. |
 //!
 //! Roof lines stay as they are, save those that lay over the whole storey whose wall moves, edges over such a wall and pent
 //! roofs along it, and those whose height was the top of a storey that rises or falls: they follow; where such a height is
@@ -86,6 +92,7 @@ pub(super) use storeys::rooms::room_fixed;
 pub(super) use storeys::{house_fixed, storey_fixed};
 
 pub use apply::{Applied, Patch, apply, take_back};
+pub use storeys::doubts::Kind;
 pub use storeys::fixtures::FixtureWords;
 pub use storeys::rooms::RoomWords;
 
@@ -93,7 +100,7 @@ use super::Analysis;
 use super::format::Edit;
 use crate::diagnostic::Text;
 use crate::ide::stroke::sheet::Sheet;
-use crate::ide::stroke::storeys::{fixtures, inner, rooms};
+use crate::ide::stroke::storeys::{doubts, fixtures, inner, rooms};
 use serde::Deserialize;
 
 /// A stroke of the author. See the [module](self) for the JSON form of each.
@@ -280,6 +287,23 @@ pub enum Stroke {
         /// The fixture, in the order of the file.
         fixture: usize,
     },
+    /// Takes a wall in doubt as it is.
+    AcceptDoubt {
+        /// The doubt, in the order of the file.
+        doubt: usize,
+    },
+    /// Makes a wall in doubt one of a kind.
+    ChangeDoubt {
+        /// The doubt, in the order of the file.
+        doubt: usize,
+        /// The kind.
+        kind: Kind,
+    },
+    /// Takes a wall in doubt away.
+    DeleteDoubt {
+        /// The doubt, in the order of the file.
+        doubt: usize,
+    },
 }
 
 /// A storey by its place in the plan.
@@ -356,7 +380,7 @@ pub fn edits(a: &Analysis, stroke: &Stroke) -> Result<Vec<Edit>, Text> {
 
 fn worked_out(sheet: &Sheet<'_>, stroke: &Stroke) -> Result<Vec<Edit>, Text> {
     match stroke {
-        Stroke::SetPart { unit, part } => part::set(sheet, *unit, part),
+        Stroke::SetPart { unit, part } => set_part(sheet, *unit, part),
         Stroke::MoveWall { wall, by, storeys } => slide::slide(sheet, *wall, *by, *storeys),
         Stroke::BreakWall { wall, from, to, by } => {
             slide::break_out(sheet, *wall, (*from, *to), *by)
@@ -406,5 +430,16 @@ fn worked_out(sheet: &Sheet<'_>, stroke: &Stroke) -> Result<Vec<Edit>, Text> {
             words,
         } => fixtures::change(sheet, *storey, *fixture, words),
         Stroke::RemoveFixture { storey, fixture } => fixtures::remove(sheet, *storey, *fixture),
+        Stroke::AcceptDoubt { doubt } => doubts::accept(sheet, *doubt),
+        Stroke::ChangeDoubt { doubt, kind } => doubts::change(sheet, *doubt, *kind),
+        Stroke::DeleteDoubt { doubt } => doubts::delete(sheet, *doubt),
     }
+}
+
+/// Replaces the part of a unit, about which nothing is in doubt any more.
+fn set_part(sheet: &Sheet<'_>, unit: UnitAt, part: &str) -> Result<Vec<Edit>, Text> {
+    let (wall, unit) = part::place(sheet, unit)?;
+    let mut edits = part::set(sheet, (wall, unit), &[part])?;
+    edits.extend(doubts::settles(sheet, wall, unit));
+    Ok(change::tidy(edits))
 }

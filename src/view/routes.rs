@@ -1,5 +1,6 @@
 //! The API of the page. Requests are handled on blocking threads.
 
+mod scans;
 mod towns;
 
 use super::locked::lock;
@@ -53,6 +54,7 @@ pub(super) fn routes(
         .route("/api/state", get(state))
         .route("/api/model/{revision}/house.glb", get(model))
         .route("/api/model/{revision}/{*name}", get(picture))
+        .route("/api/scan", get(scans::picture))
         .route("/api/houses", post(houses))
         .route("/api/town/{id}/files/{*name}", get(towns::file))
         .route("/api/town/{id}/feature", get(towns::feature))

@@ -4,6 +4,7 @@ use super::editor_host::EditorHost;
 use super::fingerprint::fingerprint;
 use super::houses::Houses;
 use super::model_file::ModelFile;
+use super::scan::Scan;
 use super::town::{BuiltTown, ShownTown};
 use crate::catalog::Catalog;
 use crate::diagnostic::messages::limits::too_many_triangles;
@@ -66,6 +67,7 @@ struct State<'a> {
     pictures: &'a BTreeMap<String, String>,
     plan: Plan,
     town: Option<ShownTown>,
+    scan: Option<&'a Scan>,
     times: Vec<(&'static str, f64)>,
 }
 
@@ -113,11 +115,14 @@ impl Snapshot {
         let sources: Vec<Source> = read.sources().cloned().collect();
         let report = Report::new(&sources, &read.diagnostics).in_language(language);
         let diagnostics = raw(&report)?;
+        let scan = Scan::beside(&path, language);
+        let scanned = serde_json::to_vec(&scan)?;
         let same = fingerprint(|p| {
             houses.known().for_each(|house| house.hash(p));
             houses.places().hash(p);
             keys.hash(p);
             town.hash(p);
+            scanned.hash(p);
             diagnostics.get().hash(p);
             sources.iter().for_each(|s| s.text().hash(p));
         });
@@ -130,6 +135,7 @@ impl Snapshot {
             pictures: &keys,
             plan: Plan::of(&read, language),
             town: town.clone(),
+            scan: scan.as_ref(),
             times: times.iter().map(|(step, t)| (*step, millis(*t))).collect(),
         };
         Ok(Snapshot {
@@ -160,6 +166,7 @@ impl Snapshot {
             pictures: &pictures,
             plan: Plan::default(),
             town: Some(built.shown.clone()),
+            scan: None,
             times: vec![],
         };
         let changed = built.changed();
@@ -199,6 +206,7 @@ impl Snapshot {
             pictures: &keys,
             plan: Plan::default(),
             town: None,
+            scan: None,
             times: vec![],
         };
         Ok(Snapshot {

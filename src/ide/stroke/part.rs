@@ -16,9 +16,12 @@ use crate::program::Content;
 /// The visible code of a void.
 const VOID: &str = ".....";
 
-/// Returns the edits that replace the part of a unit.
-pub(super) fn set(sheet: &Sheet<'_>, at: UnitAt, part: &str) -> Result<Vec<Edit>, Text> {
-    let (at, unit) = place(sheet, at)?;
+/// Returns the edits that replace a unit by parts, which follow each other along the walk.
+pub(super) fn set(
+    sheet: &Sheet<'_>,
+    (at, unit): (WallAt, usize),
+    parts: &[&str],
+) -> Result<Vec<Edit>, Text> {
     let (_, storey) = find::storey(sheet, at.house, at.storey)?;
     let ring = storey
         .rings
@@ -33,9 +36,14 @@ pub(super) fn set(sheet: &Sheet<'_>, at: UnitAt, part: &str) -> Result<Vec<Edit>
     if let Some(reason) = row.unit_fixed(unit) {
         return Err(reason.text());
     }
-    let new = meant(sheet, at.house, part)?;
-    if matches!(row.home, Home::Line(_)) && !(new.code.len() <= CELL && new.code.is_ascii()) {
-        return Err(refuse::long_name(&new.code));
+    let mut new = vec![];
+    for part in parts {
+        let meant = meant(sheet, at.house, part)?;
+        if matches!(row.home, Home::Line(_)) && !(meant.code.len() <= CELL && meant.code.is_ascii())
+        {
+            return Err(refuse::long_name(&meant.code));
+        }
+        new.push(meant);
     }
     let cell = row.cell_of(unit).ok_or_else(refuse::no_such_place)?;
     let mut draft = Draft::of(ring, &rows);
@@ -44,19 +52,24 @@ pub(super) fn set(sheet: &Sheet<'_>, at: UnitAt, part: &str) -> Result<Vec<Edit>
     let pieces = &mut draft.lines[at.wall].pieces;
     let index = single(pieces, row, cell, unit, row.rightwards);
     let old = pieces[index].clone();
-    if old.code == new.code {
+    let [first, rest @ ..] = &mut new[..] else {
+        return Err(refuse::nothing());
+    };
+    if rest.is_empty() && old.code == first.code {
         return Err(refuse::nothing());
     }
-    let mut new = DraftPiece {
-        instead: true,
-        ..new
-    };
-    if scales(sheet, row, wall) {
-        new.width = old.width;
-    } else if let Some(width) = own_width(sheet, &row.cells[cell].form) {
-        new.width = width;
+    first.instead = true;
+    if !rest.is_empty() {
+        several(pieces, index, new)?;
+    } else {
+        let mut new = new.swap_remove(0);
+        if scales(sheet, row, wall) {
+            new.width = old.width;
+        } else if let Some(width) = own_width(sheet, &row.cells[cell].form) {
+            new.width = width;
+        }
+        put(pieces, index, new, &usual)?;
     }
-    put(pieces, index, new, &usual)?;
     if at.wall == 0 && leads_away(&draft.lines[0].pieces) {
         return Err(refuse::leading_void());
     }
@@ -70,7 +83,7 @@ pub(super) fn set(sheet: &Sheet<'_>, at: UnitAt, part: &str) -> Result<Vec<Edit>
 }
 
 /// Returns the place of a unit in the plan.
-fn place(sheet: &Sheet<'_>, at: UnitAt) -> Result<(WallAt, usize), Text> {
+pub(super) fn place(sheet: &Sheet<'_>, at: UnitAt) -> Result<(WallAt, usize), Text> {
     let [start, end] = match at {
         UnitAt::Place { wall, unit } => return Ok((wall, unit)),
         UnitAt::Span { span } => span,
@@ -187,6 +200,20 @@ fn single(
     let inner = if piece.is_pattern() { before % each } else { 0 };
     pieces.splice(index..=index, parts);
     index + at + inner
+}
+
+/// Replaces a piece by several that are together as wide.
+fn several(
+    pieces: &mut Vec<DraftPiece>,
+    index: usize,
+    new: Vec<DraftPiece>,
+) -> Result<(), Text> {
+    let width: f64 = new.iter().map(|p| p.width).sum();
+    if (width - pieces[index].width).abs() > SAME {
+        return Err(refuse::too_wide(&new[0].code));
+    }
+    pieces.splice(index..=index, new);
+    Ok(())
 }
 
 /// Replaces a piece by another one; the line keeps its length.

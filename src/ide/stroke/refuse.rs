@@ -252,6 +252,14 @@ pub(super) fn odd_name(most: usize) -> Text {
     )
 }
 
+/// The wall in doubt is not found.
+pub(super) fn no_doubtful_wall() -> Text {
+    text!(
+        "no wall stands at this place any more: accept it here, and draw what is right with the other tools",
+        "その場所に壁はもうありません。ここでは確定し、ほかのツールで正しく描いてください"
+    )
+}
+
 /// The points are no wall.
 pub(super) fn bad_inner() -> Text {
     text!(

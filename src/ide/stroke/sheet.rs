@@ -5,6 +5,7 @@
 //! and blanks between them belong to no cell.
 
 mod cells;
+pub(in crate::ide) mod doubts;
 pub(in crate::ide) mod first_line;
 mod reason;
 pub(in crate::ide) mod standing;

@@ -1,5 +1,6 @@
 //! Strokes that add and remove storeys and change their heights.
 
+pub(super) mod doubts;
 mod element;
 pub(super) mod fixtures;
 pub(super) mod inner;

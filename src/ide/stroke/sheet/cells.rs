@@ -239,7 +239,8 @@ impl Sheet<'_> {
         }
     }
 
-    fn code(&self, unit: &Unit) -> String {
+    /// Returns the code of a unit, without blanks at its end.
+    pub(in crate::ide) fn code(&self, unit: &Unit) -> String {
         let pictures = &self.a.checked.building.images;
         match &unit.content {
             Content::Part(id) => self.a.catalog().part(*id).code().trim_end().to_owned(),

@@ -145,6 +145,19 @@ fn stands(storey: &Storey, from: DVec2, to: DVec2) -> Result<(), Text> {
     Ok(())
 }
 
+/// Returns the rows that only turn a walk, which begins leftwards, until it goes this way.
+pub(super) fn leads(way: DVec2) -> Vec<String> {
+    match way {
+        way if way.x > 0.5 => vec![],
+        way if way.x < -0.5 => vec!["<Row turn=\"R\"/>".to_owned(); 2],
+        way => vec![format!("<Row turn=\"{}\"/>", turn(DVec2::X, way))],
+    }
+}
+
+fn turn(from: DVec2, to: DVec2) -> &'static str {
+    if from.perp_dot(to) > 0.0 { "R" } else { "L" }
+}
+
 /// Returns the rows of a wall, the first of which may only turn the walk, which begins leftwards.
 fn rows(
     sheet: &Sheet<'_>,
@@ -160,12 +173,7 @@ fn rows(
         .windows(2)
         .map(|side| (side[1] - side[0]).normalize().round())
         .collect();
-    let turn = |from: DVec2, to: DVec2| if from.perp_dot(to) > 0.0 { "R" } else { "L" };
-    let mut rows = match ways[0] {
-        way if way.x > 0.5 => vec![],
-        way if way.x < -0.5 => vec!["<Row turn=\"R\"/>".to_owned(); 2],
-        way => vec![format!("<Row turn=\"{}\"/>", turn(DVec2::X, way))],
-    };
+    let mut rows = leads(ways[0]);
     for (number, side) in points.windows(2).enumerate() {
         let length = (side[1] - side[0]).length();
         let count = ((length + SAME) / part.width).floor();
