@@ -155,6 +155,7 @@ export class App {
       const early = revision === undefined || this.town.state ? null : this.loader.fetch(file, revision, before);
       early?.catch(() => {});
       const now = await fetchState(file);
+      now.diagnostics.push(...faultsOf(now));
       // A town is no model: its tiles are streamed.
       const answer = now.town ? null : await (early && now.revision === revision ? early : this.loader.fetch(file, now.revision, before));
       const fetched = performance.now() - begun;
@@ -423,6 +424,11 @@ export function locationOfDiagnostic(message: Diagnostic, { sources }: State): S
   const source = sourceOf(message, sources);
   return source ? { id: source.id, span: [message.span.start, message.span.end] } : null;
 }
+
+/** Diagnostics of the scan beside a file. */
+const faultsOf = ({ scan }: State): Diagnostic[] => (scan?.faults ?? []).map(why => ({
+  code: '', severity: 'warning', message: `${scan!.file}: ${why}`, help: null, file: scan!.file, line: 0, column: 0, span: { start: 0, end: 0 }, labels: [],
+}));
 
 /** A diagnostic for a model that cannot be read, in the compiler's format. */
 function invalidModel(file: string, { message }: Error): Diagnostic {

@@ -5,6 +5,7 @@ import { App } from './app.ts';
 import { attachInput, createCanvas } from './scene/canvas.ts';
 import { h } from './ui/dom.ts';
 import { DrawTool } from './draw/draw-tool.ts';
+import { Review } from './draw/review.ts';
 import { partCard } from './panel/part-card.ts';
 import { sectionPanel } from './panel/section.ts';
 import { fileList } from './panel/files.ts';
@@ -29,6 +30,7 @@ export interface Page {
   plan: PlanView;
   text: SourcePane;
   draw: DrawTool;
+  review: Review;
 }
 
 export function page(): Page {
@@ -43,11 +45,11 @@ export function page(): Page {
   const app = new App(canvas);
   model.append(app.measure.labels, walkPad(app));
   const plan = new PlanView(app), text = new SourcePane(app);
-  const draw = new DrawTool(app, plan);
+  const draw = new DrawTool(app, plan), review = new Review(app, plan, () => { if (plan.element.hidden) bar.show(plan.element, true); });
   main.prepend(text.element);
   main.append(plan.element);
   const panel = h('aside', { class: 'panel', 'aria-label': strings.panel },
-    townProgress(app), featureCard(app), partCard(app), townPanel(app), fileList(app), namedViewList(app), diagnosticList(app), layerPanel(app), partTree(app), sectionPanel(app), sunPanel(app), measuringPanel(app), reflectionPanel(app), statisticsPanel(app));
+    townProgress(app), featureCard(app), partCard(app), townPanel(app), review.element, fileList(app), namedViewList(app), diagnosticList(app), layerPanel(app), partTree(app), sectionPanel(app), sunPanel(app), measuringPanel(app), reflectionPanel(app), statisticsPanel(app));
   const narrow = matchMedia('(max-width: 720px)').matches;
   panel.hidden = narrow;
   const panes = [
@@ -70,5 +72,5 @@ export function page(): Page {
   };
   app.on('connection', () => { lost.hidden = !app.lost; });
   app.on('files', () => { if (app.file === null) app.announce(strings.noFile); });
-  return { app, plan, text, draw };
+  return { app, plan, text, draw, review };
 }

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { arrow, dragged, ghostPath, outward, rectangle, stretchOf } from '../src/draw/edits.ts';
+import { arrow, dragged, ghostPath, outward, rectangle, sameTarget, stretchOf } from '../src/draw/edits.ts';
 import { toHouse } from '../src/plan/coordinates.ts';
-import type { House, Point, Wall } from '../src/server/api.ts';
+import type { Doubt, House, Point, State, Wall } from '../src/server/api.ts';
 
 const wall = (from: Point, to: Point): Wall => ({ facade: 1, from, to, span: [0, 0], file: 0, reflection: false, fixed: null, units: [] });
 const house = (azimuth: number): House => ({
@@ -45,4 +45,13 @@ test('arrow keys follow the plan, whatever the rotation of the house', () => {
   assert.deepEqual(arrow('ArrowUp', house(0), toHouse)!.map(n => n + 0), [0, -1]);
   assert.deepEqual(arrow('ArrowUp', house(90), toHouse)!.map(n => n + 0), [-1, 0]);
   assert.equal(arrow('Enter', house(0), toHouse), null);
+});
+
+test('an edit of a wall in doubt is not made of the one that has taken its number', () => {
+  const doubt = (a: number): Doubt => ({ code: 'KTU', at: [a, 0], unit: null, file: 0, span: [0, 0] });
+  const state = (...doubts: Doubt[]) => ({ plan: { houses: [], places: [], outlines: [], doubts } }) as unknown as State;
+  const edit = { do: 'accept-doubt', doubt: 0 } as const;
+  assert.ok(sameTarget(edit, state(doubt(1), doubt(2)), state(doubt(1))));
+  assert.ok(!sameTarget(edit, state(doubt(1), doubt(2)), state(doubt(2))));
+  assert.ok(!sameTarget(edit, state(doubt(1)), state()));
 });

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { bounds, path, toHouse, toPlan } from '../src/plan/coordinates.ts';
+import { bounds, metresToPlan, path, toHouse, toPlan } from '../src/plan/coordinates.ts';
 import { fallArrow, ridgeLines } from '../src/plan/ridges.ts';
 import type { House, Region } from '../src/server/api.ts';
 
@@ -25,6 +25,20 @@ test('the inverse transform', () => {
     const [a, b] = toHouse(house(azimuth), toPlan(house(azimuth), [3.5, -2]));
     assert.ok(Math.abs(a - 3.5) < 1e-9 && Math.abs(b + 2) < 1e-9, `${azimuth}: ${a} ${b}`);
   }
+});
+
+test('the pixels of a scan lie in the plan where the house has them', () => {
+  // 100 pixels a metre; the right end of the front is at pixel 500, 700.
+  const sheet = [-0.01, 0, 0, -0.01, 5, 7] as const, at = ([a, b, c, d, e, f]: readonly number[], x: number, y: number) => [a! * x + c! * y + e!, b! * x + d! * y + f!];
+  for (const azimuth of [180, 90, 0, 270, 33]) {
+    const own = { ...house(azimuth), unit_m: 0.5 }, matrix = metresToPlan(own, [...sheet]);
+    for (const [x, y] of [[500, 700], [200, 650], [0, 0]] as const) {
+      const [left, back] = at(sheet, x, y), expected = toPlan(own, [left! / 0.5, back! / 0.5]);
+      at(matrix, x, y).forEach((n, k) => assert.ok(Math.abs(n - expected[k]!) < 1e-9, `${azimuth}: ${n} ${expected}`));
+    }
+  }
+  // With its front to the south, the sheet lies as it is read: right is east, down is south.
+  assert.deepEqual(metresToPlan(house(180), [...sheet]).slice(0, 4).map(n => Number(n.toFixed(9)) + 0), [0.01, 0, 0, 0.01]);
 });
 
 test('the ridge of a branch meets that of its trunk; hips rise from the corners', () => {

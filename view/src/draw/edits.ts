@@ -25,7 +25,14 @@ export type Edit =
   | { do: 'add-fixture'; house: number; storey: number; at: Point; kind: string } & FixtureWords
   | { do: 'set-fixture' } & FixtureIndex & FixtureWords
   | { do: 'remove-fixture' } & FixtureIndex
+  | { do: 'accept-doubt'; doubt: number }
+  | { do: 'change-doubt'; doubt: number; kind: DoubtKind }
+  | { do: 'delete-doubt'; doubt: number }
   | { do: 'set-height'; house: number; storey: number; height: number };
+
+/** What a wall in doubt may be, in the order of the keys 1 to 5. */
+export const DOUBT_KINDS = ['wall', 'slide', 'window', 'lattice', 'open'] as const;
+export type DoubtKind = (typeof DOUBT_KINDS)[number];
 
 /** What an edit writes about a room; the rest stays as it is. */
 export interface RoomWords { name?: string; floor?: string; mats?: string; ceiling?: string; height?: number }
@@ -97,9 +104,10 @@ export function sameTarget(edit: Edit, meant: State, now: State): boolean {
     const fixture = 'fixture' in edit ? storey?.fixtures[edit.fixture] : undefined;
     const inner = edit.do === 'remove-wall' ? storey?.rings[edit.ring]?.walls.map(wall => [wall.from, wall.to]) : undefined;
     const unit = 'unit' in edit ? wall?.units[edit.unit] : undefined;
+    const doubt = 'doubt' in edit ? plan.doubts[edit.doubt] : undefined;
     const ends = (of?: Pick<Wall, 'from' | 'to'>) => of && [...of.from, ...of.to];
     const place = 'place' in edit ? plan.places[edit.place] : 'corner' in edit ? plan.outlines[edit.outline] : undefined;
-    return JSON.stringify([place, house?.name, storey?.storey, ends(wall), unit?.code, ends(unit), room?.at, room?.name, fixture?.kind, fixture?.at, inner]);
+    return JSON.stringify([place, house?.name, storey?.storey, ends(wall), unit?.code, ends(unit), room?.at, room?.name, fixture?.kind, fixture?.at, inner, doubt?.code, doubt?.at, doubt?.unit]);
   });
   return before === after;
 }

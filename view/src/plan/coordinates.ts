@@ -1,7 +1,7 @@
 // Coordinates of the plan: metres, x to the east, y to the south, as on a map. A house has its own frame: a to the left
 // along its front, b to the back, in U.
 
-import type { House, Point } from '../server/api.ts';
+import type { House, Matrix, Point } from '../server/api.ts';
 
 export type XY = [x: number, y: number];
 
@@ -26,6 +26,13 @@ export function toHouse(house: House, [x, y]: XY): Point {
   const [cos, sin] = turnOf(house), u = house.unit_m;
   const e = x - house.origin[0], n = -y - house.origin[1];
   return [-(e * cos - n * sin) / u, (e * sin + n * cos) / u];
+}
+
+/** From what is in metres of a house's frame, left and back, to the plan. */
+export function metresToPlan(house: House, [a, b, c, d, e, f]: Matrix): Matrix {
+  const at = (left: number, back: number) => toPlan(house, [left / house.unit_m, back / house.unit_m]);
+  const [o, x, y] = [at(e, f), at(a + e, b + f), at(c + e, d + f)];
+  return [x[0] - o[0], x[1] - o[1], y[0] - o[0], y[1] - o[1], o[0], o[1]];
 }
 
 /** The bounding rectangle of points; null if there are none. */

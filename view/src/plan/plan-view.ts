@@ -8,11 +8,16 @@ import { strings } from '../ui/strings.ts';
 import { toPlan } from './coordinates.ts';
 import { placeLengths } from './lengths.ts';
 import { type PlanDrawing, extent, drawStorey, storeysOf } from './drawing.ts';
+import { ScanLayer } from './scan.ts';
 import { contains, Sheet } from './sheet.ts';
 
 export class PlanView {
   readonly element: HTMLElement;
   readonly sheet = new Sheet();
+  /** The scan under the plan. */
+  readonly scan = new ScanLayer(this.sheet.svg);
+  /** Walls in doubt. */
+  readonly doubts = s('g', { class: 'doubts' });
   /** Overlay for the drawing tools. */
   readonly marks = s('g', { class: 'marks' });
   readonly tools = h('div', { class: 'plan-tools' });
@@ -20,6 +25,8 @@ export class PlanView {
   storey = 1;
   /** Called when a unit is clicked; returns true if a tool has handled it. */
   onUnitClick: (shape: SVGGElement) => boolean = () => false;
+  /** Called when the walls in doubt are to be drawn. */
+  drawDoubts: () => void = () => {};
   /** Called after the plan is redrawn. */
   onRedraw: () => void = () => {};
   /** Called when the sheet has another scale. */
@@ -49,7 +56,7 @@ export class PlanView {
       h('div', { class: 'bar' }, field(strings.planStorey, this.#chooser),
         button('+', () => sheet.zoom(1 / 1.3), { 'aria-label': strings.nearer, 'data-do': 'nearer' }),
         button('−', () => sheet.zoom(1.3), { 'aria-label': strings.farther, 'data-do': 'farther' }),
-        button(strings.planFit, () => this.fit(), { 'data-do': 'fit' })),
+        button(strings.planFit, () => this.fit(), { 'data-do': 'fit' }), this.scan.controls),
       this.tools, h('div', { class: 'paper' }, sheet.svg, this.#compass, this.#scale, legend(), this.#empty));
     sheet.moved = () => this.#measure();
     sheet.svg.addEventListener('click', event => {
@@ -111,7 +118,9 @@ export class PlanView {
     this.#chooser.replaceChildren(...storeys.map(n => h('option', { value: n, selected: n === this.storey }, strings.storey(n))));
     this.#empty.hidden = storeys.length > 0;
     this.drawn = drawStorey(state, this.storey);
-    this.sheet.svg.replaceChildren(this.#street(), ...this.drawn.layers, this.marks);
+    this.scan.show(state, this.storey);
+    this.sheet.svg.replaceChildren(this.scan.element, this.#street(), ...this.drawn.layers, this.doubts, this.marks);
+    this.drawDoubts();
     const now = extent(state);
     // What an edit moves out of the sheet is brought back, where all of it was in view.
     if (this.#file !== state.file || whole && now && !contains(this.sheet.frame, now)) {

@@ -204,6 +204,40 @@ export interface PlanOutline extends PlanFrame {
   fixed: string | null;
 }
 
+/** A wall of which a reader of plans was not certain; its entry in a comment is at `span`. */
+export interface Doubt {
+  code: string;
+  /** Where its part began when it was read. */
+  at: Point;
+  /** Its part now, by indices from 0; null if the wall is gone. */
+  unit: { house: number; storey: number; ring: number; wall: number; unit: number } | null;
+  file: number;
+  span: ByteRange;
+}
+
+/** A matrix of SVG: x' = a x + c y + e, y' = b x + d y + f. */
+export type Matrix = [a: number, b: number, c: number, d: number, e: number, f: number];
+
+/** The pictures that a house was read from. */
+export interface Scan {
+  /** The name of the file that tells of them. */
+  file: string;
+  sheets: ScanSheet[];
+  /** Why others are not shown. */
+  faults: string[];
+}
+
+export interface ScanSheet {
+  /** Number of its storey, from 1. */
+  storey: number;
+  number: number;
+  /** Differs if the picture does. */
+  key: string;
+  size: [width: number, height: number];
+  /** From pixels of the picture to metres to the left along the front of the first house, and to the back. */
+  to_house: Matrix;
+}
+
 export interface State {
   revision: number;
   file: string;
@@ -214,9 +248,11 @@ export interface State {
   /** Content keys of the external textures, by name. */
   pictures: Record<string, string>;
   /** `reasons`: texts for the keys in `fixed`. */
-  plan: { reasons: Record<string, string>; houses: House[]; views: NamedView[]; places: PlanPlace[]; outlines: PlanOutline[] };
+  plan: { reasons: Record<string, string>; houses: House[]; views: NamedView[]; places: PlanPlace[]; outlines: PlanOutline[]; doubts: Doubt[] };
   /** Null if the file is no town. */
   town: TownState | null;
+  /** Null if no scan lies beside the file. */
+  scan: Scan | null;
   times: [step: string, ms: number][];
 }
 
@@ -307,6 +343,9 @@ const fileQuery = (file: string) => `file=${encodeURIComponent(file)}`;
 export const fetchServerInfo = async () => answer<ServerInfo>(await fetch('/api/hello'));
 export const fetchState = async (file: string) => answer<State>(await fetch(`/api/state?${fileQuery(file)}`));
 export const modelUrl = (file: string, revision: number) => `/api/model/${revision}/house.glb?${fileQuery(file)}`;
+
+/** The address of the picture of a sheet. */
+export const scanUrl = (file: string, { number, key }: ScanSheet) => `/api/scan?${fileQuery(file)}&sheet=${number}&key=${key}`;
 
 /** The address of the files of a town. */
 export const townFiles = (id: number) => `/api/town/${id}/files/`;
