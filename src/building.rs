@@ -185,6 +185,12 @@ pub struct Ring {
 }
 
 impl Ring {
+    /// Returns true for a single straight wall inside its storey; lines that only turn the walk do not count.
+    pub fn is_lone_wall(&self) -> bool {
+        let long = |w: &&Wall| w.units.iter().any(|u| u.width > 0.0);
+        self.inner && !self.closed && self.walls.iter().filter(long).count() == 1
+    }
+
     /// Returns the corners in U in walk order from the start or its next corner; collinear points are merged, and the
     /// first corner is not repeated.
     pub fn corners(&self) -> Vec<DVec2> {

@@ -218,16 +218,22 @@ fn opened(beside: &Path, name: &str, most: u64) -> Option<(File, String)> {
 mod tests {
     use super::*;
 
-    /// A PNG of one grey pixel.
-    const DOT: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x01\0\0\0\x01\x08\0\0\0\0\x3a\x7e\x9b\x55\0\0\0\nIDATx\x9cc`\0\0\0\x02\0\x01\x48\xaf\xa4\x71\0\0\0\0IEND\xaeB`\x82";
     const GOOD: &str = r#"{"plan":1,"sheets":[{"storey":1,"picture":"a.png","to_house":[-0.01,0,0,-0.01,5,7]}]}"#;
+
+    /// A PNG of one pixel.
+    fn dot() -> Vec<u8> {
+        let mut bytes = std::io::Cursor::new(vec![]);
+        let dot = image::GrayImage::new(1, 1);
+        dot.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+        bytes.into_inner()
+    }
 
     fn beside(json: &str) -> (tempfile::TempDir, Scan) {
         let folder = tempfile::tempdir().unwrap();
         let inner = folder.path().join("inner");
         fs::create_dir(&inner).unwrap();
-        fs::write(folder.path().join("out.png"), DOT).unwrap();
-        fs::write(inner.join("a.png"), DOT).unwrap();
+        fs::write(folder.path().join("out.png"), dot()).unwrap();
+        fs::write(inner.join("a.png"), dot()).unwrap();
         fs::write(inner.join("b.txt"), "no picture").unwrap();
         fs::write(inner.join("house.plan.json"), json).unwrap();
         let scan = Scan::beside(&inner.join("house.hsd"), Language::English);
@@ -241,7 +247,7 @@ mod tests {
         let sheet = &scan.sheets[0];
         assert_eq!((sheet.storey, sheet.number, sheet.size), (1, 0, [1, 1]));
         let house = folder.path().join("inner/house.hsd");
-        assert_eq!(picture(&house, 0).unwrap(), DOT);
+        assert_eq!(picture(&house, 0).unwrap(), dot());
         assert_eq!(picture(&house, 1), None);
         assert!(Scan::beside(&folder.path().join("inner/other.hsd"), Language::English).is_none());
     }

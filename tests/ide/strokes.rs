@@ -1,6 +1,7 @@
 //! Strokes of the drawing tool.
 
 mod bench;
+mod doubts;
 mod ground;
 mod odd;
 mod parts;

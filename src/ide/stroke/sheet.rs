@@ -211,6 +211,9 @@ impl<'a> Sheet<'a> {
         wall: usize,
     ) -> Option<Reason> {
         let count = rows.len();
+        if ring.is_lone_wall() {
+            return rows[wall].fixed.or_else(|| self.start_fixed(&rows[0]));
+        }
         if !ring.closed || count < 4 {
             return Some(Reason::Open);
         }

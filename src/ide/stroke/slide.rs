@@ -9,7 +9,8 @@ use crate::building::House;
 use crate::diagnostic::Text;
 use crate::geometry::SAME;
 use crate::ide::format::Edit;
-use crate::ide::stroke::sheet::Sheet;
+use crate::ide::stroke::sheet::{Reason, Sheet};
+use crate::ide::stroke::storeys::{doubts, inner};
 use glam::DVec2;
 
 /// Redraws a ring.
@@ -23,13 +24,18 @@ pub(super) fn slide(
     storeys: Storeys,
 ) -> Result<Vec<Edit>, Text> {
     check_way(by)?;
-    let (house, ..) = find::ring(sheet, at)?;
+    let (house, _, ring) = find::ring(sheet, at)?;
+    if ring.is_lone_wall() {
+        return inner::shift(sheet, at, by);
+    }
     let mut walls = vec![at];
     if storeys == Storeys::All {
         walls.extend(aligned(house, at));
     }
     let (mut edits, moved) = drawn(sheet, house, &walls, &|draft, wall| draft.slide(wall, by))?;
     edits.extend(roofs::follow(sheet, house, &moved));
+    let way = outward(ring.walls[at.wall].direction) * f64::from(by);
+    edits.extend(doubts::shifted(sheet, at, way));
     Ok(tidy(edits))
 }
 
@@ -114,6 +120,9 @@ fn drawn(
     for at in walls {
         let storey = &house.storeys[at.storey];
         let ring = &storey.rings[at.ring];
+        if ring.is_lone_wall() {
+            return Err(Reason::Open.text());
+        }
         let rows = sheet.rows(ring);
         if let Some(reason) = sheet.ring_fixed(ring, &rows, at.wall) {
             return Err(reason.text());

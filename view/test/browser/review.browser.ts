@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before, beforeEach, test } from 'node:test';
-import { crc32, deflateSync, inflateSync } from 'node:zlib';
+import { deflateSync, inflateSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { drawing } from './drawing.ts';
 import { does, Preview, until } from './preview.ts';
@@ -31,19 +31,20 @@ const UNIT = 40, [X, Y] = [320, 400], SIZE = [400, 480] as const;
 
 /** Writes a grey picture as PNG. */
 function png([width, height]: readonly [number, number], grey: (x: number, y: number) => number): Uint8Array {
-  const rows = Buffer.alloc((width + 1) * height);
+  const rows = new Uint8Array((width + 1) * height);
   for (let y = 0; y < height; y++) for (let x = 0; x < width; x++) rows[y * (width + 1) + 1 + x] = grey(x, y);
-  const chunk = (name: string, data: Uint8Array) => {
-    const body = Buffer.concat([Buffer.from(name), data]), long = Buffer.alloc(4), sum = Buffer.alloc(4);
-    long.writeUInt32BE(data.length);
-    sum.writeUInt32BE(crc32(body));
-    return Buffer.concat([long, body, sum]);
+  const number = (n: number) => [n >>> 24, n >>> 16 & 255, n >>> 8 & 255, n & 255];
+  const crc32 = (bytes: number[]) => ~bytes.reduce((sum, byte) => {
+    let next = sum ^ byte;
+    for (let i = 0; i < 8; i++) next = next >>> 1 ^ (next & 1 ? 0xedb88320 : 0);
+    return next;
+  }, -1);
+  const chunk = (name: string, data: Uint8Array | number[]) => {
+    const body = [...new TextEncoder().encode(name), ...data];
+    return [...number(data.length), ...body, ...number(crc32(body))];
   };
-  const head = Buffer.alloc(13);
-  head.writeUInt32BE(width, 0);
-  head.writeUInt32BE(height, 4);
-  head[8] = 8;
-  return Buffer.concat([Buffer.from('89504e470d0a1a0a', 'hex'), chunk('IHDR', head), chunk('IDAT', deflateSync(rows)), chunk('IEND', new Uint8Array())]);
+  return new Uint8Array([137, 80, 78, 71, 13, 10, 26, 10, ...chunk('IHDR', [...number(width), ...number(height), 8, 0, 0, 0, 0]),
+    ...chunk('IDAT', new Uint8Array(deflateSync(rows))), ...chunk('IEND', [])]);
 }
 
 /** A dark square in the house, half a unit wide, its middle 4.5 units to the left and 6.5 back; the rest is light. */
@@ -78,13 +79,13 @@ async function reach(index: number) {
 /** The grey of a place of the plan on the screen. */
 async function grey(a: number, b: number): Promise<number> {
   const { x, y } = await at(a, b), shot = await page.screenshot({ clip: { x: Math.round(x) - 1, y: Math.round(y) - 1, width: 2, height: 2 } });
-  let at8 = 8, data = Buffer.alloc(0);
+  let at8 = 8, data = new Uint8Array();
   while (at8 < shot.length) {
     const long = shot.readUInt32BE(at8);
-    if (shot.toString('latin1', at8 + 4, at8 + 8) === 'IDAT') data = Buffer.concat([data, shot.subarray(at8 + 8, at8 + 8 + long)]);
+    if (shot.toString('latin1', at8 + 4, at8 + 8) === 'IDAT') data = new Uint8Array([...data, ...shot.subarray(at8 + 8, at8 + 8 + long)]);
     at8 += 12 + long;
   }
-  return inflateSync(new Uint8Array(data))[1]!;
+  return inflateSync(data)[1]!;
 }
 
 test('walls in doubt are listed, and shown one after the other in the plan', async () => {

@@ -28,6 +28,8 @@ pub(in crate::ide) struct Doubt {
     pub(in crate::ide) comment: usize,
     /// Its entry in the comment.
     pub(in crate::ide) entry: Range<usize>,
+    /// The numbers of its place.
+    pub(in crate::ide) numbers: Range<usize>,
     /// The code that the entry names.
     pub(in crate::ide) code: String,
     /// The place that the entry names, U.
@@ -91,9 +93,10 @@ fn written(sheet: &Sheet<'_>) -> Vec<Doubt> {
             continue;
         }
         for entry in entries {
-            if let Some((code, at)) = understood(&text[entry.clone()]) {
+            if let Some((code, at, numbers)) = understood(&text[entry.clone()]) {
                 found.push(Doubt {
                     comment,
+                    numbers: entry.start + numbers.start..entry.start + numbers.end,
                     entry,
                     code,
                     at,
@@ -106,13 +109,16 @@ fn written(sheet: &Sheet<'_>) -> Vec<Doubt> {
     found
 }
 
-/// Reads `TSH 2 at 7 0`; more words may follow.
-fn understood(entry: &str) -> Option<(String, DVec2)> {
+/// Reads `TSH 2 at 7 0`; more words may follow. Returns also where the numbers are.
+fn understood(entry: &str) -> Option<(String, DVec2, Range<usize>)> {
     let (code, place) = entry.rsplit_once(" at ")?;
-    let mut numbers = place.split_whitespace().map(str::parse::<f64>);
-    let (a, b) = (numbers.next()?.ok()?, numbers.next()?.ok()?);
+    let mut words = place.split_whitespace();
+    let (first, second) = (words.next()?, words.next()?);
+    let (a, b): (f64, f64) = (first.parse().ok()?, second.parse().ok()?);
+    let start = first.as_ptr() as usize - entry.as_ptr() as usize;
+    let end = second.as_ptr() as usize - entry.as_ptr() as usize + second.len();
     let fine = !code.trim().is_empty() && a.is_finite() && b.is_finite();
-    fine.then(|| (code.trim().to_owned(), DVec2::new(a, b)))
+    fine.then(|| (code.trim().to_owned(), DVec2::new(a, b), start..end))
 }
 
 /// Returns the walls of the file by the offsets of their rows; the first where a row makes several.

@@ -12,6 +12,7 @@ use crate::ide::stroke::sheet::doubts::{Doubt, doubts, entries};
 use crate::ide::stroke::sheet::{Cell, Form, Home, Reason, Sheet, SheetRow, What, name};
 use crate::ide::stroke::xml::{gap_before, gone, plain};
 use crate::ide::stroke::{StoreyAt, WallAt, find, part, refuse, write};
+use glam::DVec2;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -94,6 +95,19 @@ pub(in crate::ide::stroke) fn settles(
     let mut all = doubts(sheet).into_iter();
     let found = all.find(|d| d.unit == Some((at, unit)))?;
     Some(settled(sheet, &found))
+}
+
+/// Returns the edits that write the new places of what is in doubt about a wall that moves.
+pub(in crate::ide::stroke) fn shifted(sheet: &Sheet<'_>, wall: WallAt, way: DVec2) -> Vec<Edit> {
+    let own = |d: &Doubt| d.unit.is_some_and(|(at, _)| at == wall);
+    let moved = doubts(sheet).into_iter().filter(own).map(|doubt| {
+        let to = doubt.at + way;
+        Edit {
+            range: doubt.numbers,
+            text: format!("{} {}", plain(to.x), plain(to.y)),
+        }
+    });
+    moved.collect()
 }
 
 fn doubt(sheet: &Sheet<'_>, number: usize) -> Result<Doubt, Text> {
@@ -221,17 +235,19 @@ fn taken_out(sheet: &Sheet<'_>, doubt: &Doubt) -> Result<Vec<Edit>, Text> {
         return Err(reason.text());
     }
     let taken = Taken { sheet, doubt, ring, rows: &rows, at, unit, cell, row, owner };
-    let is_first = at.wall == 0 && unit == 0;
-    let is_last = at.wall + 1 == ring.walls.len() && unit + 1 == ring.walls[at.wall].units.len();
+    let bare = |w: &Wall| w.units.iter().all(|u| u.width < SAME);
+    let is_first = unit == 0 && ring.walls[..at.wall].iter().all(bare);
+    let units = ring.walls[at.wall].units.len();
+    let is_last = unit + 1 == units && ring.walls[at.wall + 1..].iter().all(bare);
     match (is_first, is_last) {
         (true, true) => taken.all(),
+        (true, false) if taken.alone() => taken.moved_on(),
         (false, true) if taken.alone() => {
             let mut edits = gone(sheet, sheet.outline.elements[row].range.clone());
             edits.push(taken.settled());
             Ok(edits)
         }
-        (true, false) if taken.alone() => Err(Reason::Corner.text()),
-        (true, false) | (false, true) => taken.shortened(),
+        (true, false) | (false, true) => taken.shortened(is_first),
         (false, false) => taken.parted(),
     }
 }
@@ -258,12 +274,41 @@ impl Taken<'_> {
         Ok(edits)
     }
 
+    /// The walk begins with its next row.
+    fn moved_on(&self) -> Result<Vec<Edit>, Text> {
+        let (text, elements) = (self.sheet.text, &self.sheet.outline.elements);
+        let (row, owner) = (&elements[self.row], &elements[self.owner]);
+        let range = owner.range.start..row.range.end;
+        let mut comments = self.sheet.outline.comments.iter().enumerate();
+        let other = comments.any(|(n, c)| {
+            n != self.doubt.comment && range.start <= c.start && c.end <= range.end
+        });
+        if other {
+            return Err(refuse::comments());
+        }
+        let gap = gap_before(text, row.range.start);
+        let mut new = self.tag();
+        for lead in leads(self.way(self.at.wall + 1)?) {
+            new += &format!("{gap}{lead}");
+        }
+        Ok(vec![Edit { range, text: new }])
+    }
+
+    /// Returns the way of a wall, along an axis.
+    fn way(&self, wall: usize) -> Result<DVec2, Text> {
+        let way = self.ring.walls[wall].direction;
+        match way.distance(way.round()) > SAME {
+            true => Err(Reason::Slanted.text()),
+            false => Ok(way.round()),
+        }
+    }
+
     /// The walk begins later, or ends earlier.
-    fn shortened(&self) -> Result<Vec<Edit>, Text> {
+    fn shortened(&self, is_first: bool) -> Result<Vec<Edit>, Text> {
         let mut draft = Draft::of(self.ring, self.rows);
         let row = &self.rows[self.at.wall];
         let piece = draft.lines[self.at.wall].pieces.remove(self.cell - row.leads());
-        if self.at.wall == 0 && self.unit == 0 {
+        if is_first {
             draft.start += self.wall().direction * piece.width;
         }
         let change = Change {
@@ -285,11 +330,7 @@ impl Taken<'_> {
         let own: &Cell = &cells[self.cell];
         let (gap, outer) = (gap_before(text, row.range.start), gap_before(text, owner.range.start));
         let (leads_off, ends) = (self.cell == 0, self.cell + 1 == cells.len());
-        let next = if ends { &self.ring.walls[self.at.wall + 1] } else { self.wall() };
-        let ways = leads(next.direction.round());
-        if next.direction.distance(next.direction.round()) > SAME {
-            return Err(Reason::Slanted.text());
-        }
+        let ways = leads(self.way(self.at.wall + usize::from(ends))?);
         let later = self.later();
         let mut behind = format!("{outer}</Loop>{outer}{}", self.tag());
         ways.iter().for_each(|lead| behind += &format!("{gap}{lead}"));

@@ -1,18 +1,20 @@
 //! Strokes that draw and remove walls inside a storey.
 
+use super::doubts;
 use super::element::put;
 use crate::building::Storey;
 use crate::diagnostic::Text;
 use crate::geometry::SAME;
 use crate::ide::format::Edit;
-use crate::ide::stroke::StoreyAt;
-use crate::ide::stroke::change::{CELL, padded, tidy};
+use crate::ide::stroke::change::{CELL, Change, padded, tidy};
+use crate::ide::stroke::draft::Draft;
 use crate::ide::stroke::find;
 use crate::ide::stroke::part::meant;
 use crate::ide::stroke::refuse;
 use crate::ide::stroke::sheet::{Home, Sheet, name};
-use crate::ide::stroke::walls::inside;
+use crate::ide::stroke::walls::{inside, outward};
 use crate::ide::stroke::xml::{gone, plain};
+use crate::ide::stroke::{StoreyAt, WallAt, write};
 use glam::DVec2;
 
 /// The wall that fills what whole parts leave.
@@ -79,6 +81,33 @@ pub(in crate::ide::stroke) fn remove(
     }
     let range = sheet.outline.elements[owner].range.clone();
     Ok(tidy(gone(sheet, range)))
+}
+
+/// Moves a straight wall inside along its normal, with what is in doubt about it.
+pub(in crate::ide::stroke) fn shift(
+    sheet: &Sheet<'_>,
+    at: WallAt,
+    by: i32,
+) -> Result<Vec<Edit>, Text> {
+    let (_, level, ring) = find::ring(sheet, at)?;
+    let rows = sheet.rows(ring);
+    if let Some(reason) = sheet.ring_fixed(ring, &rows, at.wall) {
+        return Err(reason.text());
+    }
+    let wall = &ring.walls[at.wall];
+    let way = outward(wall.direction) * f64::from(by);
+    stands(level, wall.from + way, wall.to + way)?;
+    let mut draft = Draft::of(ring, &rows);
+    draft.start += way;
+    let change = Change {
+        sheet,
+        ring,
+        rows: &rows,
+        draft: &draft,
+    };
+    let mut edits = write::edits(&change)?;
+    edits.extend(doubts::shifted(sheet, at, way));
+    Ok(tidy(edits))
 }
 
 /// Checks that points follow each other along the lines of the grid, whole units apart.
