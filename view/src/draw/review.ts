@@ -12,7 +12,7 @@ import { DOUBT_KINDS, type DoubtKind, type Edit } from './edits.ts';
 import { EditSession } from './session.ts';
 
 /** Half the width of what is shown round a wall in doubt, metres. */
-const AROUND = 3;
+const AROUND = 2;
 
 export class Review {
   readonly element: HTMLDetailsElement;
@@ -35,9 +35,10 @@ export class Review {
   constructor(app: App, plan: PlanView, showPlan: () => void) {
     [this.#app, this.#plan, this.#showPlan] = [app, plan, showPlan];
     this.#session = new EditSession(app, plan);
+    this.#session.status.className = 'review-status';
     const act = (label: string, keys: string, name: string, then: () => void) =>
       button(label, then, { 'data-do': name, 'aria-keyshortcuts': keys, title: keys });
-    const kinds = DOUBT_KINDS.map((kind, i) => act(strings.doubtKind[kind], `${i + 1}`, `doubt-${kind}`, () => this.#change(kind)));
+    const kinds = DOUBT_KINDS.map((kind, i) => act(`${i + 1} ${strings.doubtKind[kind]}`, `${i + 1}`, `doubt-${kind}`, () => this.#change(kind)));
     this.#acts = [
       act(strings.acceptDoubt, 'Enter', 'accept-doubt', () => this.#accept()),
       act(strings.deleteDoubt, 'Delete', 'delete-doubt', () => this.#delete()), ...kinds,

@@ -55,7 +55,7 @@ const PLAN = { plan: 1, sheets: [{ storey: 1, picture: 'read.sheet-1.png', to_ho
 let preview: Preview, page: Page;
 const { text, at, becomes, status } = drawing('read.hsd', () => ({ preview, page }));
 const options = () => page.locator('.doubt-list [role=option]').allTextContents();
-const told = () => page.locator('[data-fold=doubts] .status').textContent();
+const told = () => page.locator('.review-status').textContent();
 
 before(async () => {
   preview = await Preview.of([['read.hsd', HOUSE], ['read.plan.json', JSON.stringify(PLAN)], ['other.hsd', HOUSE.replace(/<!--.*-->/g, '')]]);
@@ -186,7 +186,7 @@ test('axe finds nothing, and a file without a scan shows no more of it', async (
   await other.context().close();
   const japanese = await preview.open('?file=read.hsd&lang=ja', { viewport: { width: 1400, height: 900 } });
   await does(japanese, 'next-doubt').click();
-  assert.match(await japanese.locator('[data-fold=doubts] .status').textContent() ?? '', /^3 か所のうち 1: KTU/);
+  assert.match(await japanese.locator('.review-status').textContent() ?? '', /^3 か所のうち 1: KTU/);
   await japanese.context().close();
 });
 
