@@ -198,7 +198,10 @@ fn shown(file: &Path, number: usize, sheet: &PlanSheet) -> Result<ShownSheet, Te
 /// is larger than that.
 fn opened(beside: &Path, name: &str, most: u64) -> Option<(File, String)> {
     let mut parts = Path::new(name).components();
-    let plain = matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None));
+    let plain = matches!(
+        (parts.next(), parts.next()),
+        (Some(Component::Normal(_)), None)
+    );
     if !plain || name.contains(['/', '\\', ':']) {
         return None;
     }
@@ -218,24 +221,26 @@ fn opened(beside: &Path, name: &str, most: u64) -> Option<(File, String)> {
 mod tests {
     use super::*;
 
-    const GOOD: &str = r#"{"plan":1,"sheets":[{"storey":1,"picture":"a.png","to_house":[-0.01,0,0,-0.01,5,7]}]}"#;
+    const GOOD: &str =
+        r#"{"plan":1,"sheets":[{"storey":1,"picture":"a.png","to_house":[-0.01,0,0,-0.01,5,7]}]}"#;
 
     /// A PNG of one pixel.
     fn dot() -> Vec<u8> {
         let mut bytes = std::io::Cursor::new(vec![]);
         let dot = image::GrayImage::new(1, 1);
-        dot.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+        dot.write_to(&mut bytes, image::ImageFormat::Png)
+            .expect("can be done");
         bytes.into_inner()
     }
 
     fn beside(json: &str) -> (tempfile::TempDir, Scan) {
-        let folder = tempfile::tempdir().unwrap();
+        let folder = tempfile::tempdir().expect("can be done");
         let inner = folder.path().join("inner");
-        fs::create_dir(&inner).unwrap();
-        fs::write(folder.path().join("out.png"), dot()).unwrap();
-        fs::write(inner.join("a.png"), dot()).unwrap();
-        fs::write(inner.join("b.txt"), "no picture").unwrap();
-        fs::write(inner.join("house.plan.json"), json).unwrap();
+        fs::create_dir(&inner).expect("can be done");
+        fs::write(folder.path().join("out.png"), dot()).expect("can be done");
+        fs::write(inner.join("a.png"), dot()).expect("can be done");
+        fs::write(inner.join("b.txt"), "no picture").expect("can be done");
+        fs::write(inner.join("house.plan.json"), json).expect("can be done");
         let scan = Scan::beside(&inner.join("house.hsd"), Language::English);
         (folder, scan.expect("lies there"))
     }
@@ -247,7 +252,7 @@ mod tests {
         let sheet = &scan.sheets[0];
         assert_eq!((sheet.storey, sheet.number, sheet.size), (1, 0, [1, 1]));
         let house = folder.path().join("inner/house.hsd");
-        assert_eq!(picture(&house, 0).unwrap(), dot());
+        assert_eq!(picture(&house, 0).expect("can be done"), dot());
         assert_eq!(picture(&house, 1), None);
         assert!(Scan::beside(&folder.path().join("inner/other.hsd"), Language::English).is_none());
     }
@@ -269,9 +274,16 @@ mod tests {
             let (folder, scan) = beside(json);
             assert!(scan.sheets.is_empty(), "{json}");
             assert!(scan.faults[0].contains(why), "{json}: {:?}", scan.faults);
-            assert_eq!(picture(&folder.path().join("inner/house.hsd"), 0), None, "{json}");
+            assert_eq!(
+                picture(&folder.path().join("inner/house.hsd"), 0),
+                None,
+                "{json}"
+            );
         }
-        let (_folder, scan) = beside(&GOOD.replace("]}]}", r#"]},{"storey":2,"picture":"b.txt","to_house":[1,0,0,1,0,0]}]}"#));
+        let (_folder, scan) = beside(&GOOD.replace(
+            "]}]}",
+            r#"]},{"storey":2,"picture":"b.txt","to_house":[1,0,0,1,0,0]}]}"#,
+        ));
         assert_eq!((scan.sheets.len(), scan.faults.len()), (1, 1));
     }
 
@@ -280,8 +292,8 @@ mod tests {
     fn links_out_of_the_folder_are_not_followed() {
         let (folder, _) = beside(GOOD);
         let link = folder.path().join("inner/a.png");
-        fs::remove_file(&link).unwrap();
-        std::os::unix::fs::symlink(folder.path().join("out.png"), &link).unwrap();
+        fs::remove_file(&link).expect("can be done");
+        std::os::unix::fs::symlink(folder.path().join("out.png"), &link).expect("can be done");
         assert_eq!(picture(&folder.path().join("inner/house.hsd"), 0), None);
     }
 }

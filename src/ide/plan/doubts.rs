@@ -49,7 +49,12 @@ pub(super) fn all(sheet: &Sheet<'_>) -> Vec<PlanDoubt> {
 }
 
 fn located(at: WallAt, unit: usize) -> DoubtfulUnit {
-    let WallAt { house, storey, ring, wall } = at;
+    let WallAt {
+        house,
+        storey,
+        ring,
+        wall,
+    } = at;
     DoubtfulUnit {
         house,
         storey,

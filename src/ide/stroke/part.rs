@@ -36,15 +36,7 @@ pub(super) fn set(
     if let Some(reason) = row.unit_fixed(unit) {
         return Err(reason.text());
     }
-    let mut new = vec![];
-    for part in parts {
-        let meant = meant(sheet, at.house, part)?;
-        if matches!(row.home, Home::Line(_)) && !(meant.code.len() <= CELL && meant.code.is_ascii())
-        {
-            return Err(refuse::long_name(&meant.code));
-        }
-        new.push(meant);
-    }
+    let mut new = all_meant(sheet, at.house, row, parts)?;
     let cell = row.cell_of(unit).ok_or_else(refuse::no_such_place)?;
     let mut draft = Draft::of(ring, &rows);
     let usual = draft.plain(at.wall, 1.0)?;
@@ -80,6 +72,24 @@ pub(super) fn set(
         draft: &draft,
     };
     Ok(tidy(write::edits(&change)?))
+}
+
+/// Returns the parts that names mean, if their row can have them.
+fn all_meant(
+    sheet: &Sheet<'_>,
+    house: usize,
+    row: &SheetRow,
+    parts: &[&str],
+) -> Result<Vec<DraftPiece>, Text> {
+    let is_line = matches!(row.home, Home::Line(_));
+    let one = |part: &&str| {
+        let meant = meant(sheet, house, part)?;
+        match is_line && !(meant.code.len() <= CELL && meant.code.is_ascii()) {
+            true => Err(refuse::long_name(&meant.code)),
+            false => Ok(meant),
+        }
+    };
+    parts.iter().map(one).collect()
 }
 
 /// Returns the place of a unit in the plan.
@@ -203,11 +213,7 @@ fn single(
 }
 
 /// Replaces a piece by several that are together as wide.
-fn several(
-    pieces: &mut Vec<DraftPiece>,
-    index: usize,
-    new: Vec<DraftPiece>,
-) -> Result<(), Text> {
+fn several(pieces: &mut Vec<DraftPiece>, index: usize, new: Vec<DraftPiece>) -> Result<(), Text> {
     let width: f64 = new.iter().map(|p| p.width).sum();
     if (width - pieces[index].width).abs() > SAME {
         return Err(refuse::too_wide(&new[0].code));

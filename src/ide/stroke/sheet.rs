@@ -211,7 +211,7 @@ impl<'a> Sheet<'a> {
         wall: usize,
     ) -> Option<Reason> {
         let count = rows.len();
-        if ring.is_lone_wall() {
+        if ring.is_lone_wall() && !ring.walls[wall].units.is_empty() {
             return rows[wall].fixed.or_else(|| self.start_fixed(&rows[0]));
         }
         if !ring.closed || count < 4 {

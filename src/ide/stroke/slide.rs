@@ -26,7 +26,10 @@ pub(super) fn slide(
     check_way(by)?;
     let (house, _, ring) = find::ring(sheet, at)?;
     if ring.is_lone_wall() {
-        return inner::shift(sheet, at, by);
+        let way = outward(ring.walls[at.wall].direction) * f64::from(by);
+        let mut edits = inner::shift(sheet, at, way)?;
+        edits.extend(doubts::shifted(sheet, at, way));
+        return Ok(tidy(edits));
     }
     let mut walls = vec![at];
     if storeys == Storeys::All {

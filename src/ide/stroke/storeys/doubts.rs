@@ -87,11 +87,7 @@ pub(in crate::ide::stroke) fn delete(sheet: &Sheet<'_>, number: usize) -> Result
 }
 
 /// Returns the edit that settles what is in doubt about a unit, if anything is.
-pub(in crate::ide::stroke) fn settles(
-    sheet: &Sheet<'_>,
-    at: WallAt,
-    unit: usize,
-) -> Option<Edit> {
+pub(in crate::ide::stroke) fn settles(sheet: &Sheet<'_>, at: WallAt, unit: usize) -> Option<Edit> {
     let mut all = doubts(sheet).into_iter();
     let found = all.find(|d| d.unit == Some((at, unit)))?;
     Some(settled(sheet, &found))
@@ -163,9 +159,8 @@ fn parts(
         });
         let order = |code: &str| known.iter().position(|k| *k == code).unwrap_or(known.len());
         let of_width = used.into_iter().filter(|((_, w), _)| *w == wide);
-        let most = of_width.max_by_key(|((code, _), count)| {
-            (*count, std::cmp::Reverse(order(code)))
-        });
+        let most =
+            of_width.max_by_key(|((code, _), count)| (*count, std::cmp::Reverse(order(code))));
         let code = most.map_or_else(|| (*first).to_owned(), |((code, _), _)| code);
         while left > f64::from(wide) - SAME {
             found.push(code.clone());
@@ -187,7 +182,10 @@ fn used(
 ) -> BTreeMap<(String, u32), usize> {
     let mut counts = BTreeMap::new();
     let built = sheet.a.checked.building.houses.get(house);
-    let rings = built.iter().flat_map(|b| &b.house.storeys).flat_map(|s| &s.rings);
+    let rings = built
+        .iter()
+        .flat_map(|b| &b.house.storeys)
+        .flat_map(|s| &s.rings);
     for ring in rings.filter(|r| r.inner == is_inner) {
         for unit in ring.walls.iter().flat_map(|w| &w.units) {
             let code = sheet.code(unit);
@@ -221,7 +219,9 @@ fn taken_out(sheet: &Sheet<'_>, doubt: &Doubt) -> Result<Vec<Edit>, Text> {
     if let Some(reason) = rows[at.wall].unit_fixed(unit) {
         return Err(reason.text());
     }
-    let cell = rows[at.wall].cell_of(unit).ok_or_else(refuse::no_such_place)?;
+    let cell = rows[at.wall]
+        .cell_of(unit)
+        .ok_or_else(refuse::no_such_place)?;
     if matches!(rows[at.wall].cells[cell].form, Form::Run(..)) {
         return Err(Reason::Repeat.text());
     }
@@ -234,7 +234,17 @@ fn taken_out(sheet: &Sheet<'_>, doubt: &Doubt) -> Result<Vec<Edit>, Text> {
     if let Some(reason) = sheet.around_fixed(owner) {
         return Err(reason.text());
     }
-    let taken = Taken { sheet, doubt, ring, rows: &rows, at, unit, cell, row, owner };
+    let taken = Taken {
+        sheet,
+        doubt,
+        ring,
+        rows: &rows,
+        at,
+        unit,
+        cell,
+        row,
+        owner,
+    };
     let bare = |w: &Wall| w.units.iter().all(|u| u.width < SAME);
     let is_first = unit == 0 && ring.walls[..at.wall].iter().all(bare);
     let units = ring.walls[at.wall].units.len();
@@ -268,7 +278,12 @@ impl Taken<'_> {
 
     /// The walk goes as a whole.
     fn all(&self) -> Result<Vec<Edit>, Text> {
-        let WallAt { house, storey, ring, .. } = self.at;
+        let WallAt {
+            house,
+            storey,
+            ring,
+            ..
+        } = self.at;
         let mut edits = inner::remove(self.sheet, StoreyAt { house, storey }, ring)?;
         edits.push(self.settled());
         Ok(edits)
@@ -280,9 +295,8 @@ impl Taken<'_> {
         let (row, owner) = (&elements[self.row], &elements[self.owner]);
         let range = owner.range.start..row.range.end;
         let mut comments = self.sheet.outline.comments.iter().enumerate();
-        let other = comments.any(|(n, c)| {
-            n != self.doubt.comment && range.start <= c.start && c.end <= range.end
-        });
+        let other = comments
+            .any(|(n, c)| n != self.doubt.comment && range.start <= c.start && c.end <= range.end);
         if other {
             return Err(refuse::comments());
         }
@@ -307,7 +321,9 @@ impl Taken<'_> {
     fn shortened(&self, is_first: bool) -> Result<Vec<Edit>, Text> {
         let mut draft = Draft::of(self.ring, self.rows);
         let row = &self.rows[self.at.wall];
-        let piece = draft.lines[self.at.wall].pieces.remove(self.cell - row.leads());
+        let piece = draft.lines[self.at.wall]
+            .pieces
+            .remove(self.cell - row.leads());
         if is_first {
             draft.start += self.wall().direction * piece.width;
         }
@@ -328,19 +344,27 @@ impl Taken<'_> {
         let (row, owner) = (&elements[self.row], &elements[self.owner]);
         let cells = &self.rows[self.at.wall].cells;
         let own: &Cell = &cells[self.cell];
-        let (gap, outer) = (gap_before(text, row.range.start), gap_before(text, owner.range.start));
+        let (gap, outer) = (
+            gap_before(text, row.range.start),
+            gap_before(text, owner.range.start),
+        );
         let (leads_off, ends) = (self.cell == 0, self.cell + 1 == cells.len());
         let ways = leads(self.way(self.at.wall + usize::from(ends))?);
         let later = self.later();
         let mut behind = format!("{outer}</Loop>{outer}{}", self.tag());
-        ways.iter().for_each(|lead| behind += &format!("{gap}{lead}"));
+        ways.iter()
+            .for_each(|lead| behind += &format!("{gap}{lead}"));
         let mut edits = vec![];
         let mut range = own.range.clone();
         if leads_off {
             // Its comment goes along with the row.
             let comment = self.sheet.outline.comments[self.doubt.comment].clone();
             let is_own = self.doubt.row == self.row;
-            let first = if is_own { comment.start } else { row.range.start };
+            let first = if is_own {
+                comment.start
+            } else {
+                row.range.start
+            };
             range.start = first - gap_before(text, first).len();
         } else {
             behind.insert_str(0, "</Row>");
@@ -358,7 +382,10 @@ impl Taken<'_> {
             let gone = |entry: &Range<usize>| *entry == self.doubt.entry || later.contains(entry);
             edits.push(without(self.sheet, self.doubt.comment, &gone));
         }
-        edits.push(Edit { range, text: behind });
+        edits.push(Edit {
+            range,
+            text: behind,
+        });
         Ok(edits)
     }
 
@@ -378,7 +405,8 @@ impl Taken<'_> {
     /// Returns the entries of the same comment that stand for parts behind this one in its row.
     fn later(&self) -> Vec<Range<usize>> {
         let behind = |d: &Doubt| {
-            d.unit.is_some_and(|(at, unit)| at == self.at && unit > self.unit)
+            d.unit
+                .is_some_and(|(at, unit)| at == self.at && unit > self.unit)
         };
         let all = doubts(self.sheet).into_iter();
         let own = all.filter(|d| d.comment == self.doubt.comment && behind(d));

@@ -1,6 +1,5 @@
 //! Strokes that draw and remove walls inside a storey.
 
-use super::doubts;
 use super::element::put;
 use crate::building::Storey;
 use crate::diagnostic::Text;
@@ -12,7 +11,7 @@ use crate::ide::stroke::find;
 use crate::ide::stroke::part::meant;
 use crate::ide::stroke::refuse;
 use crate::ide::stroke::sheet::{Home, Sheet, name};
-use crate::ide::stroke::walls::{inside, outward};
+use crate::ide::stroke::walls::inside;
 use crate::ide::stroke::xml::{gone, plain};
 use crate::ide::stroke::{StoreyAt, WallAt, write};
 use glam::DVec2;
@@ -83,11 +82,11 @@ pub(in crate::ide::stroke) fn remove(
     Ok(tidy(gone(sheet, range)))
 }
 
-/// Moves a straight wall inside along its normal, with what is in doubt about it.
+/// Moves a straight wall inside along its normal.
 pub(in crate::ide::stroke) fn shift(
     sheet: &Sheet<'_>,
     at: WallAt,
-    by: i32,
+    way: DVec2,
 ) -> Result<Vec<Edit>, Text> {
     let (_, level, ring) = find::ring(sheet, at)?;
     let rows = sheet.rows(ring);
@@ -95,7 +94,6 @@ pub(in crate::ide::stroke) fn shift(
         return Err(reason.text());
     }
     let wall = &ring.walls[at.wall];
-    let way = outward(wall.direction) * f64::from(by);
     stands(level, wall.from + way, wall.to + way)?;
     let mut draft = Draft::of(ring, &rows);
     draft.start += way;
@@ -105,9 +103,7 @@ pub(in crate::ide::stroke) fn shift(
         rows: &rows,
         draft: &draft,
     };
-    let mut edits = write::edits(&change)?;
-    edits.extend(doubts::shifted(sheet, at, way));
-    Ok(tidy(edits))
+    write::edits(&change)
 }
 
 /// Checks that points follow each other along the lines of the grid, whole units apart.
