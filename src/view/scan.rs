@@ -120,12 +120,12 @@ fn path(house: &Path) -> PathBuf {
 fn read(path: &Path) -> Result<PlanFile, Text> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let opened = opened(path, &name, LONGEST);
-    let (file, _) = opened.ok_or_else(|| {
+    let (file, _) = opened.ok_or(
         text!(
             "this cannot be read, is larger than 1 MiB, or is a link to elsewhere: let `hsd plan` write it again",
             "読めないか、1 MiB を超えるか、ほかの場所へのリンクです。hsd plan で書き直してください"
-        )
-    })?;
+        ),
+    )?;
     let mut text = String::new();
     let whole = file.take(LONGEST).read_to_string(&mut text);
     let parsed = serde_json::from_str::<PlanFile>(&text);
@@ -159,7 +159,7 @@ fn shown(file: &Path, number: usize, sheet: &PlanSheet) -> Result<ShownSheet, Te
     let [a, b, c, d, e, f] = sheet.to_house;
     let area = a * d - b * c;
     let far = [a, b, c, d, e, f].iter().any(|n| n.abs() > 1e6);
-    if far || !(area.abs() > 1e-12) {
+    if far || area.abs() <= 1e-12 {
         return Err(text!([nth]
             "`to_house` of sheet {nth} takes the picture to nowhere: it needs six numbers, of which the first four span an area",
             "{nth} 枚目の to_house では図面の位置が決まりません。六つの数が要り、初めの四つは面積を張ります"

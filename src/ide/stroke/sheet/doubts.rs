@@ -158,7 +158,7 @@ fn unit(sheet: &Sheet<'_>, at: WallAt, doubt: &Doubt) -> Option<(WallAt, usize)>
             let here = wall == at.wall && off.length() < SAME;
             let code = || sheet.code(part) == doubt.code;
             let along = off.dot(own.direction).abs() < SAME && own.direction.distance(way) < SAME;
-            if part.width < SAME || !here && !(along && code()) {
+            if part.width < SAME || !(here || along && code()) {
                 continue;
             }
             let far = if here { -1.0 } else { off.length() };
