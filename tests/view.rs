@@ -3,6 +3,7 @@
 mod guard;
 mod houses;
 mod models;
+mod scans;
 mod screenshots;
 mod towns;
 mod web;

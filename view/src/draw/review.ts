@@ -164,6 +164,8 @@ export class Review {
   #key(event: KeyboardEvent) {
     const { key, target, ctrlKey, metaKey, altKey } = event;
     if (event.defaultPrevented || ctrlKey || metaKey || altKey || isField(target) || this.element.hidden || !this.element.open) return;
+    // The keys of a drawing tool are its own.
+    if (this.#plan.element.classList.contains('drawing') && this.#plan.element.contains(target as Node)) return;
     // What has a use of Enter or Delete of its own keeps it.
     const own = (target as Element).closest('button, summary, a, [role=button]') !== null, inside = this.element.contains(target as Node), inList = target === this.#list;
     const kind = DOUBT_KINDS[Number(key) - 1];

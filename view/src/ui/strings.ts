@@ -105,7 +105,7 @@ const en = {
   doubts: 'In doubt', noDoubts: 'No wall is in doubt any more.', previousDoubt: 'Previous', nextDoubt: 'Next', acceptDoubt: 'Accept', deleteDoubt: 'Delete',
   kindOfDoubt: 'What it is', doubtKind: { wall: 'Wall', slide: 'Sliding door', window: 'Window', lattice: 'Lattice', open: 'Open way' },
   doubtOf: (n: number, of: number, what: string) => `${n} of ${of}: ${what}`, doubtGone: 'no wall is there any more',
-  doubtHelp: 'Walls of which the reader of the plan was not certain. In this list and in the plan: N and P go to the next and the previous one, Enter accepts it as it is, Delete takes it away, 1 to 5 make it a wall, a sliding door, a window, a lattice or an open way; Ctrl+Z undoes it. Move walls with the drawing tools.',
+  doubtHelp: 'Walls of which the reader of the plan was not certain. In this list, and in the plan while nothing is drawn there: N and P go to the next and the previous one, Enter accepts it as it is, Delete takes it away, 1 to 5 make it a wall, a sliding door, a window, a lattice or an open way; Ctrl+Z undoes it. Move walls with the drawing tools.',
   town: 'Town', feature: 'Feature', townBuild: 'Building the town',
   townPhase: {
     maps: 'Reading the maps…', far: 'Building walls and roofs…', near: 'Building the details…', done: 'The town is built.',
@@ -227,7 +227,7 @@ const ja: Strings = {
   doubts: '要確認', noDoubts: '確認の要る壁はもうありません。', previousDoubt: '前へ', nextDoubt: '次へ', acceptDoubt: '確定', deleteDoubt: '消す',
   kindOfDoubt: '種類', doubtKind: { wall: '壁', slide: '引き戸', window: '窓', lattice: '格子', open: '開口' },
   doubtOf: (n, of, what) => `${of} か所のうち ${n}: ${what}`, doubtGone: 'その場所に壁はもうありません',
-  doubtHelp: '図面から読み取って確かでなかった壁です。この一覧と平面図では、N と P で次と前へ、Enter でそのまま確定、Delete で消し、1 から 5 で壁・引き戸・窓・格子・開口に変えます。Ctrl+Z で元に戻します。壁は作図のツールで動かせます。',
+  doubtHelp: '図面から読み取って確かでなかった壁です。この一覧と、作図していないときの平面図では、N と P で次と前へ、Enter でそのまま確定、Delete で消し、1 から 5 で壁・引き戸・窓・格子・開口に変えます。Ctrl+Z で元に戻します。壁は作図のツールで動かせます。',
   town: '町', feature: '地物', townBuild: '町の作成',
   townPhase: {
     maps: '地図を読んでいます…', far: '壁と屋根を作っています…', near: '細部を作っています…', done: '町ができました。',

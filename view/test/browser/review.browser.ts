@@ -169,6 +169,12 @@ test('a part that the drawing tool replaces is in doubt no longer; other changes
   await becomes('<Row>KTU  KSK  TSH 2KTU  KTU</Row>');
   assert.ok(text().includes('<!-- in doubt: TSH 2 at 2 0 -->'), `${await status()}`);
   assert.equal((await options()).length, 2);
+  // While a tool draws, the keys of the plan are its own.
+  const before = text();
+  await page.locator('svg.sheet').focus();
+  for (const key of ['Enter', 'Delete', '4']) await page.keyboard.press(key);
+  await page.waitForTimeout(300);
+  assert.equal(text(), before);
   await does(page, 'draw').click();
 });
 
