@@ -13,7 +13,7 @@ use std::path::{Component, Path, PathBuf};
 /// The only version of the file.
 const VERSION: u32 = 1;
 /// The largest file, bytes, and number of sheets in it.
-const LONGEST: u64 = 1 << 20;
+const LONGEST: u64 = 16 << 20;
 const SHEETS: usize = 64;
 /// The largest picture, bytes and pixels.
 const HEAVIEST: u64 = 128 << 20;
@@ -122,8 +122,8 @@ fn read(path: &Path) -> Result<PlanFile, Text> {
     let opened = opened(path, &name, LONGEST);
     let (file, _) = opened.ok_or(
         text!(
-            "this cannot be read, is larger than 1 MiB, or is a link to elsewhere: let `hsd plan` write it again",
-            "読めないか、1 MiB を超えるか、ほかの場所へのリンクです。hsd plan で書き直してください"
+            "this cannot be read, is larger than 16 MiB, or is a link to elsewhere: let `hsd plan` write it again",
+            "読めないか、16 MiB を超えるか、ほかの場所へのリンクです。hsd plan で書き直してください"
         ),
     )?;
     let mut text = String::new();

@@ -249,6 +249,11 @@ fn a_walk_is_emptied_part_by_part() {
                 board.text()
             );
         }
+        assert!(
+            !board.text().lines().any(|l| l.trim().is_empty()),
+            "{}",
+            board.text()
+        );
     }
 }
 

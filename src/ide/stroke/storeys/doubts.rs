@@ -285,8 +285,25 @@ impl Taken<'_> {
             ..
         } = self.at;
         let mut edits = inner::remove(self.sheet, StoreyAt { house, storey }, ring)?;
-        edits.push(self.settled());
-        Ok(edits)
+        let range = self.sheet.outline.elements[self.owner].range.clone();
+        if self.has_comments(&range) {
+            edits.push(self.settled());
+            return Ok(edits);
+        }
+        // With its line.
+        let start = range.start - gap_before(self.sheet.text, range.start).len();
+        let text = String::new();
+        Ok(vec![Edit {
+            range: start..range.end,
+            text,
+        }])
+    }
+
+    /// Returns true if a comment other than its own is in a range.
+    fn has_comments(&self, range: &Range<usize>) -> bool {
+        let inside = |c: &Range<usize>| range.start <= c.start && c.end <= range.end;
+        let mut comments = self.sheet.outline.comments.iter().enumerate();
+        comments.any(|(n, c)| n != self.doubt.comment && inside(c))
     }
 
     /// The walk begins with its next row.
@@ -294,10 +311,7 @@ impl Taken<'_> {
         let (text, elements) = (self.sheet.text, &self.sheet.outline.elements);
         let (row, owner) = (&elements[self.row], &elements[self.owner]);
         let range = owner.range.start..row.range.end;
-        let mut comments = self.sheet.outline.comments.iter().enumerate();
-        let other = comments
-            .any(|(n, c)| n != self.doubt.comment && range.start <= c.start && c.end <= range.end);
-        if other {
+        if self.has_comments(&range) {
             return Err(refuse::comments());
         }
         let gap = gap_before(text, row.range.start);
