@@ -30,6 +30,7 @@ pub mod shape;
 pub mod sheet;
 pub mod strokes;
 pub mod text;
+pub mod vector;
 
 pub use picture::{Picture, Unreadable};
 

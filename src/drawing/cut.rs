@@ -21,6 +21,7 @@ pub(super) fn cut(subject: &Subject<'_>, look: &Look) -> Vec<Mark> {
             marks.push(Mark {
                 role: body.role,
                 code: body.code.clone(),
+                facts: None,
                 shape,
             });
         };

@@ -109,7 +109,8 @@ fn entity(mark: &Mark, scale: f64, out: &mut String) {
     };
     match &mark.shape {
         Shape::Lines(lines) => {
-            for [p, q] in lines {
+            // Parts without width are told in SVG alone.
+            for [p, q] in lines.iter().filter(|[p, q]| p != q) {
                 begin("LINE", out);
                 point(0, *p * scale, out);
                 point(1, *q * scale, out);

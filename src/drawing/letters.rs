@@ -1,6 +1,6 @@
 //! Letters as outlines, from the file of a font: a drawing that looks the same wherever it is opened.
 
-use crate::drawing::paper::{Anchor, Label, Mark, Shape, Sheet};
+use crate::drawing::paper::{Anchor, Label, Shape, Sheet};
 use glam::{DVec2, dvec2};
 use ttf_parser::{Face, OutlineBuilder};
 
@@ -24,7 +24,7 @@ impl<'d> Font<'d> {
         let (mut sheet, mut missing) = (sheet.clone(), vec![]);
         for mark in sheet.views.iter_mut().flat_map(|v| &mut v.marks) {
             if let Shape::Label(label) = &mark.shape {
-                *mark = Mark::new(mark.role, Shape::Letters(self.rings(label, &mut missing)));
+                mark.shape = Shape::Letters(self.rings(label, &mut missing));
             }
         }
         missing.sort_unstable();

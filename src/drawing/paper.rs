@@ -4,6 +4,7 @@
 //! the same, from its lower left corner.
 
 use glam::{DVec2, dvec2};
+use std::sync::Arc;
 
 /// What a mark stands for: the layer of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -178,9 +179,15 @@ pub struct Mark {
     pub role: Role,
     /// The code of the part that it shows, if it shows one.
     pub code: Option<String>,
+    /// What a reader of the drawing is told of it besides, in SVG.
+    pub facts: Option<Arc<Facts>>,
     /// Its shape.
     pub shape: Shape,
 }
+
+/// Attributes of a group of marks in SVG, without `data-`: which house, wall or room it shows. Lengths are units of the house
+/// (heights shaku), places in its own plan.
+pub type Facts = Vec<(&'static str, String)>;
 
 /// Returns the lines of an arrow with an open head, millimetres.
 pub fn arrow(from: DVec2, tip: DVec2) -> Vec<[DVec2; 2]> {
@@ -195,7 +202,16 @@ impl Mark {
         Mark {
             role,
             code: None,
+            facts: None,
             shape,
+        }
+    }
+
+    /// Returns it with what a reader is told of it.
+    pub fn telling(self, facts: &Arc<Facts>) -> Mark {
+        Mark {
+            facts: Some(facts.clone()),
+            ..self
         }
     }
 
@@ -229,6 +245,7 @@ impl Mark {
         Mark {
             role: self.role,
             code: self.code.clone(),
+            facts: self.facts.clone(),
             shape,
         }
     }

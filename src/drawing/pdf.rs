@@ -95,8 +95,11 @@ fn draw(mark: &Mark, out: &mut Content) {
     out.set_stroke_gray(0.0);
     match &mark.shape {
         Shape::Lines(lines) => {
-            lines.iter().for_each(|l| ring(l, out));
-            out.stroke();
+            let seen: Vec<&[DVec2; 2]> = lines.iter().filter(|[p, q]| p != q).collect();
+            if !seen.is_empty() {
+                seen.iter().for_each(|l| ring(*l, out));
+                out.stroke();
+            }
         }
         Shape::Area(rings) => {
             out.set_fill_gray(mark.role.fill() as f32);

@@ -48,7 +48,10 @@ fn draw(mark: &Mark, place: &dyn Fn(&DVec2) -> (f32, f32), scale: f64, pixels: &
         }
     };
     match &mark.shape {
-        Shape::Lines(lines) => lines.iter().for_each(|l| line(l, false)),
+        Shape::Lines(lines) => {
+            let seen = lines.iter().filter(|[p, q]| p != q);
+            seen.for_each(|l| line(l, false));
+        }
         Shape::Area(rings) | Shape::Letters(rings) => rings.iter().for_each(|r| line(r, true)),
         Shape::Label(_) => return,
     }

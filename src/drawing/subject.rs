@@ -7,7 +7,7 @@ use crate::building::{Building, Built, House};
 use crate::catalog::{Catalog, Opening, PartDef};
 use crate::drawing::paper::Role;
 use crate::geometry::Heading;
-use crate::program::{Content, Unit};
+use crate::program::{Content, Picture, Unit};
 use crate::scene::{Kind, Mesh, Node, Scene};
 use glam::{DVec2, DVec3, dvec2};
 use std::collections::HashMap;
@@ -18,6 +18,7 @@ const WELD: f64 = 2e-5;
 /// Houses to be drawn.
 pub struct Subject<'b> {
     catalog: &'b Catalog,
+    images: &'b [Picture],
     /// The houses.
     pub houses: Vec<&'b Built>,
     /// All bodies of them.
@@ -94,6 +95,7 @@ impl<'b> Subject<'b> {
         let Some(first) = houses.first() else {
             return Subject {
                 catalog,
+                images: &building.images,
                 houses,
                 bodies: vec![],
             };
@@ -131,6 +133,7 @@ impl<'b> Subject<'b> {
         }
         Subject {
             catalog,
+            images: &building.images,
             houses,
             bodies,
         }
@@ -148,12 +151,16 @@ impl<'b> Subject<'b> {
         own.point(p + DVec3::Z * house.raised)
     }
 
-    /// Returns the code of the part in a bay; of a divided one that of its lower half. None for a void or a picture.
+    /// Returns the code of the part in a bay; of a divided one that of its lower half. None for a void.
     pub fn code_of(&self, unit: &Unit) -> Option<String> {
         match &unit.content {
             Content::Part(id) => Some(self.catalog.part(*id).code().to_owned()),
             Content::Split(split) => split.lower.first().and_then(|u| self.code_of(u)),
-            Content::Void | Content::Picture(_) => None,
+            Content::Picture(id) => {
+                let picture = self.images.get(id.0 as usize);
+                picture.map(|p| p.name.clone())
+            }
+            Content::Void => None,
         }
     }
 

@@ -1,11 +1,13 @@
 //! Drawings as SVG: one user unit is one millimetre on paper, all coordinates are absolute and nothing is transformed.
-//! Groups have `data-view` and `data-role`, bays and cut parts `data-code`.
+//! Groups have `data-view` and `data-role`, bays and cut parts `data-code`; groups of bays and of a room's marks have what
+//! `hsd plan` needs to write the house again (grammar/drawings.md).
 
 use crate::diagnostic::visible;
 use crate::drawing::dimension::short;
-use crate::drawing::paper::{Anchor, Label, Mark, Role, Shape, Sheet, View};
+use crate::drawing::paper::{Anchor, Facts, Label, Mark, Role, Shape, Sheet, View};
 use glam::DVec2;
 use std::fmt::Write;
+use std::sync::Arc;
 
 /// The fonts that texts ask for, the first that is there.
 const FONTS: &str =
@@ -26,22 +28,38 @@ pub fn write(sheet: &Sheet) -> String {
     out + "</svg>\n"
 }
 
-/// Adds a view; marks of one role one after another share a group.
+/// Adds a view; marks of one role one after another that tell the same share a group.
 fn write_view(view: &View, height: f64, out: &mut String) {
     let (name, title) = (escaped(&view.name), escaped(&view.title));
     let _ = writeln!(
         out,
         "<g data-view=\"{name}\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>{title}</title>"
     );
-    for marks in view.marks.chunk_by(|a, b| a.role == b.role) {
+    for marks in view.marks.chunk_by(is_of_group) {
         let role = marks[0].role;
-        let _ = writeln!(out, "<g data-role=\"{}\"{}>", role.word(), style(role));
+        let facts = marks[0].facts.as_deref().map_or(String::new(), told);
+        let (word, style) = (role.word(), style(role));
+        let _ = writeln!(out, "<g data-role=\"{word}\"{facts}{style}>");
         for mark in marks {
             write_mark(mark, height, out);
         }
         out.push_str("</g>\n");
     }
     out.push_str("</g>\n");
+}
+
+fn is_of_group(a: &Mark, b: &Mark) -> bool {
+    let same = match (&a.facts, &b.facts) {
+        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+        (None, None) => true,
+        _ => false,
+    };
+    same && a.role == b.role
+}
+
+fn told(facts: &Facts) -> String {
+    let one = |(name, value): &(&str, String)| format!(" data-{name}=\"{}\"", escaped(value));
+    facts.iter().map(one).collect()
 }
 
 fn style(role: Role) -> String {

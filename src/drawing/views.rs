@@ -1,5 +1,6 @@
 //! The views of a subject: plans of storeys, elevations, sections.
 
+mod bays;
 mod rooms;
 mod stairs;
 
@@ -32,7 +33,7 @@ pub(super) fn plan(subject: &Subject<'_>, number: u32, settings: &Settings) -> V
     let mut marks = drawn(subject, look);
     marks.extend(rooms::rooms(subject, number, settings));
     marks.extend(stairs::stairs(subject, number, settings));
-    marks.extend(bays(subject, number, scale));
+    marks.extend(bays::bays(subject, number, settings));
     let drawn = bounds_of(&marks);
     if number == 1 {
         marks.extend(section_marks(subject, drawn, settings));
@@ -66,29 +67,6 @@ fn drawn(subject: &Subject<'_>, look: Look) -> Vec<Mark> {
     let mut marks = vec![Mark::new(Role::Seen, Shape::Lines(depths.lines()))];
     if look.cut > f64::NEG_INFINITY {
         marks.extend(cut::cut(subject, &look));
-    }
-    marks
-}
-
-/// Returns a line for each bay of a storey with the code of its part, along the middle of the wall: what a reader of the
-/// drawing takes for the plan. The line is as long as the bay.
-fn bays(subject: &Subject<'_>, number: u32, scale: f64) -> Vec<Mark> {
-    let mut marks = vec![];
-    for built in &subject.houses {
-        let storeys = built.house.storeys.iter().filter(|s| s.number == number);
-        for wall in storeys.flat_map(|s| &s.rings).flat_map(|r| &r.walls) {
-            let mut at = wall.from;
-            for unit in wall.units.iter().filter(|u| u.width > 0.0) {
-                let to = at + wall.direction * unit.width;
-                let line = [at, to].map(|p| subject.plan_point(&built.house, p) * scale);
-                at = to;
-                marks.push(Mark {
-                    role: Role::Axis,
-                    code: subject.code_of(unit),
-                    shape: Shape::Lines(vec![line]),
-                });
-            }
-        }
     }
     marks
 }

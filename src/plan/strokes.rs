@@ -27,7 +27,8 @@ pub struct Read {
 }
 
 impl Read {
-    const EMPTY: Read = Read { role: Role::Empty, likeness: 1.0, lead: 1.0 };
+    /// Nothing.
+    pub const EMPTY: Read = Read { role: Role::Empty, likeness: 1.0, lead: 1.0 };
 
     /// Whether another role is nearly as likely, or the ink agrees badly with this one.
     pub fn is_doubtful(self) -> bool {
@@ -53,6 +54,12 @@ pub struct Units {
 }
 
 impl Units {
+    /// Units that were read elsewhere: level ones line by line from above, upright ones from the left; `inked` are cells with
+    /// something in them.
+    pub fn new((across, down): ((i32, i32), (i32, i32)), level: Vec<Vec<Read>>, upright: Vec<Vec<Read>>, inked: BTreeSet<(i32, i32)>) -> Units {
+        Units { across, down, level, upright, likeness: 1.0, inked }
+    }
+
     /// The same, with what lies in the cells.
     #[must_use]
     pub fn with_cells(self, ink: &Ink, grid: &Grid) -> Units {

@@ -1,13 +1,16 @@
 //! The rooms of a plan: the edges of mats, names, numbers of mats.
 
+use crate::ast::Flooring;
 use crate::building::{Mat, Room};
 use crate::diagnostic::{Language, visible};
 use crate::drawing::Settings;
-use crate::drawing::paper::{Anchor, Mark, Role, Shape};
+use crate::drawing::dimension::short;
+use crate::drawing::paper::{Anchor, Facts, Mark, Role, Shape};
 use crate::drawing::subject::Subject;
 use crate::geometry::in_rings;
 use glam::{DVec2, dvec2};
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// The height of names, millimetres.
 const NAME: f64 = 2.5;
@@ -22,11 +25,12 @@ const CLEAR: f64 = 0.5;
 pub(super) fn rooms(subject: &Subject<'_>, number: u32, settings: &Settings) -> Vec<Mark> {
     let scale = settings.millimetres();
     let mut marks = vec![];
-    for built in &subject.houses {
+    for (k, built) in subject.houses.iter().enumerate() {
         let place = |p: DVec2| subject.plan_point(&built.house, p) * scale;
         for room in built.rooms.iter().filter(|r| r.storey == number) {
             let mats: Vec<[DVec2; 4]> = room.mats.iter().map(|m| corners(m).map(place)).collect();
             let at = place(middle(room));
+            let facts = Arc::new(told(k, room));
             let (mut lines, mut names) = (sides(&mats), vec![]);
             let mut line = |down: f64, size: f64, text: String| {
                 let at = at - dvec2(0.0, down);
@@ -50,10 +54,25 @@ pub(super) fn rooms(subject: &Subject<'_>, number: u32, settings: &Settings) -> 
             if !lines.is_empty() {
                 marks.push(Mark::new(Role::Mat, Shape::Lines(lines)));
             }
-            marks.append(&mut names);
+            marks.extend(names.into_iter().map(|name| name.telling(&facts)));
         }
     }
     marks
+}
+
+/// What a reader of the drawing is told of a room.
+fn told(house: usize, room: &Room) -> Facts {
+    let floor = Flooring::ALL.iter().find(|(_, f)| *f == room.floor);
+    vec![
+        ("house", house.to_string()),
+        ("level", room.level.to_string()),
+        ("room", room.name.clone()),
+        (
+            "at",
+            format!("{} {}", short(room.at.x, 6), short(room.at.y, 6)),
+        ),
+        ("floor", floor.map_or("", |f| f.0).to_owned()),
+    ]
 }
 
 /// The box that a name takes, with room around it: letters of Japanese are as wide as high, others about half as wide.

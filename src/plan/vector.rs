@@ -1,0 +1,95 @@
+//! Plans as vectors: SVG, DXF and pages of PDF (`spec/plans.md`, section 1).
+//!
+//! | step | file | result |
+//! |---|---|---|
+//! | drawings of `hsd draw` come back as they went out | [`own`], `house`, `xml` | the text of the house |
+//! | other drawings are read | [`svg`], `style`, [`dxf`], `pairs`, `entity` | [`lines::Lines`] |
+//! | layers, blocks and colours say what strokes stand for | [`roles`] | [`roles::Means`] |
+//! | walls say what the grid is | [`fit`] | [`fit::Grid`] |
+//! | strokes are laid over the grid | `edges`, `leaves` | the units of the picture reader |
+
+pub mod dxf;
+mod edges;
+mod entity;
+pub mod fit;
+mod house;
+mod leaves;
+pub mod lines;
+pub mod own;
+mod pairs;
+pub mod roles;
+mod style;
+pub mod svg;
+mod xml;
+
+use super::shape::Shape;
+use edges::Covers;
+use fit::Grid;
+use lines::Lines;
+use roles::{Means, Roles};
+
+/// Layers, blocks and colours of CAD drawings that need no legend of their own.
+pub const CAD: &str = include_str!("../../grammar/legend-cad.xml");
+
+/// The fewest cells of a house.
+const LEAST_CELLS: usize = 4;
+
+/// Why a drawing has no plan: what was looked for, and what was found.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refused {
+    /// Not the XML of an SVG: at which byte, and why.
+    NotXml { at: u64, what: String },
+    /// No DXF: at which line, and why.
+    NotDxf { line: usize, what: String },
+    /// A DXF that ends too early, after so many lines.
+    Truncated { line: usize },
+    /// More of something than is read.
+    TooLarge { what: &'static str, most: usize },
+    /// A legend that is none.
+    Legend(String),
+    /// Drawn by `hsd draw` and changed so that it cannot be read: what is not as it should be.
+    Unclear(String),
+    /// Nothing that is drawn.
+    Blank,
+    /// No stroke that stands for a wall; the layers and classes that were found.
+    NoRoles(Vec<String>),
+    /// Walls that keep to no grid: of so many strokes.
+    NoGrid(usize),
+    /// No walls that close.
+    NoHouse,
+}
+
+/// What was found in a drawing.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// What is drawn.
+    pub lines: Lines,
+    /// What the strokes stand for.
+    pub means: Vec<Option<Means>>,
+    /// The grid.
+    pub grid: Grid,
+    /// The house.
+    pub shape: Shape,
+}
+
+/// Finds the house in the lines of a drawing; `unit_mm` are the millimetres of half a ken, if known.
+///
+/// # Errors
+/// If there is none.
+pub fn find(lines: Lines, roles: &Roles, unit_mm: Option<f64>) -> Result<Found, Refused> {
+    if lines.strokes.is_empty() {
+        return Err(Refused::Blank);
+    }
+    let means = roles.of(&lines);
+    let walls = means.iter().filter(|m| **m == Some(Means::Wall)).count();
+    if walls == 0 {
+        return Err(Refused::NoRoles(lines.names().to_vec()));
+    }
+    let grid = fit::find(&lines, &means, unit_mm).ok_or(Refused::NoGrid(walls))?;
+    let covers = Covers::of(&lines.strokes, &means, &grid).ok_or(Refused::NoGrid(walls))?;
+    let shape = Shape::of(&covers.units());
+    if shape.cells.len() < LEAST_CELLS {
+        return Err(Refused::NoHouse);
+    }
+    Ok(Found { lines, means, grid, shape })
+}

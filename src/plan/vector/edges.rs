@@ -1,0 +1,252 @@
+//! What the strokes of a drawing cover of each unit of its grid.
+
+use super::fit::{Grid, sides};
+use super::leaves::{self, Leaf};
+use super::lines::Stroke;
+use super::roles::Means;
+use crate::plan::legend::Role;
+use crate::plan::strokes::{Read, Units};
+use glam::{DVec2, dvec2};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Pieces that a unit is divided into.
+const PIECES: u32 = 40;
+/// The pieces at each end that posts and corners may cover.
+const END: u32 = 6;
+/// How far from the line of the grid a stroke of a wall, an opening, a mat may lie, units.
+const BAND: [f64; 3] = [0.3, 0.36, 0.22];
+/// The share of a unit that must be covered.
+const COVERED: f64 = 0.55;
+/// Longer strokes are no bars and no dashes, units.
+const SHORT: f64 = 0.45;
+/// The most a wall may lean, as a share of its length.
+const LEAN: f64 = 0.2;
+/// The most units along a side.
+pub(super) const MOST: i32 = 130;
+
+/// A unit: where it begins, and whether it is upright.
+pub(super) type At = ((i32, i32), bool);
+
+/// What covers a unit.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Cover {
+    /// Pieces, by what covers them.
+    pieces: BTreeMap<Means, u64>,
+    /// Bars across it, by tenths.
+    bars: u16,
+    /// Short strokes along it.
+    dashes: u32,
+}
+
+impl Cover {
+    fn share(&self, means: &[Means]) -> f64 {
+        let all = means.iter().filter_map(|m| self.pieces.get(m)).fold(0, |a, b| a | b);
+        let within = (all >> END) & ((1 << (PIECES - 2 * END)) - 1);
+        f64::from(within.count_ones()) / f64::from(PIECES - 2 * END)
+    }
+
+    /// Whether a wall or an opening covers it.
+    pub(super) fn is_closed(&self) -> bool {
+        self.opening().is_some() || self.share(&[Means::Wall]) >= COVERED
+    }
+
+    /// The opening that covers it.
+    fn opening(&self) -> Option<(Role, f64)> {
+        use Means::{Door, Glazing, Lattice, Open, Slide, Window};
+        let share = |m: &[Means]| Some(self.share(m)).filter(|s| *s >= COVERED);
+        // Dashes cover half of what they run along.
+        let is_dashed = self.dashes >= 3 && self.share(&[Door, Slide]) < COVERED;
+        if let Some(share) = share(&[Open]).or((is_dashed).then_some(1.0)) {
+            return Some((Role::Open, share));
+        }
+        if let Some(share) = share(&[Glazing, Window, Lattice]) {
+            let is_lattice = self.share(&[Lattice]) >= COVERED || self.pieces.contains_key(&Glazing) && self.bars.count_ones() >= 2;
+            return Some((if is_lattice { Role::Lattice } else { Role::Window }, share));
+        }
+        share(&[Door, Slide]).map(|share| (Role::Slide, share))
+    }
+
+    fn read(&self) -> Read {
+        let (wall, mat) = (self.share(&[Means::Wall]), self.share(&[Means::Mat, Means::Inside]));
+        let read = |role: Role, likeness: f64| Read { role, likeness, lead: 1.0 };
+        match self.opening() {
+            Some((role, share)) => read(role, share),
+            None if wall >= COVERED => read(Role::Wall, wall),
+            None if self.share(&[Means::Mat]) >= COVERED => read(Role::Mat, mat),
+            None => Read::EMPTY,
+        }
+    }
+}
+
+/// What covers the units of a grid.
+pub(super) struct Covers {
+    /// Those that anything covers.
+    pub(super) units: BTreeMap<At, Cover>,
+    /// Posts.
+    pub(super) posts: BTreeSet<(i32, i32)>,
+    inked: BTreeSet<(i32, i32)>,
+    across: (i32, i32),
+    down: (i32, i32),
+}
+
+impl Covers {
+    /// Lays the strokes of a drawing over its grid; none if the grid would be too large.
+    pub(super) fn of(strokes: &[Stroke], means: &[Option<Means>], grid: &Grid) -> Option<Covers> {
+        let (mut low, mut high) = (DVec2::MAX, DVec2::MIN);
+        let stands = |m: &Option<Means>| m.is_some_and(|m| m == Means::Wall || m.is_opening());
+        for (stroke, _) in strokes.iter().zip(means).filter(|(_, m)| stands(m)) {
+            for p in &stroke.points {
+                let at = grid.units_of(*p);
+                (low, high) = (low.min(at), high.max(at));
+            }
+        }
+        let lines = |low: f64, high: f64| ((low - 0.5).round() as i32 - 1, (high + 0.5).round() as i32 + 1);
+        let (across, down) = (lines(low.x, high.x), lines(low.y, high.y));
+        let is_small = |(from, to): (i32, i32)| to > from && to.saturating_sub(from) <= MOST;
+        if !is_small(across) || !is_small(down) {
+            return None;
+        }
+        let mut covers = Covers { units: BTreeMap::new(), posts: BTreeSet::new(), inked: BTreeSet::new(), across, down };
+        let found = leaves::find(strokes, means, grid);
+        let is_leaf: BTreeSet<usize> = found.iter().flat_map(|l| l.strokes.iter().copied()).collect();
+        for (k, (stroke, role)) in strokes.iter().zip(means).enumerate() {
+            covers.lay(stroke, *role, grid, is_leaf.contains(&k));
+        }
+        covers.hang(&found);
+        Some(covers)
+    }
+
+    fn lay(&mut self, stroke: &Stroke, role: Option<Means>, grid: &Grid, is_leaf: bool) {
+        let (low, high) = stroke.points.iter().fold((DVec2::MAX, DVec2::MIN), |(l, h), p| (l.min(grid.units_of(*p)), h.max(grid.units_of(*p))));
+        let size = (high - low).max_element();
+        let is_bar = size < SHORT && role.is_some_and(|m| matches!(m, Means::Glazing | Means::Lattice));
+        match role {
+            Some(Means::Ignore | Means::Grid) => {}
+            Some(Means::Post) => {
+                let middle = (low + high) / 2.0;
+                self.posts.insert((middle.x.round() as i32, middle.y.round() as i32));
+            }
+            Some(m) if m == Means::Wall || m.is_opening() || m == Means::Mat => {
+                if is_bar {
+                    self.bar((low, high));
+                }
+                if !is_leaf {
+                    let is_dash = size < SHORT * 0.7 && m.is_opening() && !stroke.is_closed;
+                    sides(stroke).for_each(|side| self.cover(side.map(|p| grid.units_of(p)), m, is_dash));
+                }
+                if m == Means::Mat {
+                    self.ink(stroke, grid);
+                }
+            }
+            _ => self.ink(stroke, grid),
+        }
+    }
+
+    /// Adds a bar to the units that it may stand on.
+    fn bar(&mut self, (low, high): (DVec2, DVec2)) {
+        let (middle, size) = ((low + high) / 2.0, high - low);
+        for upright in [false, true] {
+            let (along, across) = if upright { (1, 0) } else { (0, 1) };
+            let line = middle[across].round();
+            if size[across] < size[along] * 0.8 || (middle[across] - line).abs() > BAND[1] {
+                continue;
+            }
+            let start = middle[along].floor();
+            let tenth = ((middle[along] - start) * 10.0) as u32;
+            if (1..9).contains(&tenth) {
+                self.unit(start, line, upright).bars |= 1 << tenth;
+            }
+        }
+    }
+
+    fn unit(&mut self, along: f64, line: f64, upright: bool) -> &mut Cover {
+        let at = if upright { (line as i32, along as i32) } else { (along as i32, line as i32) };
+        self.units.entry((at, upright)).or_default()
+    }
+
+    /// Covers the units along a side of a stroke.
+    fn cover(&mut self, [p, q]: [DVec2; 2], role: Means, is_dash: bool) {
+        let way = (q - p).abs();
+        let upright = way.y > way.x;
+        let (along, across) = if upright { (1, 0) } else { (0, 1) };
+        let line = ((p[across] + q[across]) / 2.0).round();
+        let off = ((p[across] + q[across]) / 2.0 - line).abs();
+        let band = match role {
+            Means::Wall => BAND[0],
+            Means::Mat => BAND[2],
+            _ => BAND[1],
+        };
+        if way[across] > way[along] * LEAN || off > band || way[along] == 0.0 {
+            return;
+        }
+        let (from, to) = (p[along].min(q[along]), p[along].max(q[along]));
+        let mut start = from.floor();
+        while start < to {
+            let piece = |at: f64| (((at - start) * f64::from(PIECES)).round().clamp(0.0, f64::from(PIECES))) as u32;
+            let (first, end) = (piece(from), piece(to));
+            let bits = ((1_u64 << end) - 1) & !((1_u64 << first) - 1);
+            let unit = self.unit(start, line, upright);
+            *unit.pieces.entry(role).or_default() |= bits;
+            unit.dashes += u32::from(is_dash);
+            start += 1.0;
+        }
+    }
+
+    /// Notes the cells in whose middle a stroke lies.
+    fn ink(&mut self, stroke: &Stroke, grid: &Grid) {
+        let mut note = |p: DVec2| {
+            let (cell, off) = (p.floor(), p - p.floor());
+            let ((u0, u1), (v0, v1)) = (self.across, self.down);
+            let is_within = cell.x >= f64::from(u0) && cell.x < f64::from(u1) && cell.y >= f64::from(v0) && cell.y < f64::from(v1);
+            if is_within && off.min_element() > 0.15 && off.max_element() < 0.85 {
+                self.inked.insert((cell.x as i32, cell.y as i32));
+            }
+        };
+        stroke.points.iter().for_each(|p| note(grid.units_of(*p)));
+        for [p, q] in sides(stroke) {
+            let (p, q) = (grid.units_of(p), grid.units_of(q));
+            let steps = (p.distance(q) * 5.0).ceil().min(f64::from(MOST) * 5.0) as u32;
+            (1..steps).for_each(|k| note(p.lerp(q, f64::from(k) / f64::from(steps))));
+        }
+    }
+
+    /// Puts doors on hinges on their units; where two are possible, on the one that closes a wall.
+    fn hang(&mut self, leaves: &[Leaf]) {
+        for leaf in leaves {
+            let best = leaf.places.iter().max_by_key(|place| (self.suits(place), std::cmp::Reverse(place.0)));
+            for at in best.into_iter().flat_map(|place| place.units()) {
+                let unit = self.units.entry(at).or_default();
+                *unit = Cover::default();
+                unit.pieces.insert(Means::Hinged, u64::MAX);
+            }
+        }
+    }
+
+    /// How much speaks for a door on hinges there: nothing else stands there, posts or walls at its ends.
+    fn suits(&self, place: &leaves::Place) -> i32 {
+        let is_closed = |at: &At| self.units.get(at).is_some_and(Cover::is_closed);
+        let taken = place.units().iter().filter(|u| is_closed(u)).count() as i32;
+        let posts = place.ends().iter().filter(|p| self.posts.contains(p)).count() as i32;
+        let goes_on = place.beyond().iter().filter(|u| is_closed(u)).count() as i32;
+        let meets = place.ends().iter().flat_map(|p| leaves::around(*p)).filter(|u| is_closed(u)).count() as i32;
+        posts * 3 + goes_on * 2 + meets - taken * 20
+    }
+
+    /// The units of the grid as the picture reader has them.
+    pub(super) fn units(&self) -> Units {
+        let read = |at: At| match self.units.get(&at) {
+            Some(unit) if unit.pieces.contains_key(&Means::Hinged) => Read { role: Role::Hinged, likeness: 1.0, lead: 1.0 },
+            Some(unit) => unit.read(),
+            None => Read::EMPTY,
+        };
+        let ((u0, u1), (v0, v1)) = (self.across, self.down);
+        let level = (v0..=v1).map(|v| (u0..u1).map(|u| read(((u, v), false))).collect()).collect();
+        let upright = (u0..=u1).map(|u| (v0..v1).map(|v| read(((u, v), true))).collect()).collect();
+        Units::new((self.across, self.down), level, upright, self.inked.clone())
+    }
+}
+
+/// The place of a crossing.
+pub(super) fn crossing((u, v): (i32, i32)) -> DVec2 {
+    dvec2(f64::from(u), f64::from(v))
+}
