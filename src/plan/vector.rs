@@ -23,6 +23,7 @@ pub mod svg;
 mod xml;
 
 use super::shape::Shape;
+use super::strokes::Units;
 use edges::Covers;
 use fit::Grid;
 use lines::Lines;
@@ -68,6 +69,8 @@ pub struct Found {
     pub means: Vec<Option<Means>>,
     /// The grid.
     pub grid: Grid,
+    /// What stands on its units.
+    pub units: Units,
     /// The house.
     pub shape: Shape,
 }
@@ -87,9 +90,10 @@ pub fn find(lines: Lines, roles: &Roles, unit_mm: Option<f64>) -> Result<Found, 
     }
     let grid = fit::find(&lines, &means, unit_mm).ok_or(Refused::NoGrid(walls))?;
     let covers = Covers::of(&lines.strokes, &means, &grid).ok_or(Refused::NoGrid(walls))?;
-    let shape = Shape::of(&covers.units());
+    let units = covers.units();
+    let shape = Shape::of(&units);
     if shape.cells.len() < LEAST_CELLS {
         return Err(Refused::NoHouse);
     }
-    Ok(Found { lines, means, grid, shape })
+    Ok(Found { lines, means, grid, units, shape })
 }

@@ -19,6 +19,10 @@ const BAND: [f64; 3] = [0.3, 0.36, 0.22];
 const COVERED: f64 = 0.55;
 /// Longer strokes are no bars and no dashes, units.
 const SHORT: f64 = 0.45;
+/// Steps in a unit for what lies in rooms.
+const FINE: f64 = 20.0;
+/// How near to the line between two cells a thing lies in both, units.
+const MARGIN: f64 = 0.15;
 /// The most a wall may lean, as a share of its length.
 const LEAN: f64 = 0.2;
 /// The most units along a side.
@@ -34,15 +38,13 @@ pub(super) struct Cover {
     pieces: BTreeMap<Means, u64>,
     /// Bars across it, by tenths.
     bars: u16,
-    /// Short strokes along it.
-    dashes: u32,
+    /// Pieces that short strokes cover, and how many these are.
+    dashed: (u64, u32),
 }
 
 impl Cover {
     fn share(&self, means: &[Means]) -> f64 {
-        let all = means.iter().filter_map(|m| self.pieces.get(m)).fold(0, |a, b| a | b);
-        let within = (all >> END) & ((1 << (PIECES - 2 * END)) - 1);
-        f64::from(within.count_ones()) / f64::from(PIECES - 2 * END)
+        pieces_share(means.iter().filter_map(|m| self.pieces.get(m)).fold(0, |a, b| a | b))
     }
 
     /// Whether a wall or an opening covers it.
@@ -55,7 +57,7 @@ impl Cover {
         use Means::{Door, Glazing, Lattice, Open, Slide, Window};
         let share = |m: &[Means]| Some(self.share(m)).filter(|s| *s >= COVERED);
         // Dashes cover half of what they run along.
-        let is_dashed = self.dashes >= 3 && self.share(&[Door, Slide]) < COVERED;
+        let is_dashed = self.dashed.1 >= 3 && pieces_share(self.dashed.0) > 0.3 && self.share(&[Door, Slide]) < COVERED;
         if let Some(share) = share(&[Open]).or((is_dashed).then_some(1.0)) {
             return Some((Role::Open, share));
         }
@@ -78,13 +80,20 @@ impl Cover {
     }
 }
 
+/// The share of a unit that pieces cover between its ends.
+fn pieces_share(pieces: u64) -> f64 {
+    let within = (pieces >> END) & ((1 << (PIECES - 2 * END)) - 1);
+    f64::from(within.count_ones()) / f64::from(PIECES - 2 * END)
+}
+
 /// What covers the units of a grid.
 pub(super) struct Covers {
     /// Those that anything covers.
     pub(super) units: BTreeMap<At, Cover>,
     /// Posts.
     pub(super) posts: BTreeSet<(i32, i32)>,
-    inked: BTreeSet<(i32, i32)>,
+    /// Places in rooms, in fine steps.
+    ink: BTreeSet<(i32, i32)>,
     across: (i32, i32),
     down: (i32, i32),
 }
@@ -106,7 +115,7 @@ impl Covers {
         if !is_small(across) || !is_small(down) {
             return None;
         }
-        let mut covers = Covers { units: BTreeMap::new(), posts: BTreeSet::new(), inked: BTreeSet::new(), across, down };
+        let mut covers = Covers { units: BTreeMap::new(), posts: BTreeSet::new(), ink: BTreeSet::new(), across, down };
         let found = leaves::find(strokes, means, grid);
         let is_leaf: BTreeSet<usize> = found.iter().flat_map(|l| l.strokes.iter().copied()).collect();
         for (k, (stroke, role)) in strokes.iter().zip(means).enumerate() {
@@ -131,7 +140,7 @@ impl Covers {
                     self.bar((low, high));
                 }
                 if !is_leaf {
-                    let is_dash = size < SHORT * 0.7 && m.is_opening() && !stroke.is_closed;
+                    let is_dash = size < SHORT * 0.7 && matches!(m, Means::Door | Means::Slide | Means::Open) && !stroke.is_closed;
                     sides(stroke).for_each(|side| self.cover(side.map(|p| grid.units_of(p)), m, is_dash));
                 }
                 if m == Means::Mat {
@@ -186,20 +195,22 @@ impl Covers {
             let (first, end) = (piece(from), piece(to));
             let bits = ((1_u64 << end) - 1) & !((1_u64 << first) - 1);
             let unit = self.unit(start, line, upright);
-            *unit.pieces.entry(role).or_default() |= bits;
-            unit.dashes += u32::from(is_dash);
+            if is_dash {
+                unit.dashed = (unit.dashed.0 | bits, unit.dashed.1 + 1);
+            } else {
+                *unit.pieces.entry(role).or_default() |= bits;
+            }
             start += 1.0;
         }
     }
 
-    /// Notes the cells in whose middle a stroke lies.
+    /// Notes the places of a stroke that lies in a room.
     fn ink(&mut self, stroke: &Stroke, grid: &Grid) {
+        let ((u0, u1), (v0, v1)) = (self.across, self.down);
         let mut note = |p: DVec2| {
-            let (cell, off) = (p.floor(), p - p.floor());
-            let ((u0, u1), (v0, v1)) = (self.across, self.down);
-            let is_within = cell.x >= f64::from(u0) && cell.x < f64::from(u1) && cell.y >= f64::from(v0) && cell.y < f64::from(v1);
-            if is_within && off.min_element() > 0.15 && off.max_element() < 0.85 {
-                self.inked.insert((cell.x as i32, cell.y as i32));
+            let is_within = p.x > f64::from(u0) && p.x < f64::from(u1) && p.y > f64::from(v0) && p.y < f64::from(v1);
+            if is_within {
+                self.ink.insert(((p.x * FINE).floor() as i32, (p.y * FINE).floor() as i32));
             }
         };
         stroke.points.iter().for_each(|p| note(grid.units_of(*p)));
@@ -208,6 +219,28 @@ impl Covers {
             let steps = (p.distance(q) * 5.0).ceil().min(f64::from(MOST) * 5.0) as u32;
             (1..steps).for_each(|k| note(p.lerp(q, f64::from(k) / f64::from(steps))));
         }
+    }
+
+    /// The cells with something in them. What lies near the line between two cells that nothing parts lies in both: names stand
+    /// in the middle of rooms, not of cells.
+    fn inked(&self) -> BTreeSet<(i32, i32)> {
+        let mut cells = BTreeSet::new();
+        let parted = |at: At| self.units.get(&at).is_some_and(Cover::is_closed);
+        for &(x, y) in &self.ink {
+            let at = (dvec2(f64::from(x), f64::from(y)) + 0.5) / FINE;
+            let (cell, off) = (at.floor(), at - at.floor());
+            let (u, v) = (cell.x as i32, cell.y as i32);
+            let side = |off: f64| i32::from(off > 1.0 - MARGIN) - i32::from(off < MARGIN);
+            let (right, down) = (side(off.x), side(off.y));
+            let (upright, level) = (((u + i32::from(right > 0), v), true), ((u, v + i32::from(down > 0)), false));
+            let blocked = (right != 0 && parted(upright), down != 0 && parted(level));
+            // Strokes along a wall may belong to the wall.
+            if blocked.0 || blocked.1 {
+                continue;
+            }
+            cells.extend([(u, v), (u + right, v), (u, v + down)]);
+        }
+        cells
     }
 
     /// Puts doors on hinges on their units; where two are possible, on the one that closes a wall.
@@ -242,7 +275,7 @@ impl Covers {
         let ((u0, u1), (v0, v1)) = (self.across, self.down);
         let level = (v0..=v1).map(|v| (u0..u1).map(|u| read(((u, v), false))).collect()).collect();
         let upright = (u0..=u1).map(|u| (v0..v1).map(|v| read(((u, v), true))).collect()).collect();
-        Units::new((self.across, self.down), level, upright, self.inked.clone())
+        Units::new((self.across, self.down), level, upright, self.inked())
     }
 }
 

@@ -12,6 +12,8 @@ const ANGLES: [f64; 4] = [90.0, 15.0, 1.0, 0.1];
 struct Wall<'d> {
     /// Degrees to the right of the first heading.
     heading: f64,
+    /// Where it ends.
+    end: DVec2,
     bays: Vec<(&'d Bay, f64)>,
 }
 
@@ -141,25 +143,22 @@ fn square(start: DVec2, walls: &mut [Wall<'_>], doubt: f64) {
             -90.0 => (1, -1.0),
             _ => (0, -1.0),
         };
+        let end = wall.end[axis];
+        let near = |p: &f64| (p - end).abs() <= doubt;
+        let end = known[axis].iter().copied().find(near).or(Some(round(end)).filter(near)).unwrap_or(end);
+        known[axis].push(end);
         let length: f64 = wall.bays.iter().map(|b| rounded(b.1)).sum();
-        let end = at[axis] + ahead * length;
-        let allowed = doubt + 2e-6 * wall.bays.len() as f64;
-        let near = known[axis].iter().copied().min_by(|p, q| (p - end).abs().total_cmp(&(q - end).abs()));
-        let end = match near.filter(|n| (n - end).abs() <= allowed) {
-            Some(near) => {
-                let off = (near - end) * ahead;
-                if let Some(last) = wall.bays.iter_mut().rev().find(|b| b.1 > doubt).filter(|_| off.abs() > 1e-9) {
-                    last.1 += off;
-                }
-                near
-            }
-            None => {
-                known[axis].push(end);
-                end
-            }
-        };
+        let off = (end - at[axis]) * ahead - length;
+        if let Some(last) = wall.bays.iter_mut().rev().find(|b| b.1 > doubt).filter(|_| off.abs() > 1e-9) {
+            last.1 += off;
+        }
         at[axis] = end;
     }
+}
+
+/// A place on quarter units.
+fn round(at: f64) -> f64 {
+    (at * 4.0).round() / 4.0
 }
 
 /// A width as it is written.
@@ -189,7 +188,7 @@ fn wall<'d>(line: &'d Line, frame: &Frame) -> Option<Wall<'d>> {
         off += width;
         (bay, width)
     });
-    Some(Wall { heading, bays: bays.collect() })
+    Some(Wall { heading, end: from + whole, bays: bays.collect() })
 }
 
 /// The width of a bay, units: that of its part, of quarter units, or as drawn.
