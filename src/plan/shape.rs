@@ -9,6 +9,9 @@ const GAP: i32 = 4;
 /// The widest gap within a house that is a way and no corner of a room, units.
 const DOOR: i32 = 2;
 
+/// Cells: their upper left crossings.
+type Cells = BTreeSet<(i32, i32)>;
+
 /// A unit of a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wall {
@@ -83,6 +86,17 @@ impl Lines<'_> {
         gaps > walls
     }
 
+    /// Whether a room without ink in it lies outside a drawing whose strokes are all known: it is open to the outside, and no wall
+    /// of it stands between outside and outside.
+    fn is_outside(&self, room: &BTreeSet<(i32, i32)>, cells: &BTreeSet<(i32, i32)>) -> bool {
+        if room.iter().any(|c| self.units.is_inked(*c)) {
+            return false;
+        }
+        let sides = room.iter().flat_map(|c| Lines::sides(*c)).filter(|(_, _, beyond)| !cells.contains(beyond));
+        let (gaps, walls): (Vec<_>, Vec<_>) = sides.partition(|(at, upright, _)| self.joined.contains_key(&(*at, *upright)));
+        !gaps.is_empty() && walls.is_empty()
+    }
+
     /// Takes back that gaps before a room are ways.
     fn open(&mut self, room: &BTreeSet<(i32, i32)>, cells: &BTreeSet<(i32, i32)>) {
         for (at, upright, beyond) in room.iter().flat_map(|c| Lines::sides(*c)) {
@@ -109,12 +123,26 @@ impl Lines<'_> {
 impl Shape {
     /// Finds the house in the units of a grid.
     pub fn of(units: &Units) -> Shape {
+        Shape::found(units, false)
+    }
+
+    /// Finds the house in the units of a drawing whose strokes are all known: nothing but its outline is closed where nothing is
+    /// drawn.
+    pub fn drawn(units: &Units) -> Shape {
+        Shape::found(units, true)
+    }
+
+    fn found(units: &Units, is_drawn: bool) -> Shape {
         let mut lines = Lines { units, joined: BTreeMap::new() };
         lines.joined = gaps(&lines);
         let mut cells = lines.enclosed();
+        let is_outside = if is_drawn { Lines::is_outside } else { Lines::is_recess };
         // A recess in a wall looks like a room with an open front; nothing is drawn in it.
         loop {
-            let open: Vec<BTreeSet<(i32, i32)>> = rooms(&cells, &lines).into_iter().filter(|r| lines.is_recess(r, &cells)).collect();
+            // Ways between rooms part nothing where all strokes are known.
+            let drawn = Lines { units, joined: BTreeMap::new() };
+            let rooms = rooms(&cells, if is_drawn { &drawn } else { &lines });
+            let open: Vec<BTreeSet<(i32, i32)>> = rooms.into_iter().filter(|r| is_outside(&lines, r, &cells)).collect();
             if open.is_empty() {
                 break;
             }
@@ -129,7 +157,7 @@ impl Shape {
             let other = if upright { (at.0 - 1, at.1) } else { (at.0, at.1 - 1) };
             cells.contains(&at) != cells.contains(&other)
         };
-        lines.joined.retain(|(at, upright), is_door| *is_door || is_outer(*at, *upright));
+        lines.joined.retain(|(at, upright), is_door| !is_drawn && *is_door || is_outer(*at, *upright));
         let mut shape = Shape { cells, ..Shape::default() };
         shape.walls(&lines);
         shape.rooms = rooms(&shape.cells, &lines);

@@ -91,7 +91,7 @@ pub fn find(lines: Lines, roles: &Roles, unit_mm: Option<f64>) -> Result<Found, 
     let grid = fit::find(&lines, &means, unit_mm).ok_or(Refused::NoGrid(walls))?;
     let covers = Covers::of(&lines.strokes, &means, &grid).ok_or(Refused::NoGrid(walls))?;
     let units = covers.units();
-    let shape = Shape::of(&units);
+    let shape = Shape::drawn(&units);
     if shape.cells.len() < LEAST_CELLS {
         return Err(Refused::NoHouse);
     }

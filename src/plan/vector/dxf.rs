@@ -51,6 +51,7 @@ pub fn read(bytes: &[u8]) -> Result<Lines, Refused> {
     let mut lines = Lines::default();
     let file = file(&pairs, &mut lines)?;
     lines.unit_mm = file.unit_mm;
+    lines.is_model = true;
     let mut out = Drawn { file: &file, lines, copies: 0, open: vec![] };
     let home = Home { matrix: DMat3::from_cols_array(&[1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0]), ..Home::default() };
     out.draw(file.entities.clone(), &home)?;

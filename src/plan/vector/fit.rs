@@ -14,6 +14,8 @@ const NEAR: f64 = 0.004;
 const AGREES: [f64; 2] = [0.55, 0.4];
 /// Units along a side: the fewest and the most.
 const SIDE: [f64; 2] = [2.0, 110.0];
+/// The sine of the least turn of a corner.
+const TURNS: f64 = 0.3;
 /// The share of places that may lie between the lines of a grid.
 const BETWEEN: f64 = 0.04;
 
@@ -175,7 +177,7 @@ fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
 
 /// The places of lines along the axes; of walls their ends too.
 fn lines(stroke: &Stroke, has_ends: bool, axes: &mut [Marks; 2]) {
-    for [p, q] in sides(stroke) {
+    for [p, q] in sides(&smooth(stroke)) {
         let way = (q - p).abs();
         let (along, across) = if way.x > way.y { (0, 1) } else { (1, 0) };
         if way[across] > way[along] * 0.15 {
@@ -187,6 +189,30 @@ fn lines(stroke: &Stroke, has_ends: bool, axes: &mut [Marks; 2]) {
             axes[along].0.push((q[along], way[along] * 0.25));
         }
     }
+}
+
+/// A stroke without the corners at which it hardly turns: lines that a hand has drawn have many.
+fn smooth(stroke: &Stroke) -> Stroke {
+    let mut points: Vec<DVec2> = vec![];
+    for &p in &stroke.points {
+        while let [.., a, b] = points[..] {
+            let turn = (b - a).normalize_or_zero().perp_dot((p - b).normalize_or_zero());
+            if turn.abs() > TURNS || (b - a).dot(p - b) < 0.0 {
+                break;
+            }
+            points.pop();
+        }
+        points.push(p);
+    }
+    // A closed line may start within a side.
+    while let ([a, b, ..], [.., z]) = (&points[..], &points[..]) {
+        let turn = (*a - *z).normalize_or_zero().perp_dot((*b - *a).normalize_or_zero());
+        if !stroke.is_closed || points.len() < 4 || turn.abs() > TURNS || (*a - *z).dot(*b - *a) < 0.0 {
+            break;
+        }
+        points.remove(0);
+    }
+    Stroke { points, is_closed: stroke.is_closed, ..Stroke::default() }
 }
 
 /// The sides of a stroke.
@@ -203,7 +229,8 @@ pub(super) fn find(lines: &Lines, means: &[Option<Means>], given: Option<f64>) -
     let scales: Vec<f64> = lines.unit_mm.map_or(UNITS.to_vec(), |mm| vec![mm]);
     let usual = given.map_or(HALF_KEN.to_vec(), |mm| vec![mm]);
     // The first unit of length in which walls agree with a usual grid.
-    let best = scales.iter().find_map(|scale| both.usual(&usual, *scale));
+    let scales = scales.iter().filter(|_| lines.is_model);
+    let best = scales.filter_map(|scale| both.usual(&usual, *scale)).next();
     let (turns, unit_mm) = match best {
         Some((turns, unit_mm)) => (turns, Some(unit_mm)),
         None => (both.any()?.1, given),

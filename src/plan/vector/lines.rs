@@ -40,6 +40,8 @@ pub struct Stroke {
 pub struct Lines {
     /// In the order in which they are drawn.
     pub strokes: Vec<Stroke>,
+    /// Whether it is as large as the house: plans of CAD programs are, those on paper are not.
+    pub is_model: bool,
     /// Millimetres of the house in a unit of the drawing, if the file says so.
     pub unit_mm: Option<f64>,
     /// What was left out: how often, by kind.
