@@ -36,6 +36,8 @@ pub(super) type At = ((i32, i32), bool);
 pub(super) struct Cover {
     /// Pieces, by what covers them.
     pieces: BTreeMap<Means, u64>,
+    /// Whether a door on hinges stands there.
+    is_hung: bool,
     /// Bars across it, by tenths.
     bars: u16,
     /// Pieces that short strokes cover, and how many these are.
@@ -49,7 +51,7 @@ impl Cover {
 
     /// Whether a wall or an opening covers it.
     pub(super) fn is_closed(&self) -> bool {
-        self.opening().is_some() || self.share(&[Means::Wall]) >= COVERED
+        self.is_hung || self.opening().is_some() || self.share(&[Means::Wall]) >= COVERED
     }
 
     /// The opening that covers it.
@@ -249,8 +251,7 @@ impl Covers {
             let best = leaf.places.iter().max_by_key(|place| (self.suits(place), std::cmp::Reverse(place.0)));
             for at in best.into_iter().flat_map(|place| place.units()) {
                 let unit = self.units.entry(at).or_default();
-                *unit = Cover::default();
-                unit.pieces.insert(Means::Hinged, u64::MAX);
+                *unit = Cover { is_hung: true, ..Cover::default() };
             }
         }
     }
@@ -268,7 +269,7 @@ impl Covers {
     /// The units of the grid as the picture reader has them.
     pub(super) fn units(&self) -> Units {
         let read = |at: At| match self.units.get(&at) {
-            Some(unit) if unit.pieces.contains_key(&Means::Hinged) => Read { role: Role::Hinged, likeness: 1.0, lead: 1.0 },
+            Some(unit) if unit.is_hung => Read { role: Role::Hinged, likeness: 1.0, lead: 1.0 },
             Some(unit) => unit.read(),
             None => Read::EMPTY,
         };
