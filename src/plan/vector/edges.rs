@@ -23,6 +23,8 @@ const SHORT: f64 = 0.45;
 const FINE: f64 = 20.0;
 /// How near to the line between two cells a thing lies in both, units.
 const MARGIN: f64 = 0.15;
+/// How often doors on hinges are looked at.
+const ROUNDS: usize = 4;
 /// The most a wall may lean, as a share of its length.
 const LEAN: f64 = 0.2;
 /// The most units along a side.
@@ -36,8 +38,8 @@ pub(super) type At = ((i32, i32), bool);
 pub(super) struct Cover {
     /// Pieces, by what covers them.
     pieces: BTreeMap<Means, u64>,
-    /// Whether a door on hinges stands there.
-    is_hung: bool,
+    /// Doors on hinges that stand there.
+    hung: u32,
     /// Bars across it, by tenths.
     bars: u16,
     /// Pieces that short strokes cover, and how many these are.
@@ -51,7 +53,7 @@ impl Cover {
 
     /// Whether a wall or an opening covers it.
     pub(super) fn is_closed(&self) -> bool {
-        self.is_hung || self.opening().is_some() || self.share(&[Means::Wall]) >= COVERED
+        self.hung > 0 || self.opening().is_some() || self.share(&[Means::Wall]) >= COVERED
     }
 
     /// The opening that covers it.
@@ -59,7 +61,7 @@ impl Cover {
         use Means::{Door, Glazing, Lattice, Open, Slide, Window};
         let share = |m: &[Means]| Some(self.share(m)).filter(|s| *s >= COVERED);
         // Dashes cover half of what they run along.
-        let is_dashed = self.dashed.1 >= 3 && pieces_share(self.dashed.0) > 0.3 && self.share(&[Door, Slide]) < COVERED;
+        let is_dashed = self.dashed.1 >= 2 && pieces_share(self.dashed.0) > 0.3 && self.share(&[Door, Slide]) < COVERED;
         if let Some(share) = share(&[Open]).or((is_dashed).then_some(1.0)) {
             return Some((Role::Open, share));
         }
@@ -187,7 +189,8 @@ impl Covers {
             Means::Mat => BAND[2],
             _ => BAND[1],
         };
-        if way[across] > way[along] * LEAN || off > band || way[along] == 0.0 {
+        let lean = if is_dash { 3.0 * LEAN } else { LEAN };
+        if way[across] > way[along] * lean || off > band || way[along] == 0.0 {
             return;
         }
         let (from, to) = (p[along].min(q[along]), p[along].max(q[along]));
@@ -245,15 +248,25 @@ impl Covers {
         cells
     }
 
-    /// Puts doors on hinges on their units; where two are possible, on the one that closes a wall.
+    /// Puts doors on hinges on their units; where several are possible, on those that close a wall. Each is looked at again when
+    /// the others hang.
     fn hang(&mut self, leaves: &[Leaf]) {
-        for leaf in leaves {
-            let best = leaf.places.iter().max_by_key(|place| (self.suits(place), std::cmp::Reverse(place.0)));
-            for at in best.into_iter().flat_map(|place| place.units()) {
-                let unit = self.units.entry(at).or_default();
-                *unit = Cover { is_hung: true, ..Cover::default() };
+        let mut chosen: Vec<Option<&leaves::Place>> = vec![None; leaves.len()];
+        for _ in 0..ROUNDS {
+            for (leaf, own) in leaves.iter().zip(&mut chosen) {
+                for at in own.take().into_iter().flat_map(|place| place.units()) {
+                    self.unit_at(at).hung -= 1;
+                }
+                *own = leaf.places.iter().max_by_key(|place| (self.suits(place), std::cmp::Reverse(place.0)));
+                for at in own.iter().flat_map(|place| place.units()) {
+                    self.unit_at(at).hung += 1;
+                }
             }
         }
+    }
+
+    fn unit_at(&mut self, at: At) -> &mut Cover {
+        self.units.entry(at).or_default()
     }
 
     /// How much speaks for a door on hinges there: nothing else stands there, posts or walls at its ends.
@@ -262,14 +275,14 @@ impl Covers {
         let taken = place.units().iter().filter(|u| is_closed(u)).count() as i32;
         let posts = place.ends().iter().filter(|p| self.posts.contains(p)).count() as i32;
         let goes_on = place.beyond().iter().filter(|u| is_closed(u)).count() as i32;
-        let meets = place.ends().iter().flat_map(|p| leaves::around(*p)).filter(|u| is_closed(u)).count() as i32;
+        let meets = place.ends().iter().filter(|p| leaves::around(**p).iter().any(is_closed)).count() as i32;
         posts * 3 + goes_on * 2 + meets - taken * 20
     }
 
     /// The units of the grid as the picture reader has them.
     pub(super) fn units(&self) -> Units {
         let read = |at: At| match self.units.get(&at) {
-            Some(unit) if unit.is_hung => Read { role: Role::Hinged, likeness: 1.0, lead: 1.0 },
+            Some(unit) if unit.hung > 0 => Read { role: Role::Hinged, likeness: 1.0, lead: 1.0 },
             Some(unit) => unit.read(),
             None => Read::EMPTY,
         };
