@@ -23,6 +23,9 @@ const SHORT: f64 = 0.45;
 const FINE: f64 = 20.0;
 /// How near to the line between two cells a thing lies in both, units.
 const MARGIN: f64 = 0.15;
+/// What speaks against a place where something stands, and the least lead of a place that is sure.
+const TAKEN: i32 = 20;
+const CLEAR: i32 = 2;
 /// How often doors on hinges are looked at.
 const ROUNDS: usize = 4;
 /// The most a wall may lean, as a share of its length.
@@ -40,6 +43,8 @@ pub(super) struct Cover {
     pieces: BTreeMap<Means, u64>,
     /// Doors on hinges that stand there.
     hung: u32,
+    /// Whether such a door may as well stand elsewhere.
+    is_unsure: bool,
     /// Bars across it, by tenths.
     bars: u16,
     /// Pieces that short strokes cover, and how many these are.
@@ -257,10 +262,20 @@ impl Covers {
                 for at in own.take().into_iter().flat_map(|place| place.units()) {
                     self.unit_at(at).hung -= 1;
                 }
-                *own = leaf.places.iter().max_by_key(|place| (self.suits(place), std::cmp::Reverse(place.0)));
+                // Of places that suit equally the one that the leaf leans to.
+                *own = leaf.places.iter().min_by_key(|place| std::cmp::Reverse(self.suits(place)));
                 for at in own.iter().flat_map(|place| place.units()) {
                     self.unit_at(at).hung += 1;
                 }
+            }
+        }
+        for (leaf, own) in leaves.iter().zip(chosen) {
+            let Some(own) = own else { continue };
+            let other = leaf.places.iter().filter(|p| *p != own).map(|p| self.suits(p)).max();
+            // Its own units are taken by itself.
+            let suits = self.suits(own) + TAKEN * own.units().len() as i32;
+            if other.is_some_and(|other| other + CLEAR > suits) {
+                own.units().into_iter().for_each(|at| self.unit_at(at).is_unsure = true);
             }
         }
     }
@@ -276,13 +291,13 @@ impl Covers {
         let posts = place.ends().iter().filter(|p| self.posts.contains(p)).count() as i32;
         let goes_on = place.beyond().iter().filter(|u| is_closed(u)).count() as i32;
         let meets = place.ends().iter().filter(|p| leaves::around(**p).iter().any(is_closed)).count() as i32;
-        posts * 3 + goes_on * 2 + meets - taken * 20
+        posts * 3 + goes_on * 2 + meets - taken * TAKEN
     }
 
     /// The units of the grid as the picture reader has them.
     pub(super) fn units(&self) -> Units {
         let read = |at: At| match self.units.get(&at) {
-            Some(unit) if unit.hung > 0 => Read { role: Role::Hinged, likeness: 1.0, lead: 1.0 },
+            Some(unit) if unit.hung > 0 => Read { role: Role::Hinged, likeness: 1.0, lead: if unit.is_unsure { 0.0 } else { 1.0 } },
             Some(unit) => unit.read(),
             None => Read::EMPTY,
         };
@@ -291,9 +306,4 @@ impl Covers {
         let upright = (u0..=u1).map(|u| (v0..v1).map(|v| read(((u, v), true))).collect()).collect();
         Units::new((self.across, self.down), level, upright, self.inked())
     }
-}
-
-/// The place of a crossing.
-pub(super) fn crossing((u, v): (i32, i32)) -> DVec2 {
-    dvec2(f64::from(u), f64::from(v))
 }

@@ -1,6 +1,6 @@
 //! Doors on hinges: a leaf and the arc of its swing, or a leaf alone that stands open.
 
-use super::edges::{At, crossing};
+use super::edges::At;
 use super::fit::Grid;
 use super::lines::Stroke;
 use super::roles::Means;
@@ -174,6 +174,5 @@ fn slanted([p, q]: [DVec2; 2]) -> Vec<Place> {
     let count = (length - 0.2).round().max(1.0) as i32;
     let level = Place((at.x as i32 - if way.x < 0.0 { count } else { 0 }, at.y as i32), false, count);
     let upright = Place((at.x as i32, at.y as i32 - if way.y < 0.0 { count } else { 0 }), true, count);
-    debug_assert!(crossing((at.x as i32, at.y as i32)) == at);
-    vec![level, upright]
+    if slant.y > slant.x { vec![upright, level] } else { vec![level, upright] }
 }
