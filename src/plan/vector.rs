@@ -7,6 +7,7 @@
 //! | layers, blocks and colours say what strokes stand for | [`roles`] | [`roles::Means`] |
 //! | walls say what the grid is | [`fit`] | [`fit::Grid`] |
 //! | strokes are laid over the grid | `edges`, `leaves` | the units of the picture reader |
+//! | drawings without layers become pictures | [`paint`] | a [`Picture`](super::Picture) |
 
 pub mod dxf;
 mod edges;
@@ -16,6 +17,7 @@ mod house;
 mod leaves;
 pub mod lines;
 pub mod own;
+pub mod paint;
 mod pairs;
 pub mod roles;
 mod style;
@@ -28,10 +30,13 @@ use edges::Covers;
 use fit::Grid;
 use lines::Lines;
 use roles::{Means, Roles};
+use std::collections::BTreeMap;
 
 /// Layers, blocks and colours of CAD drawings that need no legend of their own.
 pub const CAD: &str = include_str!("../../grammar/legend-cad.xml");
 
+/// Millimetres in a shaku.
+const SHAKU: f64 = 10_000.0 / 33.0;
 /// The fewest cells of a house.
 const LEAST_CELLS: usize = 4;
 
@@ -73,6 +78,24 @@ pub struct Found {
     pub units: Units,
     /// The house.
     pub shape: Shape,
+}
+
+impl Found {
+    /// Shaku in a unit of the grid, if the drawing says how large the house is.
+    pub fn shaku(&self) -> Option<f64> {
+        let shaku = self.grid.unit_mm? / SHAKU;
+        Some((shaku * 100.0).round() / 100.0)
+    }
+
+    /// Layers and groups of which nothing says what they stand for, with how many strokes are in them.
+    pub fn unknown(&self) -> BTreeMap<&str, usize> {
+        let mut unknown = BTreeMap::new();
+        for (stroke, _) in self.lines.strokes.iter().zip(&self.means).filter(|(_, m)| m.is_none()) {
+            let name = stroke.layers.first().map_or("", |l| self.lines.named(*l));
+            *unknown.entry(name).or_default() += 1;
+        }
+        unknown
+    }
 }
 
 /// Finds the house in the lines of a drawing; `unit_mm` are the millimetres of half a ken, if known.

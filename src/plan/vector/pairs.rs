@@ -54,8 +54,10 @@ fn decoded(bytes: &[u8]) -> String {
     if let Ok(text) = std::str::from_utf8(bytes) {
         return text.trim_start_matches('\u{feff}').to_owned();
     }
+    // Programs name the code page of their makers, whatever the letters are. Bytes that begin a letter of Shift_JIS are rare signs
+    // in western ones.
     let head = String::from_utf8_lossy(&bytes[..bytes.len().min(20_000)]).to_uppercase();
-    let is_western = head.contains("ANSI_125") || head.contains("ISO8859");
+    let is_western = (head.contains("ANSI_125") || head.contains("ISO8859")) && !bytes.iter().any(|b| (0x81..=0x9f).contains(b));
     let (text, _, is_wrong) = encoding_rs::SHIFT_JIS.decode(bytes);
     match is_western || is_wrong && !head.contains("932") {
         true => encoding_rs::WINDOWS_1252.decode(bytes).0.into_owned(),
