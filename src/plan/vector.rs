@@ -3,7 +3,7 @@
 //! | step | file | result |
 //! |---|---|---|
 //! | drawings of `hsd draw` come back as they went out | [`own`], `house`, `xml` | the text of the house |
-//! | other drawings are read | [`svg`], `style`, [`dxf`], `pairs`, `entity` | [`lines::Lines`] |
+//! | other drawings are read | [`svg`], `style`, [`dxf`], `pairs`, `entity`, [`pdf`] | [`lines::Lines`] |
 //! | layers, blocks and colours say what strokes stand for | [`roles`] | [`roles::Means`] |
 //! | walls say what the grid is | [`fit`] | [`fit::Grid`] |
 //! | strokes are laid over the grid | `edges`, `leaves` | the units of the picture reader |
@@ -19,11 +19,13 @@ pub mod lines;
 pub mod own;
 pub mod paint;
 mod pairs;
+pub mod pdf;
 pub mod roles;
 mod style;
 pub mod svg;
 mod xml;
 
+use super::Unreadable;
 use super::shape::Shape;
 use super::strokes::Units;
 use edges::Covers;
@@ -51,6 +53,12 @@ pub enum Refused {
     Truncated { line: usize },
     /// More of something than is read.
     TooLarge { what: &'static str, most: usize },
+    /// No PDF that can be read, and why.
+    NotPdf(String),
+    /// A PDF without the page that was asked for.
+    NoPage { asked: usize, pages: usize },
+    /// A PDF with one picture that cannot be read.
+    Picture(Unreadable),
     /// A legend that is none.
     Legend(String),
     /// Drawn by `hsd draw` and changed so that it cannot be read: what is not as it should be.
