@@ -1,7 +1,7 @@
 //! Drawings as PDF: one page of the sheet's size. Texts stay texts, in a Japanese font that readers of PDF bring along;
-//! with [`letters`](crate::drawing::letters) they are outlines.
+//! with [`letters`](crate::drawing::letters) they are outlines. Each role is a layer.
 
-use crate::drawing::paper::{Anchor, Label, Mark, Shape, Sheet, width};
+use crate::drawing::paper::{Anchor, Label, Mark, Role, Shape, Sheet, width};
 use glam::DVec2;
 use pdf_writer::types::{CidFontType, FontFlags, SystemInfo};
 use pdf_writer::{Content, Finish, Name, Pdf, Rect, Ref, Str, TextStr};
@@ -24,7 +24,28 @@ pub fn write(sheet: &Sheet) -> Vec<u8> {
     let [catalog, pages, page, content, font, cid, descriptor, info] =
         std::array::from_fn(|_| next.bump());
     let mut pdf = Pdf::new();
-    pdf.catalog(catalog).pages(pages);
+    let mut roles: Vec<Role> = sheet
+        .views
+        .iter()
+        .flat_map(|v| &v.marks)
+        .map(|m| m.role)
+        .collect();
+    roles.sort_unstable();
+    roles.dedup();
+    let layers: Vec<(Role, Ref)> = roles.into_iter().map(|role| (role, next.bump())).collect();
+    let mut own = pdf.catalog(catalog);
+    own.pages(pages);
+    let mut shown = own.insert(Name(b"OCProperties")).dict();
+    let all = || layers.iter().map(|(_, layer)| *layer);
+    shown.insert(Name(b"OCGs")).array().items(all());
+    shown
+        .insert(Name(b"D"))
+        .dict()
+        .insert(Name(b"Order"))
+        .array()
+        .items(all());
+    shown.finish();
+    own.finish();
     pdf.pages(pages).kids([page]).count(1);
     pdf.document_info(info).title(TextStr(&sheet.title));
     let size = sheet.size * POINT;
@@ -32,13 +53,31 @@ pub fn write(sheet: &Sheet) -> Vec<u8> {
     own.parent(pages)
         .media_box(Rect::new(0.0, 0.0, size.x as f32, size.y as f32))
         .contents(content);
-    own.resources().fonts().pair(OWN, font);
+    let mut resources = own.resources();
+    resources.fonts().pair(OWN, font);
+    let mut named = resources.insert(Name(b"Properties")).dict();
+    for (role, layer) in &layers {
+        named.pair(Name(role.word().as_bytes()), *layer);
+    }
+    named.finish();
+    resources.finish();
     own.finish();
+    for (role, layer) in &layers {
+        let mut group = pdf.indirect(*layer).dict();
+        group.pair(Name(b"Type"), Name(b"OCG"));
+        group.pair(Name(b"Name"), TextStr(role.word()));
+    }
     font_of(&mut pdf, font, cid, descriptor);
     let mut drawn = Content::new();
     drawn.set_line_cap(pdf_writer::types::LineCapStyle::RoundCap);
-    for mark in sheet.views.iter().flat_map(|v| &v.marks) {
-        draw(mark, &mut drawn);
+    for view in &sheet.views {
+        for marks in view.marks.chunk_by(|a, b| a.role == b.role) {
+            let layer = Name(marks[0].role.word().as_bytes());
+            let begun = drawn.begin_marked_content_with_properties(Name(b"OC"));
+            begun.properties_named(layer);
+            marks.iter().for_each(|mark| draw(mark, &mut drawn));
+            drawn.end_marked_content();
+        }
     }
     pdf.stream(content, &drawn.finish());
     pdf.finish()
