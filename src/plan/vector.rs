@@ -2,7 +2,7 @@
 //!
 //! | step | file | result |
 //! |---|---|---|
-//! | drawings of `hsd draw` come back as they went out | [`own`], `house`, `xml` | the text of the house |
+//! | drawings of `hsd draw` come back as they went out | [`own`], `told`, `xml` | the text of the house |
 //! | other drawings are read | [`svg`], `style`, [`dxf`], `pairs`, `entity`, [`pdf`] | [`lines::Lines`] |
 //! | layers, blocks and colours say what strokes stand for | [`roles`] | [`roles::Means`] |
 //! | walls say what the grid is | [`fit`] | [`fit::Grid`] |
@@ -13,21 +13,23 @@ pub mod dxf;
 mod edges;
 mod entity;
 pub mod fit;
-mod house;
 mod leaves;
 pub mod lines;
 pub mod own;
 pub mod paint;
 mod pairs;
 pub mod pdf;
+mod refused;
 pub mod roles;
 mod style;
 pub mod svg;
+mod told;
 mod xml;
 
-use super::Unreadable;
 use super::shape::Shape;
 use super::strokes::Units;
+pub use refused::Refused;
+
 use edges::Covers;
 use fit::Grid;
 use lines::Lines;
@@ -41,37 +43,6 @@ pub const CAD: &str = include_str!("../../grammar/legend-cad.xml");
 const SHAKU: f64 = 10_000.0 / 33.0;
 /// The fewest cells of a house.
 const LEAST_CELLS: usize = 4;
-
-/// Why a drawing has no plan: what was looked for, and what was found.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Refused {
-    /// Not the XML of an SVG: at which byte, and why.
-    NotXml { at: u64, what: String },
-    /// No DXF: at which line, and why.
-    NotDxf { line: usize, what: String },
-    /// A DXF that ends too early, after so many lines.
-    Truncated { line: usize },
-    /// More of something than is read.
-    TooLarge { what: &'static str, most: usize },
-    /// No PDF that can be read, and why.
-    NotPdf(String),
-    /// A PDF without the page that was asked for.
-    NoPage { asked: usize, pages: usize },
-    /// A PDF with one picture that cannot be read.
-    Picture(Unreadable),
-    /// A legend that is none.
-    Legend(String),
-    /// Drawn by `hsd draw` and changed so that it cannot be read: what is not as it should be.
-    Unclear(String),
-    /// Nothing that is drawn.
-    Blank,
-    /// No stroke that stands for a wall; the layers and classes that were found.
-    NoRoles(Vec<String>),
-    /// Walls that keep to no grid: of so many strokes.
-    NoGrid(usize),
-    /// No walls that close.
-    NoHouse,
-}
 
 /// What was found in a drawing.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! DXF from release 12 to 2018: layers, blocks and what is drawn.
 
-use super::Refused;
-use super::entity::{self, Record};
+use super::refused::Refused;
+use super::entity::{self, Home, Record};
 use super::lines::Lines;
 use super::pairs::{self, Pair};
 use glam::DMat3;
@@ -135,18 +135,6 @@ fn blocks(file: &mut File<'_>, records: std::ops::Range<usize>) {
             _ => {}
         }
     }
-}
-
-/// Where a block stands, and what its parts have from it.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Home {
-    pub(super) matrix: DMat3,
-    /// The layer of what is drawn on layer 0 of a block.
-    layer: Option<u32>,
-    hidden: bool,
-    colour: i32,
-    pub(super) blocks: Vec<u32>,
-    pub(super) symbol: u32,
 }
 
 /// What has been drawn.

@@ -1,7 +1,7 @@
 //! What the strokes of a drawing cover of each unit of its grid.
 
 use super::fit::{Grid, sides};
-use super::leaves::{self, Leaf};
+use super::leaves::{self, At, Leaf};
 use super::lines::Stroke;
 use super::roles::Means;
 use crate::plan::legend::Role;
@@ -32,9 +32,6 @@ const ROUNDS: usize = 4;
 const LEAN: f64 = 0.2;
 /// The most units along a side.
 pub(super) const MOST: i32 = 130;
-
-/// A unit: where it begins, and whether it is upright.
-pub(super) type At = ((i32, i32), bool);
 
 /// What covers a unit.
 #[derive(Clone, Debug, Default)]

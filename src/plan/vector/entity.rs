@@ -1,6 +1,5 @@
 //! What is drawn in a DXF, as strokes.
 
-use super::dxf::Home;
 use super::lines::{Lines, Stroke, arc, bulged, moved};
 use super::pairs::Pair;
 use glam::{DMat3, DVec2, dvec2};
@@ -46,6 +45,18 @@ impl<'p> Record<'p> {
 
 fn number(text: &str) -> Option<f64> {
     text.parse().ok().filter(|n: &f64| n.is_finite())
+}
+
+/// Where a block stands, and what its parts have from it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Home {
+    pub(super) matrix: DMat3,
+    /// The layer of what is drawn on layer 0 of a block.
+    pub(super) layer: Option<u32>,
+    pub(super) hidden: bool,
+    pub(super) colour: i32,
+    pub(super) blocks: Vec<u32>,
+    pub(super) symbol: u32,
 }
 
 /// What a stroke has from layers and blocks.

@@ -1,6 +1,5 @@
 //! Doors on hinges: a leaf and the arc of its swing, or a leaf alone that stands open.
 
-use super::edges::At;
 use super::fit::Grid;
 use super::lines::Stroke;
 use super::roles::Means;
@@ -16,6 +15,9 @@ const TOUCH: f64 = 0.12;
 const SLANT: [f64; 2] = [0.25, 0.97];
 /// How far from a crossing a hinge may be, units.
 const HINGE: f64 = 0.3;
+
+/// A unit: where it begins, and whether it is upright.
+pub(super) type At = ((i32, i32), bool);
 
 /// Where a door on hinges may stand: units from a crossing to the right or down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -3,179 +3,278 @@
 //! Places are read off the paper; what a drawing cannot show (the unit, heights, which of the walks is a court) is told by the
 //! `data-` attributes of its groups. Bays that somebody moved are read where they lie.
 
-use super::Refused;
-use super::xml::{Attributes, Element, walk};
+use super::refused::Refused;
+use super::told::{self, Bay, Drawing, Frame, House, Level, Line, Walk};
 use glam::{DVec2, dvec2};
-use std::collections::BTreeMap;
+use std::fmt::Write as _;
 
-/// Metres in a shaku.
-const SHAKU: f64 = 10.0 / 33.0;
-/// How exactly places stand on paper, millimetres.
-const EXACT: f64 = 0.0016;
-/// The most bays of a drawing.
-const MOST: usize = 2_000_000;
-
-/// A bay of a wall: between two places on paper, millimetres.
-#[derive(Clone, Debug)]
-pub(super) struct Bay {
-    pub(super) code: Option<String>,
-    pub(super) from: DVec2,
-    pub(super) to: DVec2,
-}
-
-/// A wall: what is told of it, and its bays in the order of the walk.
-#[derive(Clone, Debug)]
-pub(super) struct Line {
-    pub(super) told: Attributes,
-    pub(super) bays: Vec<Bay>,
-}
-
-/// What is told of a room.
-#[derive(Clone, Debug)]
-pub(super) struct Room {
-    pub(super) name: String,
-    pub(super) at: String,
-    pub(super) floor: String,
-}
-
-/// A closed walk, or a wall inside.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Walk {
-    pub(super) kind: String,
-    pub(super) lines: Vec<Line>,
-}
-
-/// A storey of a house: its place in the house, then what is told of it.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Level {
-    pub(super) told: Attributes,
-    pub(super) walks: Vec<Walk>,
-    pub(super) rooms: Vec<Room>,
-}
-
-/// A house: its storeys by their place.
-pub(super) type House = BTreeMap<u32, Level>;
-
-/// The houses of a drawing.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Drawing {
-    /// Metres in a metre on paper.
-    pub(super) scale: f64,
-    pub(super) houses: BTreeMap<u32, House>,
-}
+/// Degrees to which walls at odd angles are told where the paper leaves it open.
+const ANGLES: [f64; 4] = [90.0, 15.0, 1.0, 0.1];
 
 /// Reads the houses that a drawing of `hsd draw` tells; `None` if it is another drawing.
 ///
 /// # Errors
 /// If the file is no XML, or somebody has turned or shifted a group of it.
 pub fn read(svg: &str) -> Result<Option<String>, Refused> {
-    let Some(drawing) = collect(svg)? else { return Ok(None) };
-    super::house::write(&drawing).map(Some)
+    let Some(drawing) = told::collect(svg)? else { return Ok(None) };
+    write(&drawing).map(Some)
 }
 
-/// Collects walls and rooms of the plans in a drawing.
-fn collect(svg: &str) -> Result<Option<Drawing>, Refused> {
-    let mut drawing = Drawing::default();
-    let mut count = 0;
-    let (mut wall, mut seen) = (None::<(u32, u32, Line)>, std::collections::BTreeSet::new());
-    walk(svg, &mut |element: &Element<'_>| {
-        if element.depth() == 1 {
-            drawing.scale = element.own("data-scale").and_then(|s| s.parse().ok()).filter(|s: &f64| *s > 0.0 && s.is_finite()).unwrap_or(0.0);
-        }
-        let (role, house) = (element.own("data-role"), element.number("data-house"));
-        let level = element.number("data-level");
-        if let (Some(role), Some(house), Some(level)) = (role, house, level) {
-            put(&mut drawing, wall.take());
-            if role == "axis" {
-                let key = (element.above("data-view").unwrap_or_default().to_owned(), house, level, element.number("data-wall"));
-                if !seen.insert(key) {
-                    return Err(Refused::Unclear("a wall is drawn twice".to_owned()));
-                }
-                wall = Some((house, level, Line { told: element.attributes().clone(), bays: vec![] }));
-            } else if let Some(name) = element.own("data-room") {
-                let text = |key: &str| element.own(key).unwrap_or_default().to_owned();
-                let room = Room { name: name.to_owned(), at: text("data-at"), floor: text("data-floor") };
-                level_of(&mut drawing, house, level).rooms.push(room);
-            }
-        } else if element.name() == "path" && element.above("data-role") == Some("axis") {
-            let Some((.., line)) = &mut wall else { return Ok(()) };
-            if element.is_transformed() {
-                return Err(Refused::Unclear("a wall lies in a group that was shifted or turned (transform)".to_owned()));
-            }
-            count += 1;
-            let ends = element.own("d").and_then(ends).filter(|_| count < MOST);
-            let (from, to) = ends.ok_or_else(|| Refused::Unclear("the line of a bay is not M x yL x y".to_owned()))?;
-            line.bays.push(Bay { code: element.own("data-code").map(str::to_owned), from, to });
-        }
-        Ok(())
-    })?;
-    put(&mut drawing, wall);
-    let is_own = drawing.scale > 0.0 && drawing.houses.values().flat_map(BTreeMap::values).any(|level| !level.walks.is_empty());
-    Ok(is_own.then_some(drawing))
+/// A wall in the plan of its house.
+struct Wall<'d> {
+    /// Degrees to the right of the first heading.
+    heading: f64,
+    /// Where it ends.
+    end: DVec2,
+    bays: Vec<(&'d Bay, f64)>,
 }
 
-fn level_of(drawing: &mut Drawing, house: u32, level: u32) -> &mut Level {
-    drawing.houses.entry(house).or_default().entry(level).or_default()
-}
-
-/// Adds a wall to its walk; the first wall of a walk tells of it, and of the house.
-fn put(drawing: &mut Drawing, wall: Option<(u32, u32, Line)>) {
-    let Some((house, level, line)) = wall else { return };
-    let level = level_of(drawing, house, level);
-    if let Some(kind) = line.told.get("data-walk") {
-        level.walks.push(Walk { kind: kind.to_owned(), lines: vec![] });
-        if level.told.is_empty() {
-            level.told = line.told.clone();
-        }
+/// Writes the houses.
+///
+/// # Errors
+/// If what is told does not say where a house stands.
+pub(super) fn write(drawing: &Drawing) -> Result<String, Refused> {
+    let houses: Vec<&House> = drawing.houses.values().collect();
+    let several = houses.len() > 1;
+    let first = houses.iter().find_map(|house| azimuth(house));
+    let mut out = String::new();
+    if several {
+        out.push_str("<Houses>\n");
     }
-    if let Some(last) = level.walks.last_mut().filter(|_| !line.bays.is_empty()) {
-        last.lines.push(line);
+    for house in houses {
+        write_house(drawing, house, (first.unwrap_or(180.0), several), &mut out)?;
     }
+    if several {
+        out.push_str("</Houses>\n");
+    }
+    Ok(out)
 }
 
-/// The ends of a path of one line.
-fn ends(d: &str) -> Option<(DVec2, DVec2)> {
-    let (from, to) = d.strip_prefix('M')?.split_once('L')?;
-    let place = |text: &str| {
-        let mut numbers = text.split_whitespace().map(|n| n.parse::<f64>().ok().filter(|n| n.abs() < 1e6));
-        let place = dvec2(numbers.next()??, numbers.next()??);
-        numbers.next().is_none().then_some(place)
+fn azimuth(house: &House) -> Option<f64> {
+    house.values().find_map(|level| numbers(level.told.get("data-place")?).get(3).copied())
+}
+
+fn numbers(text: &str) -> Vec<f64> {
+    text.split_whitespace().filter_map(|n| n.parse().ok()).filter(|n: &f64| n.is_finite() && n.abs() < 1e9).collect()
+}
+
+fn write_house(drawing: &Drawing, house: &House, (front, several): (f64, bool), out: &mut String) -> Result<(), Refused> {
+    let Some(told) = house.values().map(|level| &level.told).find(|t| !t.is_empty()) else { return Ok(()) };
+    let place = told.get("data-place").map(numbers).unwrap_or_default();
+    let &[east, north, up, azimuth] = &place[..] else {
+        return Err(Refused::Unclear("a house is not told its place (data-place)".to_owned()));
     };
-    Some((place(from)?, place(to)?))
+    let unit = told.get("data-unit").and_then(|u| u.parse::<f64>().ok()).filter(|u| *u > 0.01 && *u < 1000.0);
+    let unit = unit.ok_or_else(|| Refused::Unclear("a house is not told its unit (data-unit)".to_owned()))?;
+    let pad = if several { "  " } else { "" };
+    let _ = write!(out, "{pad}<House");
+    let name = told.get("data-name").unwrap_or_default();
+    if !name.is_empty() {
+        let _ = write!(out, " name=\"{}\"", escaped(name));
+    }
+    let values = [("unit", unit, 3.0), ("azimuth", azimuth, 180.0), ("x", east, 0.0), ("y", north, 0.0), ("z", up, 0.0)];
+    for (key, value, _) in values.into_iter().filter(|(_, value, usual)| value != usual) {
+        let _ = write!(out, " {key}=\"{}\"", short(value));
+    }
+    if told.get("data-street") == Some("yes") {
+        out.push_str(" street=\"yes\"");
+    }
+    out.push_str(">\n");
+    for level in house.values() {
+        // Houses turn clockwise with their azimuth, the paper with that of the first one.
+        write_level(drawing, level, (unit, azimuth - front), pad, out)?;
+    }
+    let _ = writeln!(out, "{pad}</House>");
+    Ok(())
 }
 
-/// From places on paper to places in the plan of a house: units to the left and back.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
-    paper: DVec2,
-    plan: DVec2,
-    turn: DVec2,
-    /// Units in a millimetre on paper.
-    pub(super) per_mm: f64,
-}
-
-impl Frame {
-    /// The frame of a walk that starts at a place in the plan; `turn` are the degrees between the fronts of this house and the
-    /// first one.
-    pub(super) fn new(drawing: &Drawing, unit: f64, turn: f64, (paper, plan): (DVec2, DVec2)) -> Frame {
-        let quarters = turn / 90.0;
-        let turn = match (quarters - quarters.round()).abs() < 1e-9 {
-            true => [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y][(quarters.round() as i64).rem_euclid(4) as usize],
-            false => dvec2(libm::cos(turn.to_radians()), libm::sin(turn.to_radians())),
+fn write_level(drawing: &Drawing, level: &Level, (unit, turn): (f64, f64), pad: &str, out: &mut String) -> Result<(), Refused> {
+    if level.walks.is_empty() {
+        return Ok(());
+    }
+    let height = level.told.get("data-height").and_then(|h| h.parse::<f64>().ok()).filter(|h| *h > 0.0);
+    let height = height.map_or(String::new(), |h| format!(" height=\"{}\"", short(h)));
+    let kind = level.told.get("data-kind").map_or(String::new(), |k| format!(" kind=\"{}\"", escaped(k)));
+    let mut walks: Vec<(&Walk, DVec2, Vec<Wall<'_>>)> = vec![];
+    for walk in level.walks.iter().filter(|w| !w.lines.is_empty()) {
+        let (start, walls) = placed(drawing, walk, (unit, turn))?;
+        walks.push((walk, start, walls));
+    }
+    // The rows of a storey are its first walk, which is no court and no wall inside.
+    let is_outer = |walk: &Walk| walk.kind == "outline" || walk.kind == "open";
+    let rows = walks.first().is_some_and(|(walk, ..)| is_outer(walk));
+    let start = walks.first().filter(|(_, start, _)| rows && *start != DVec2::ZERO);
+    let start = start.map_or(String::new(), |(_, start, _)| format!(" start=\"{}\"", place(*start)));
+    let _ = writeln!(out, "{pad}  <Storey{height}{kind}{start}>");
+    for (k, (walk, start, walls)) in walks.iter().enumerate() {
+        if rows && k == 0 {
+            write_rows(walls, &walk.kind, &format!("{pad}    "), out);
+            continue;
+        }
+        let kind = match walk.kind.as_str() {
+            "court" => " hole=\"yes\"",
+            "inner" => " inner=\"yes\"",
+            _ => "",
         };
-        Frame { paper, plan, turn, per_mm: drawing.scale / 1000.0 / (unit * SHAKU) }
+        let _ = writeln!(out, "{pad}    <Loop{kind} start=\"{}\">", place(*start));
+        write_rows(walls, &walk.kind, &format!("{pad}      "), out);
+        let _ = writeln!(out, "{pad}    </Loop>");
     }
+    for room in &level.rooms {
+        let name = if room.name.is_empty() { String::new() } else { format!(" name=\"{}\"", escaped(&room.name)) };
+        let floor = if room.floor.is_empty() { String::new() } else { format!(" floor=\"{}\"", escaped(&room.floor)) };
+        let _ = writeln!(out, "{pad}    <Room{name} at=\"{}\"{floor}/>", escaped(&room.at));
+    }
+    let _ = writeln!(out, "{pad}  </Storey>");
+    Ok(())
+}
 
-    /// Where a place on paper lies in the plan.
-    pub(super) fn plan(&self, paper: DVec2) -> DVec2 {
-        let off = (paper - self.paper) * self.per_mm;
-        // Right and up on paper: the plan's a runs to the left.
-        let off = self.turn.rotate(dvec2(off.x, -off.y));
-        self.plan + dvec2(-off.x, off.y)
+/// Where a walk starts, and its walls with the widths of their bays.
+fn placed<'d>(drawing: &Drawing, walk: &'d Walk, (unit, turn): (f64, f64)) -> Result<(DVec2, Vec<Wall<'d>>), Refused> {
+    let told = walk.lines[0].told.get("data-start").map(numbers).unwrap_or_default();
+    let &[a, b] = &told[..] else {
+        return Err(Refused::Unclear("a walk is not told its start (data-start)".to_owned()));
+    };
+    let start = dvec2(a, b);
+    let frame = Frame::new(drawing, unit, turn, (walk.lines[0].bays[0].from, start));
+    let mut walls: Vec<Wall<'_>> = walk.lines.iter().filter_map(|line| wall(line, &frame)).collect();
+    if walls.iter().all(|w| w.heading % 90.0 == 0.0) {
+        square(start, &mut walls, 2.0 * frame.exact());
     }
+    Ok((start, walls))
+}
 
-    /// How exactly places are known, units.
-    pub(super) fn exact(&self) -> f64 {
-        EXACT * self.per_mm
+/// Makes walls at right angles that end in one line on paper end in one line: only so does their walk close.
+fn square(start: DVec2, walls: &mut [Wall<'_>], doubt: f64) {
+    let mut at = start;
+    let mut known = [vec![start.x], vec![start.y]];
+    for wall in walls {
+        let (axis, ahead) = match turned(wall.heading) {
+            0.0 => (0, 1.0),
+            90.0 => (1, 1.0),
+            -90.0 => (1, -1.0),
+            _ => (0, -1.0),
+        };
+        let end = wall.end[axis];
+        let near = |p: &f64| (p - end).abs() <= doubt;
+        let end = known[axis].iter().copied().find(near).or(Some(round(end)).filter(near)).unwrap_or(end);
+        known[axis].push(end);
+        let length: f64 = wall.bays.iter().map(|b| rounded(b.1)).sum();
+        let off = (end - at[axis]) * ahead - length;
+        if let Some(last) = wall.bays.iter_mut().rev().find(|b| b.1 > doubt).filter(|_| off.abs() > 1e-9) {
+            last.1 += off;
+        }
+        at[axis] = end;
     }
+}
+
+/// A place on quarter units.
+fn round(at: f64) -> f64 {
+    (at * 4.0).round() / 4.0
+}
+
+/// A width as it is written.
+fn rounded(width: f64) -> f64 {
+    (width * 1e6).round() / 1e6
+}
+
+/// A wall in the plan; none if it has no length.
+fn wall<'d>(line: &'d Line, frame: &Frame) -> Option<Wall<'d>> {
+    let from = frame.plan(line.bays.first()?.from);
+    let whole = frame.plan(line.bays.last()?.to) - from;
+    let length = whole.length();
+    if length <= frame.exact() {
+        return None;
+    }
+    let heading = libm::atan2(whole.y, whole.x).to_degrees();
+    let doubt = (2.0 * frame.exact() / length).to_degrees();
+    let round = |step: f64| (heading / step).round() * step;
+    let heading = ANGLES.into_iter().map(round).find(|h| (h - heading).abs() <= doubt).unwrap_or(heading);
+    let ahead = whole / length;
+    let mut off = 0.0;
+    let bays = line.bays.iter().map(|bay| {
+        // Bays are as wide as their ends on paper are apart.
+        let to = (frame.plan(bay.to) - from).dot(ahead);
+        let width = width(bay, (to - off).max(0.0), 2.0 * frame.exact());
+        // What the width was rounded by is not handed on to the next bay.
+        off += width;
+        (bay, width)
+    });
+    Some(Wall { heading, end: from + whole, bays: bays.collect() })
+}
+
+/// The width of a bay, units: that of its part, of quarter units, or as drawn.
+fn width(bay: &Bay, drawn: f64, doubt: f64) -> f64 {
+    let near = |w: &f64| (w - drawn).abs() <= doubt;
+    let own = bay.code.as_deref().and_then(usual);
+    let steps = [0.25, 0.1, 0.01, 0.001].map(|step| (drawn / step).round() * step);
+    own.into_iter().chain(steps).find(near).unwrap_or(drawn)
+}
+
+/// The width of a part of the catalogue: what the last of its five columns says.
+fn usual(code: &str) -> Option<f64> {
+    match code.as_bytes() {
+        [_, _, _, _, b' '] => Some(1.0),
+        [_, _, _, _, b'2'] => Some(2.0),
+        [_, _, _, _, b'h'] => Some(0.5),
+        [_, _, _, _, b'0'] => Some(0.0),
+        _ => None,
+    }
+}
+
+fn write_rows(walls: &[Wall<'_>], kind: &str, pad: &str, out: &mut String) {
+    let first = walls.first().map_or(0.0, |w| w.heading);
+    if turned(first) != 0.0 {
+        let _ = writeln!(out, "{pad}<Row turn=\"{}\"/>", angle(turned(first)));
+    }
+    // A court turns left unless it says otherwise.
+    let usual = if kind == "court" { -90.0 } else { 90.0 };
+    for (k, wall) in walls.iter().enumerate() {
+        let turn = walls.get(k + 1).map(|next| turned(next.heading - wall.heading));
+        let turn = turn.filter(|t| (t - usual).abs() > 1e-9).map_or(String::new(), |t| format!(" turn=\"{}\"", angle(t)));
+        let _ = write!(out, "{pad}<Row{turn}>");
+        for (bay, width) in &wall.bays {
+            write_bay(bay, *width, out);
+        }
+        out.push_str("</Row>\n");
+    }
+}
+
+/// Degrees between -180 and 180.
+fn turned(degrees: f64) -> f64 {
+    let turn = degrees.rem_euclid(360.0);
+    if turn > 180.0 { turn - 360.0 } else { turn }
+}
+
+fn angle(degrees: f64) -> String {
+    match degrees {
+        90.0 => "R".to_owned(),
+        -90.0 => "L".to_owned(),
+        other => short(other),
+    }
+}
+
+fn write_bay(bay: &Bay, width: f64, out: &mut String) {
+    let code = bay.code.as_deref().unwrap_or(".....");
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == ' ' || c == '.';
+    let is_usual = usual(code).or((code == ".....").then_some(1.0)) == Some(width);
+    if is_usual && code.chars().all(plain) && !code.starts_with(' ') {
+        out.push_str(code);
+    } else {
+        let _ = write!(out, "<Part code=\"{}\" width=\"{}\"/>", escaped(code), short(width));
+    }
+}
+
+fn place(p: DVec2) -> String {
+    format!("{} {}", short(p.x), short(p.y))
+}
+
+fn short(value: f64) -> String {
+    let text = format!("{value:.6}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;").replace('{', "&#123;").replace('}', "&#125;")
 }

@@ -1,6 +1,6 @@
 //! DXF as pairs of a group code and a value, from text or binary files.
 
-use super::Refused;
+use super::refused::Refused;
 use std::borrow::Cow;
 
 /// How a binary file begins.

@@ -1,6 +1,6 @@
 //! A page of a PDF: its lines with their colours, pens and layers, or the one picture on it.
 
-use super::Refused;
+use super::refused::Refused;
 use super::lines::{Lines, MOST, Stroke, cubic, moved};
 use crate::plan::{Picture, Unreadable};
 use glam::{DMat3, DVec2, dvec2, dvec3};

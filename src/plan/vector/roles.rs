@@ -2,7 +2,7 @@
 
 use super::lines::{Lines, Stroke};
 use super::xml::{Element, walk};
-use super::Refused;
+use super::refused::Refused;
 use std::collections::BTreeMap;
 
 /// What a stroke stands for.

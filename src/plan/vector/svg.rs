@@ -1,6 +1,6 @@
 //! SVG of any program: shapes with their colours, pens, classes and groups; texts by their place alone.
 
-use super::Refused;
+use super::refused::Refused;
 use super::lines::{Lines, MOST, Stroke, arc, cubic, moved};
 use super::style::{Look, Rules};
 use super::xml::{Attributes, Element, walk};

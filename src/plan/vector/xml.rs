@@ -1,6 +1,6 @@
 //! Walks through the elements of an XML file with their attributes and those of the groups round them.
 
-use super::Refused;
+use super::refused::Refused;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
