@@ -68,6 +68,12 @@ pub fn write(sheet: &Sheet) -> Vec<u8> {
         group.pair(Name(b"Name"), TextStr(role.word()));
     }
     font_of(&mut pdf, font, cid, descriptor);
+    pdf.stream(content, &drawn(sheet).finish());
+    pdf.finish()
+}
+
+/// Returns what is drawn, each run of marks of one role on its layer.
+fn drawn(sheet: &Sheet) -> Content {
     let mut drawn = Content::new();
     drawn.set_line_cap(pdf_writer::types::LineCapStyle::RoundCap);
     for view in &sheet.views {
@@ -79,8 +85,7 @@ pub fn write(sheet: &Sheet) -> Vec<u8> {
             drawn.end_marked_content();
         }
     }
-    pdf.stream(content, &drawn.finish());
-    pdf.finish()
+    drawn
 }
 
 /// Describes the font, which is not embedded.

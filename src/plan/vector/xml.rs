@@ -1,7 +1,7 @@
 //! Walks through the elements of an XML file with their attributes and those of the groups round them.
 
 use super::refused::Refused;
-use quick_xml::Reader;
+use quick_xml::{Reader, XmlVersion};
 use quick_xml::events::{BytesStart, Event};
 
 /// The most groups within groups.
@@ -14,7 +14,7 @@ pub(super) struct Attributes(Vec<(String, String)>);
 impl Attributes {
     fn of(tag: &BytesStart<'_>) -> Attributes {
         let pairs = tag.attributes().flatten().map(|a| {
-            let value = a.unescape_value().unwrap_or_default();
+            let value = a.normalized_value(XmlVersion::Explicit1_0).unwrap_or_default();
             (a.key.as_ref().to_owned(), value.into_owned())
         });
         Attributes(pairs.collect())
