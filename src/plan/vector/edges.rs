@@ -19,6 +19,8 @@ const BAND: [f64; 3] = [0.3, 0.36, 0.22];
 const COVERED: f64 = 0.55;
 /// Longer strokes are no bars and no dashes, units.
 const SHORT: f64 = 0.45;
+/// Lines of the grid farther out are none.
+const FARTHEST: f64 = 1e6;
 /// Steps in a unit for what lies in rooms.
 const FINE: f64 = 20.0;
 /// How near to the line between two cells a thing lies in both, units.
@@ -115,7 +117,8 @@ impl Covers {
                 (low, high) = (low.min(at), high.max(at));
             }
         }
-        let lines = |low: f64, high: f64| ((low - 0.5).round() as i32 - 1, (high + 0.5).round() as i32 + 1);
+        let line = |at: f64| at.clamp(-FARTHEST, FARTHEST).round() as i32;
+        let lines = |low: f64, high: f64| (line(low - 0.5) - 1, line(high + 0.5) + 1);
         let (across, down) = (lines(low.x, high.x), lines(low.y, high.y));
         let is_small = |(from, to): (i32, i32)| to > from && to.saturating_sub(from) <= MOST;
         if !is_small(across) || !is_small(down) {
@@ -195,7 +198,11 @@ impl Covers {
         if way[across] > way[along] * lean || off > band || way[along] == 0.0 {
             return;
         }
-        let (from, to) = (p[along].min(q[along]), p[along].max(q[along]));
+        let (limits, lines) = if upright { (self.down, self.across) } else { (self.across, self.down) };
+        if line < f64::from(lines.0) || line > f64::from(lines.1) {
+            return;
+        }
+        let (from, to) = (p[along].min(q[along]).max(f64::from(limits.0)), p[along].max(q[along]).min(f64::from(limits.1)));
         let mut start = from.floor();
         while start < to {
             let piece = |at: f64| (((at - start) * f64::from(PIECES)).round().clamp(0.0, f64::from(PIECES))) as u32;

@@ -5,6 +5,8 @@ use super::lines::Stroke;
 use super::roles::Means;
 use glam::{DVec2, dvec2};
 
+/// Leaves farther out hang nowhere, units.
+const FARTHEST: f64 = 1e6;
 /// The radius of a leaf, units.
 const RADIUS: [f64; 2] = [0.3, 2.3];
 /// How far the places of an arc may be from a circle, as a share of its radius.
@@ -56,7 +58,8 @@ pub(super) struct Leaf {
 
 /// Finds doors on hinges among the strokes of doors.
 pub(super) fn find(strokes: &[Stroke], means: &[Option<Means>], grid: &Grid) -> Vec<Leaf> {
-    let is_door = |k: &usize| matches!(means[*k], Some(Means::Door | Means::Hinged));
+    let is_near = |stroke: &Stroke| stroke.points.iter().all(|p| grid.units_of(*p).abs().max_element() < FARTHEST);
+    let is_door = |k: &usize| matches!(means[*k], Some(Means::Door | Means::Hinged)) && is_near(&strokes[*k]);
     let doors: Vec<(usize, Vec<DVec2>)> = (0..strokes.len())
         .filter(is_door)
         .map(|k| (k, strokes[k].points.iter().map(|p| grid.units_of(*p)).collect()))
