@@ -261,7 +261,7 @@ fn plans_have_the_bays_of_their_texts() {
                 .flat_map(|r| &r.walls)
             {
                 let mut at = wall.from;
-                for unit in wall.units.iter().filter(|u| u.width > 0.0) {
+                for unit in &wall.units {
                     let to = at + wall.direction * unit.width;
                     let place = |p: DVec2| (dvec2(-p.x, p.y) * built.house.unit + shift) * MM;
                     wanted.push((place(at), place(to)));

@@ -1,7 +1,7 @@
 //! Plans as vectors, against drawings of houses of which all is known (`plan_drawings`).
 
 use crate::plan_drawings::{self, Cad, Convention, Kind, Point, Unit, Variant};
-use crate::support::{assert_none, number, on_all_processors};
+use crate::support::{assert_none, number, on_all_processors, root};
 use hsd::plan::legend::Role;
 use hsd::plan::shape::Wall;
 use hsd::plan::vector::{self, Refused, dxf, roles::Roles, svg};
@@ -110,4 +110,20 @@ fn a_damaged_dxf_is_refused_in_words() {
     assert!(dxf::read(cyclic.as_bytes()).expect("it is a DXF").strokes.is_empty());
     let beyond = "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nWALL\n10\nnan\n20\n0\n11\n1e308\n21\n1\n0\nENDSEC\n0\nEOF\n";
     assert!(dxf::read(beyond.as_bytes()).expect("it is a DXF").strokes.is_empty());
+}
+
+#[test]
+#[cfg_attr(not(shared_data), ignore = "the files lie beside the repository")]
+fn files_of_other_programs_are_opened_or_refused_in_words() {
+    let folder = root().join("../shared/data/dxf_torture");
+    let roles = Roles::read(vector::CAD).expect("the legend is sound");
+    let files = std::fs::read_dir(folder).expect("the folder is there").map(|entry| entry.expect("can be listed").path());
+    let files: Vec<_> = files.filter(|p| p.extension().is_some_and(|e| e == "dxf")).collect();
+    assert!(files.len() > 30);
+    for path in files {
+        let bytes = std::fs::read(&path).expect("the file can be read");
+        // None of them is a plan.
+        let found = dxf::read(&bytes).and_then(|lines| vector::find(lines, &roles, None));
+        assert!(found.is_err(), "{}", path.display());
+    }
 }

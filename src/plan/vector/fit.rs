@@ -14,6 +14,8 @@ const NEAR: f64 = 0.004;
 const AGREES: [f64; 2] = [0.55, 0.4];
 /// Units along a side: the fewest and the most.
 const SIDE: [f64; 2] = [2.0, 110.0];
+/// The fewest places that say what their grid is: fewer agree with many.
+const LEAST: usize = 10;
 /// The sine of the least turn of a corner.
 const TURNS: f64 = 0.3;
 /// The share of places that may lie between the lines of a grid.
@@ -115,8 +117,12 @@ impl Both {
             }
         }
         let extent = (high - low).max_element();
-        let is_house = extent > 0.0 && extent.is_finite() && axes.iter().all(|a| a.0.len() > 1);
-        is_house.then(|| Both { axes: axes.map(|a| a.gathered(extent)), extent })
+        if !(extent > 0.0 && extent.is_finite()) {
+            return None;
+        }
+        let axes = axes.map(|a| a.gathered(extent));
+        let places: usize = axes.iter().map(|a| a.0.len()).sum();
+        (places >= LEAST && axes.iter().all(|a| a.0.len() > 1)).then_some(Both { axes, extent })
     }
 
     /// How well the places agree with a grid.
