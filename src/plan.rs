@@ -159,7 +159,12 @@ pub fn find(picture: &Picture, legends: &[Legend], options: &Options) -> Result<
         let (thin, flat) = (size.x < SLIM * grid.unit, size.y < SLIM * grid.unit);
         thin && off.x < ON_LINE || flat && off.y < ON_LINE
     });
-    let read = legends.iter().map(|legend| (strokes::read(&walls, &ink, &grid, legend, pen).with_cells(&straight, &grid), legend));
+    let read = legends.iter().map(|legend| {
+        (
+            strokes::read(&walls, &ink, &grid, legend, pen).with_cells(&straight, &grid),
+            legend,
+        )
+    });
     // Of two that agree equally the first.
     let best = read.reduce(|a, b| if b.0.likeness > a.0.likeness { b } else { a });
     let (units, legend) = best.ok_or(Refused::NoSymbols(0.0))?;
@@ -171,12 +176,22 @@ pub fn find(picture: &Picture, legends: &[Legend], options: &Options) -> Result<
         return Err(Refused::NoHouse);
     }
     let legend = legend.name.clone();
-    Ok(Found { flat, ink, grid, units, shape, legend })
+    Ok(Found {
+        flat,
+        ink,
+        grid,
+        units,
+        shape,
+        legend,
+    })
 }
 
 /// Turns a sheet so that the street is at its lower edge.
 fn turn(flat: &mut Flat, front: Front) {
-    let (width, height) = (f64::from(flat.sheet.width()), f64::from(flat.sheet.height()));
+    let (width, height) = (
+        f64::from(flat.sheet.width()),
+        f64::from(flat.sheet.height()),
+    );
     // Takes pixels of the turned sheet to those of the sheet.
     let (sheet, back) = match front {
         Front::Bottom => return,

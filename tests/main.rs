@@ -56,6 +56,8 @@ mod pictures;
 mod pieces;
 mod places;
 mod plan_drawings;
+mod plan_round;
+mod plan_vectors;
 mod plans;
 mod readme;
 mod real_outlines;

@@ -40,7 +40,7 @@ mod vectors;
 #[path = "plan_drawings/writing.rs"]
 mod writing;
 
-pub use degrade::{Degradation, Homography, degrade};
+pub use degrade::{Degradation, degrade};
 pub use nonsense::{Nonsense, nonsense, truncated_png};
 #[allow(unused_imports, reason = "the type of what `draw` answers")]
 pub use paint::{Drawing, draw};

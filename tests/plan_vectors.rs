@@ -51,24 +51,45 @@ fn wrong(seed: u64, lines: Result<vector::lines::Lines, Refused>) -> Vec<String>
     let right = shape.cells.iter().map(|c| c.0).max().unwrap_or(0) + 1;
     let front = shape.cells.iter().map(|c| c.1).max().unwrap_or(0) + 1;
     let place = |p: Point| (right - p.0, front - p.1);
-    let all: BTreeMap<_, _> = shape.outer.iter().chain(&shape.inner).map(|w| (ends(place(w.from), place(w.to)), w)).collect();
-    let least = plan.outer.iter().fold((i32::MAX, i32::MAX), |m, u| (m.0.min(u.from.0), m.1.min(u.from.1)));
+    let all: BTreeMap<_, _> = shape
+        .outer
+        .iter()
+        .chain(&shape.inner)
+        .map(|w| (ends(place(w.from), place(w.to)), w))
+        .collect();
+    let least = plan.outer.iter().fold((i32::MAX, i32::MAX), |m, u| {
+        (m.0.min(u.from.0), m.1.min(u.from.1))
+    });
     let moved = |p: Point| (p.0 - least.0, p.1 - least.1);
     let of = |u: &Unit| ends(moved(u.from), moved(u.to));
     let corners: Vec<Point> = plan.outline.iter().map(|p| moved(*p)).collect();
-    let outer: BTreeSet<_> = shape.outer.iter().map(|w| ends(place(w.from), place(w.to))).collect();
+    let outer: BTreeSet<_> = shape
+        .outer
+        .iter()
+        .map(|w| ends(place(w.from), place(w.to)))
+        .collect();
     let mut wrong = vec![];
-    if !outline(&corners).is_subset(&outer) || !outer.is_subset(&plan.outer.iter().map(of).collect()) {
+    if !outline(&corners).is_subset(&outer)
+        || !outer.is_subset(&plan.outer.iter().map(of).collect())
+    {
         wrong.push(format!("{seed}: another outline"));
     }
-    let is_unsure = shape.inner.iter().chain(&shape.outer).any(|w| w.read.lead == 0.0);
+    let is_unsure = shape
+        .inner
+        .iter()
+        .chain(&shape.outer)
+        .any(|w| w.read.lead == 0.0);
     for unit in plan.outer.iter().chain(&plan.inner) {
         let is_bare = unit.kind == Kind::Open && !outline(&corners).contains(&of(unit));
         let found = all.get(&of(unit)).map_or("nothing", |w| word(w));
         // Leaves without arcs may hang on either side of their corner.
         let in_doubt = unit.kind == Kind::Hinged && is_unsure;
         if found != unit.kind.name() && !is_bare && !in_doubt {
-            wrong.push(format!("{seed}: {} at {:?} read as {found}", unit.kind.name(), unit.from));
+            wrong.push(format!(
+                "{seed}: {} at {:?} read as {found}",
+                unit.kind.name(),
+                unit.from
+            ));
         }
     }
     wrong
@@ -76,40 +97,82 @@ fn wrong(seed: u64, lines: Result<vector::lines::Lines, Refused>) -> Vec<String>
 
 fn all(read: impl Fn(u64, Variant) -> Result<vector::lines::Lines, Refused> + Sync) -> Vec<String> {
     let count = number("HSD_PLANS", 100);
-    on_all_processors(count, |k| wrong(k as u64, read(k as u64, Variant { seed: k as u64, unseen: false })))
+    on_all_processors(count, |k| {
+        wrong(
+            k as u64,
+            read(
+                k as u64,
+                Variant {
+                    seed: k as u64,
+                    unseen: false,
+                },
+            ),
+        )
+    })
 }
 
 #[test]
 fn cad_drawings_are_read_exactly() {
     for cad in [Cad::Lines, Cad::Polylines, Cad::Blocks] {
-        assert_none(&all(|seed, variant| dxf::read(plan_drawings::dxf(&plan_drawings::plan(seed), cad, variant).as_bytes())));
+        assert_none(&all(|seed, variant| {
+            dxf::read(plan_drawings::dxf(&plan_drawings::plan(seed), cad, variant).as_bytes())
+        }));
     }
 }
 
 #[test]
 fn svg_of_survey_drawings_is_read_exactly() {
-    assert_none(&all(|seed, variant| svg::read(&plan_drawings::svg(&plan_drawings::plan(seed), Convention::Survey, variant))));
+    assert_none(&all(|seed, variant| {
+        svg::read(&plan_drawings::svg(
+            &plan_drawings::plan(seed),
+            Convention::Survey,
+            variant,
+        ))
+    }));
 }
 
 #[test]
 fn svg_drawn_by_hand_is_read_but_for_a_leaf() {
     for convention in [Convention::Sashizu, Convention::Itazu] {
-        let wrong = all(|seed, variant| svg::read(&plan_drawings::svg(&plan_drawings::plan(seed), convention, variant)));
+        let wrong = all(|seed, variant| {
+            svg::read(&plan_drawings::svg(
+                &plan_drawings::plan(seed),
+                convention,
+                variant,
+            ))
+        });
         assert!(wrong.len() <= 2, "{wrong:?}");
     }
 }
 
 #[test]
 fn a_damaged_dxf_is_refused_in_words() {
-    let whole = plan_drawings::dxf(&plan_drawings::plan(1), Cad::Blocks, Variant { seed: 1, unseen: false });
+    let whole = plan_drawings::dxf(
+        &plan_drawings::plan(1),
+        Cad::Blocks,
+        Variant {
+            seed: 1,
+            unseen: false,
+        },
+    );
     for share in 0..20 {
         let end = whole.len() * share / 20;
         assert!(dxf::read(&whole.as_bytes()[..end]).is_err(), "cut at {end}");
     }
     let cyclic = "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nA\n0\nINSERT\n2\nA\n0\nENDBLK\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nINSERT\n2\nA\n0\nENDSEC\n0\nEOF\n";
-    assert!(dxf::read(cyclic.as_bytes()).expect("it is a DXF").strokes.is_empty());
+    assert!(
+        dxf::read(cyclic.as_bytes())
+            .expect("it is a DXF")
+            .strokes
+            .is_empty()
+    );
     let beyond = "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nWALL\n10\nnan\n20\n0\n11\n1e308\n21\n1\n0\nENDSEC\n0\nEOF\n";
-    assert!(dxf::read(beyond.as_bytes()).expect("it is a DXF").strokes.is_empty());
+    assert!(
+        dxf::read(beyond.as_bytes())
+            .expect("it is a DXF")
+            .strokes
+            .is_empty()
+    );
 }
 
 #[test]
@@ -117,8 +180,12 @@ fn a_damaged_dxf_is_refused_in_words() {
 fn files_of_other_programs_are_opened_or_refused_in_words() {
     let folder = root().join("../shared/data/dxf_torture");
     let roles = Roles::read(vector::CAD).expect("the legend is sound");
-    let files = std::fs::read_dir(folder).expect("the folder is there").map(|entry| entry.expect("can be listed").path());
-    let files: Vec<_> = files.filter(|p| p.extension().is_some_and(|e| e == "dxf")).collect();
+    let files = std::fs::read_dir(folder)
+        .expect("the folder is there")
+        .map(|entry| entry.expect("can be listed").path());
+    let files: Vec<_> = files
+        .filter(|p| p.extension().is_some_and(|e| e == "dxf"))
+        .collect();
     assert!(files.len() > 30);
     for path in files {
         let bytes = std::fs::read(&path).expect("the file can be read");

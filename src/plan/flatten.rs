@@ -4,7 +4,7 @@ use glam::{DMat3, DVec2, DVec3, dvec2};
 use image::imageops::{self, FilterType};
 use image::{GrayImage, Rgb, RgbImage};
 use imageproc::contrast::otsu_level;
-use imageproc::geometric_transformations::{Interpolation, Projection, warp_into, Border};
+use imageproc::geometric_transformations::{Border, Interpolation, Projection, warp_into};
 use imageproc::region_labelling::{Connectivity, connected_components};
 
 use super::sheet::Ink;
@@ -48,10 +48,19 @@ pub fn flatten(picture: &RgbImage, given: &Given) -> Flat {
         (f64::from(size.0) * shrink).round() as u32,
         (f64::from(size.1) * shrink).round() as u32,
     );
-    let rough = warp(picture, to_picture * DMat3::from_scale(DVec2::splat(1.0 / shrink)), small);
+    let rough = warp(
+        picture,
+        to_picture * DMat3::from_scale(DVec2::splat(1.0 / shrink)),
+        small,
+    );
     let skew = given.turn.unwrap_or_else(|| skew(&rough));
     let to_picture = to_picture * turned(size, skew);
-    Flat { sheet: warp(picture, to_picture, size), to_picture, corners, skew }
+    Flat {
+        sheet: warp(picture, to_picture, size),
+        to_picture,
+        corners,
+        skew,
+    }
 }
 
 /// Takes a point by a projective map.
@@ -73,7 +82,13 @@ pub(super) fn warp(picture: &RgbImage, map: DMat3, (width, height): (u32, u32)) 
         return out;
     };
     let edge = edge_tone(picture);
-    warp_into(picture, projection.invert(), Interpolation::Bilinear, Border::Constant(edge), &mut out);
+    warp_into(
+        picture,
+        projection.invert(),
+        Interpolation::Bilinear,
+        Border::Constant(edge),
+        &mut out,
+    );
     out
 }
 
@@ -95,14 +110,21 @@ fn edge_tone(picture: &RgbImage) -> Rgb<u8> {
 /// The map from a turned sheet to the sheet as it is: about its middle.
 fn turned((width, height): (u32, u32), degrees: f64) -> DMat3 {
     let middle = dvec2(f64::from(width), f64::from(height)) / 2.0;
-    DMat3::from_translation(middle) * DMat3::from_angle(degrees.to_radians()) * DMat3::from_translation(-middle)
+    DMat3::from_translation(middle)
+        * DMat3::from_angle(degrees.to_radians())
+        * DMat3::from_translation(-middle)
 }
 
 /// The size of a flat sheet with these corners, and the map to the picture.
 fn from_corners([a, b, c, d]: [DVec2; 4]) -> ((u32, u32), DMat3) {
     let width = (a.distance(b) + c.distance(d)) / 2.0;
     let height = (b.distance(c) + d.distance(a)) / 2.0;
-    let flat = [DVec2::ZERO, dvec2(width, 0.0), dvec2(width, height), dvec2(0.0, height)];
+    let flat = [
+        DVec2::ZERO,
+        dvec2(width, 0.0),
+        dvec2(width, height),
+        dvec2(0.0, height),
+    ];
     let size = (width.round() as u32, height.round() as u32);
     (size, homography(flat, [a, b, c, d]))
 }
@@ -123,11 +145,20 @@ fn basis([a, b, c, d]: [DVec2; 4]) -> DMat3 {
 fn sheet_corners(picture: &RgbImage) -> Option<[DVec2; 4]> {
     let shrink = (f64::from(picture.width().max(picture.height())) / 500.0).max(1.0);
     let size = |s: u32| ((f64::from(s) / shrink).round() as u32).max(1);
-    let small = imageops::resize(picture, size(picture.width()), size(picture.height()), FilterType::Triangle);
+    let small = imageops::resize(
+        picture,
+        size(picture.width()),
+        size(picture.height()),
+        FilterType::Triangle,
+    );
     let grey = imageproc::filter::gaussian_blur_f32(&imageops::grayscale(&small), 2.0);
     let level = otsu_level(&grey);
     let light = GrayImage::from_fn(grey.width(), grey.height(), |x, y| {
-        image::Luma([if grey.get_pixel(x, y)[0] > level { 255 } else { 0 }])
+        image::Luma([if grey.get_pixel(x, y)[0] > level {
+            255
+        } else {
+            0
+        }])
     });
     if !dark_round(&light) {
         return None;
@@ -152,7 +183,9 @@ fn sheet_corners(picture: &RgbImage) -> Option<[DVec2; 4]> {
 /// Whether most of a picture's edge is dark.
 fn dark_round(light: &GrayImage) -> bool {
     let (width, height) = light.dimensions();
-    let edge = (0..width).flat_map(|x| [(x, 0), (x, height - 1)]).chain((0..height).flat_map(|y| [(0, y), (width - 1, y)]));
+    let edge = (0..width)
+        .flat_map(|x| [(x, 0), (x, height - 1)])
+        .chain((0..height).flat_map(|y| [(0, y), (width - 1, y)]));
     let (mut dark, mut all) = (0, 0);
     for (x, y) in edge {
         all += 1;
@@ -179,7 +212,12 @@ fn largest(parts: &image::ImageBuffer<image::Luma<u32>, Vec<u32>>) -> Option<Vec
 
 /// The four corners of an area with four straight sides: lines through the outermost pixels of each side.
 fn sides(points: &[DVec2]) -> Option<[DVec2; 4]> {
-    let extreme = |key: fn(DVec2) -> f64| points.iter().copied().max_by(|a, b| key(*a).total_cmp(&key(*b)));
+    let extreme = |key: fn(DVec2) -> f64| {
+        points
+            .iter()
+            .copied()
+            .max_by(|a, b| key(*a).total_cmp(&key(*b)))
+    };
     let rough = [
         extreme(|p| -p.x - p.y)?,
         extreme(|p| p.x - p.y)?,
@@ -233,7 +271,9 @@ fn straight(points: &[(f64, f64)]) -> Option<(f64, f64)> {
         }
         let (sx, sy) = kept.iter().fold((0.0, 0.0), |s, p| (s.0 + p.0, s.1 + p.1));
         let (mx, my) = (sx / n, sy / n);
-        let (xx, xy) = kept.iter().fold((0.0, 0.0), |s, p| (s.0 + (p.0 - mx) * (p.0 - mx), s.1 + (p.0 - mx) * (p.1 - my)));
+        let (xx, xy) = kept.iter().fold((0.0, 0.0), |s, p| {
+            (s.0 + (p.0 - mx) * (p.0 - mx), s.1 + (p.0 - mx) * (p.1 - my))
+        });
         let slope = xy / xx;
         line = (slope, my - slope * mx);
         let off = |p: &(f64, f64)| (p.1 - line.0 * p.0 - line.1).abs();
@@ -272,14 +312,21 @@ fn skew(sheet: &RgbImage) -> f64 {
         .collect();
     let size = f64::from(sheet.width() + sheet.height());
     let sharp = |degrees: f64| {
-        let (sin, cos) = (libm::sin(degrees.to_radians()), libm::cos(degrees.to_radians()));
+        let (sin, cos) = (
+            libm::sin(degrees.to_radians()),
+            libm::cos(degrees.to_radians()),
+        );
         let mut level = vec![0_u32; size as usize * 2];
         let mut upright = vec![0_u32; size as usize * 2];
         for d in &dots {
             level[(d.y * cos - d.x * sin + size / 2.0) as usize] += 1;
             upright[(d.x * cos + d.y * sin + size / 2.0) as usize] += 1;
         }
-        let peaks = |sums: &[u32]| sums.windows(2).map(|w| f64::from(w[0].abs_diff(w[1])) * f64::from(w[0].abs_diff(w[1]))).sum::<f64>();
+        let peaks = |sums: &[u32]| {
+            sums.windows(2)
+                .map(|w| f64::from(w[0].abs_diff(w[1])) * f64::from(w[0].abs_diff(w[1])))
+                .sum::<f64>()
+        };
         peaks(&level) + peaks(&upright)
     };
     let best = |around: f64, reach: f64, step: f64| {
@@ -293,5 +340,9 @@ fn skew(sheet: &RgbImage) -> f64 {
     let rough = best(0.0, SKEW, 0.25);
     let found = best(rough, 0.25, 0.025);
     // A sheet that is straight stays as sharp as it is.
-    if sharp(0.0) >= 0.97 * sharp(found) { 0.0 } else { found }
+    if sharp(0.0) >= 0.97 * sharp(found) {
+        0.0
+    } else {
+        found
+    }
 }

@@ -68,7 +68,8 @@ impl Grid {
         let fit = (in_phase(&strokes.upright, px).0 + in_phase(&strokes.level, py).0) / 2.0;
         let origin = dvec2(phase(&strokes.upright, px), phase(&strokes.level, py));
         let mut grid = Grid {
-            to_sheet: DMat3::from_translation(origin) * DMat3::from_diagonal(dvec2(px, py).extend(1.0)),
+            to_sheet: DMat3::from_translation(origin)
+                * DMat3::from_diagonal(dvec2(px, py).extend(1.0)),
             across: extent(&strokes.upright, &thick[0], origin.x, px)?,
             down: extent(&strokes.level, &thick[1], origin.y, py)?,
             fit,
@@ -106,23 +107,41 @@ impl Grid {
 
     /// How many strokes lie on its lines: each counts the less the farther it is off.
     fn support(&self, ink: &Ink) -> f64 {
-        self.seen(ink, 0.12).iter().map(|s| 1.0 - s.off.abs() / 0.12).sum()
+        self.seen(ink, 0.12)
+            .iter()
+            .map(|s| 1.0 - s.off.abs() / 0.12)
+            .sum()
     }
 
     /// The strokes near its lines.
     fn seen(&self, ink: &Ink, reach: f64) -> Vec<Seen> {
         let mut seen = Vec::new();
         for upright in [true, false] {
-            let (lines, along) = if upright { (self.across, self.down) } else { (self.down, self.across) };
-            for (k, t) in (lines.0..=lines.1).flat_map(|k| (along.0..along.1).map(move |t| (k, t))) {
+            let (lines, along) = if upright {
+                (self.across, self.down)
+            } else {
+                (self.down, self.across)
+            };
+            for (k, t) in (lines.0..=lines.1).flat_map(|k| (along.0..along.1).map(move |t| (k, t)))
+            {
                 let unit = |offset: f64, t1: f64| {
                     let (line, at) = (f64::from(k) + offset, f64::from(t) + t1);
-                    if upright { dvec2(line, at) } else { dvec2(at, line) }
+                    if upright {
+                        dvec2(line, at)
+                    } else {
+                        dvec2(at, line)
+                    }
                 };
-                let place = |offset: f64, t1: f64| super::flatten::project(self.to_sheet, unit(offset, t1));
+                let place =
+                    |offset: f64, t1: f64| super::flatten::project(self.to_sheet, unit(offset, t1));
                 if let Some(off) = stroke_near(ink, self.unit, reach, place) {
                     let at = place(off, 0.5);
-                    seen.push(Seen { unit: unit(0.0, 0.5), pixel: if upright { at.x } else { at.y }, upright, off });
+                    seen.push(Seen {
+                        unit: unit(0.0, 0.5),
+                        pixel: if upright { at.x } else { at.y },
+                        upright,
+                        off,
+                    });
                 }
             }
         }
@@ -165,8 +184,13 @@ fn stroke_near(ink: &Ink, unit: f64, reach: f64, place: impl Fn(f64, f64) -> DVe
 /// The ink at the pixel nearest to a place; none outside.
 pub fn dark_at(ink: &Ink, at: DVec2) -> u8 {
     let (x, y) = (at.x.floor(), at.y.floor());
-    let inside = x >= 0.0 && y >= 0.0 && x < f64::from(ink.dark.width()) && y < f64::from(ink.dark.height());
-    if inside { ink.dark.get_pixel(x as u32, y as u32)[0] } else { 0 }
+    let inside =
+        x >= 0.0 && y >= 0.0 && x < f64::from(ink.dark.width()) && y < f64::from(ink.dark.height());
+    if inside {
+        ink.dark.get_pixel(x as u32, y as u32)[0]
+    } else {
+        0
+    }
 }
 
 /// The map that takes the units of strokes to their pixels, without the strokes farthest off; projective if it leans.
@@ -174,7 +198,10 @@ fn fitted(seen: &[Seen], now: DMat3, leans: bool) -> Option<DMat3> {
     // Shifted and scaled to about one, so that the equations are well set.
     let middle = seen.iter().map(|s| s.unit).sum::<DVec2>() / seen.len() as f64;
     let centre = super::flatten::project(now, middle);
-    let scale = seen.iter().map(|s| (s.unit - middle).abs().max_element()).fold(1.0, f64::max);
+    let scale = seen
+        .iter()
+        .map(|s| (s.unit - middle).abs().max_element())
+        .fold(1.0, f64::max);
     let pixels = (now.x_axis.x.abs() + now.y_axis.y.abs()) / 2.0 * scale;
     let mut kept: Vec<&Seen> = seen.iter().collect();
     let mut map = now;
@@ -200,8 +227,10 @@ fn fitted(seen: &[Seen], now: DMat3, leans: bool) -> Option<DMat3> {
         normal[7][7] += level;
         let h = solved(normal)?;
         let local = DMat3::from_cols_array(&[h[0], h[3], h[6], h[1], h[4], h[7], h[2], h[5], 1.0]);
-        let out = DMat3::from_translation(centre) * DMat3::from_diagonal(DVec2::splat(pixels).extend(1.0));
-        let into = DMat3::from_diagonal(DVec2::splat(1.0 / scale).extend(1.0)) * DMat3::from_translation(-middle);
+        let out = DMat3::from_translation(centre)
+            * DMat3::from_diagonal(DVec2::splat(pixels).extend(1.0));
+        let into = DMat3::from_diagonal(DVec2::splat(1.0 / scale).extend(1.0))
+            * DMat3::from_translation(-middle);
         map = out * local * into;
         let off = |s: &Seen| {
             let at = super::flatten::project(map, s.unit);
@@ -258,8 +287,15 @@ impl Strokes {
         let upright = sums(width, height, least, |line, at| ink.is(line, at));
         let across = joints(&level, width, |line, at| ink.is(at, line));
         let down = joints(&upright, height, |line, at| ink.is(line, at));
-        let told = [[upright.clone(), across, thick[0].clone()], [level.clone(), down, thick[1].clone()]];
-        Strokes { level, upright, told }
+        let told = [
+            [upright.clone(), across, thick[0].clone()],
+            [level.clone(), down, thick[1].clone()],
+        ];
+        Strokes {
+            level,
+            upright,
+            told,
+        }
     }
 }
 
@@ -303,7 +339,8 @@ fn joints(sums: &[f64], length: u32, is: impl Fn(u32, u32) -> bool) -> Vec<f64> 
     let mut out = vec![0.0; length as usize];
     for line in 0..sums.len() {
         let near = line.saturating_sub(reach)..(line + reach + 1).min(sums.len());
-        let is_peak = sums[line] > 0.2 * most && sums[near.clone()].iter().all(|s| *s <= sums[line]);
+        let is_peak =
+            sums[line] > 0.2 * most && sums[near.clone()].iter().all(|s| *s <= sums[line]);
         if !is_peak {
             continue;
         }
@@ -323,7 +360,11 @@ fn joints(sums: &[f64], length: u32, is: impl Fn(u32, u32) -> bool) -> Vec<f64> 
 fn sums(lines: u32, length: u32, least: f64, is: impl Fn(u32, u32) -> bool) -> Vec<f64> {
     (0..lines)
         .map(|line| {
-            let near = |at: u32| is(line, at) || (line > 0 && is(line - 1, at)) || (line + 1 < lines && is(line + 1, at));
+            let near = |at: u32| {
+                is(line, at)
+                    || (line > 0 && is(line - 1, at))
+                    || (line + 1 < lines && is(line + 1, at))
+            };
             let (mut sum, mut from, mut own) = (0.0, 0, 0_u32);
             for at in 0..=length {
                 if at < length && near(at) {
@@ -354,7 +395,10 @@ fn in_phase(sums: &[f64], period: f64) -> (f64, f64) {
     if all == 0.0 {
         return (0.0, 0.0);
     }
-    (libm::sqrt(sum.length_squared()) / all, libm::atan2(sum.y, sum.x))
+    (
+        libm::sqrt(sum.length_squared()) / all,
+        libm::atan2(sum.y, sum.x),
+    )
 }
 
 /// Where the first line of a period lies.
@@ -364,7 +408,16 @@ fn phase(sums: &[f64], period: f64) -> f64 {
 
 /// How well all that tells of an axis keeps to a period, each beside the best it does with any.
 fn agreement(told: &[Sums; 3], best: [f64; 3], period: f64) -> f64 {
-    told.iter().zip(best).map(|(sums, best)| if best > 0.0 { in_phase(sums, period).0 / best } else { 0.0 }).sum()
+    told.iter()
+        .zip(best)
+        .map(|(sums, best)| {
+            if best > 0.0 {
+                in_phase(sums, period).0 / best
+            } else {
+                0.0
+            }
+        })
+        .sum()
 }
 
 /// The units to the right and down that the strokes keep to best; the two differ by at most a share.
@@ -379,9 +432,15 @@ fn period(strokes: &Strokes, aspect: f64) -> Option<[f64; 2]> {
     }
     let [across, down] = [0, 1].map(|axis| {
         let told = &strokes.told[axis];
-        let shares: Vec<[f64; 3]> = periods.iter().map(|p| [0, 1, 2].map(|k| in_phase(&told[k], *p).0)).collect();
+        let shares: Vec<[f64; 3]> = periods
+            .iter()
+            .map(|p| [0, 1, 2].map(|k| in_phase(&told[k], *p).0))
+            .collect();
         let best = [0, 1, 2].map(|k| shares.iter().map(|s| s[k]).fold(1e-9, f64::max));
-        shares.iter().map(|s| (0..3).map(|k| s[k] / best[k]).sum()).collect::<Vec<f64>>()
+        shares
+            .iter()
+            .map(|s| (0..3).map(|k| s[k] / best[k]).sum())
+            .collect::<Vec<f64>>()
     });
     let reach = (aspect / (STEP - 1.0)).ceil() as usize;
     let pair = |k: usize| {
@@ -396,7 +455,11 @@ fn period(strokes: &Strokes, aspect: f64) -> Option<[f64; 2]> {
         let middle = best + (libm::log(f64::from(n)) / libm::log(STEP)).round() as usize;
         (middle.saturating_sub(6)..(middle + 7).min(pairs.len())).max_by(better)
     };
-    let peak = (2..=4).filter_map(multiple).filter(|k| pairs[*k].0 >= NEARLY * pairs[best].0).next_back().unwrap_or(best);
+    let peak = (2..=4)
+        .filter_map(multiple)
+        .filter(|k| pairs[*k].0 >= NEARLY * pairs[best].0)
+        .next_back()
+        .unwrap_or(best);
     Some([periods[peak], periods[pairs[peak].1]])
 }
 
@@ -404,10 +467,20 @@ fn period(strokes: &Strokes, aspect: f64) -> Option<[f64; 2]> {
 fn near(strokes: &Strokes, known: [f64; 2], share: f64, aspect: f64) -> [f64; 2] {
     let steps = (share / FINE).ceil() as i32;
     let tried = [0, 1].map(|axis| {
-        let periods: Vec<f64> = (-steps..=steps).map(|k| known[axis] * (1.0 + f64::from(k) * FINE)).collect();
+        let periods: Vec<f64> = (-steps..=steps)
+            .map(|k| known[axis] * (1.0 + f64::from(k) * FINE))
+            .collect();
         let told = &strokes.told[axis];
-        let best = [0, 1, 2].map(|k| periods.iter().map(|p| in_phase(&told[k], *p).0).fold(0.0, f64::max));
-        periods.into_iter().map(|p| (p, agreement(told, best, p))).collect::<Vec<_>>()
+        let best = [0, 1, 2].map(|k| {
+            periods
+                .iter()
+                .map(|p| in_phase(&told[k], *p).0)
+                .fold(0.0, f64::max)
+        });
+        periods
+            .into_iter()
+            .map(|p| (p, agreement(told, best, p)))
+            .collect::<Vec<_>>()
     });
     let mut found = (0.0, known);
     for (x, a) in &tried[0] {

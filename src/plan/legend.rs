@@ -46,12 +46,22 @@ impl Role {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
     /// A stroke along the wall, so many pens wide.
-    Line { at: f64, from: f64, to: f64, width: f64 },
+    Line {
+        at: f64,
+        from: f64,
+        to: f64,
+        width: f64,
+    },
     /// An area between two lines.
     Bar { at: [f64; 2], from: f64, to: f64 },
     /// Short strokes across the wall, so many in a unit, between two places across, so many pens wide. Between posts there are
     /// spaces of one size; otherwise half a space is at each end.
-    Ticks { at: [f64; 2], count: u32, width: f64, between_posts: bool },
+    Ticks {
+        at: [f64; 2],
+        count: u32,
+        width: f64,
+        between_posts: bool,
+    },
     /// A quarter circle about an end, a leaf's way, and the leaf.
     Arc,
     /// A stroke aslant from an end: a leaf without its way.
@@ -109,12 +119,21 @@ impl Legend {
     /// At the first thing that is none of a legend's.
     pub fn read(text: &str) -> Result<Legend, Wrong> {
         let mut reader = Reader::from_str(text);
-        let mut legend = Legend { name: String::new(), is_by_hand: false, symbols: Vec::new() };
+        let mut legend = Legend {
+            name: String::new(),
+            is_by_hand: false,
+            symbols: Vec::new(),
+        };
         loop {
             let start = reader.buffer_position() as usize;
             let event = reader.read_event();
-            let end = (reader.buffer_position() as usize).max(reader.error_position() as usize).min(text.len());
-            let wrong = |what: String| Wrong { at: start.min(end)..end, what };
+            let end = (reader.buffer_position() as usize)
+                .max(reader.error_position() as usize)
+                .min(text.len());
+            let wrong = |what: String| Wrong {
+                at: start.min(end)..end,
+                what,
+            };
             match event.map_err(|e| wrong(e.to_string()))? {
                 Event::Eof => return Ok(legend),
                 Event::Start(tag) | Event::Empty(tag) => {
@@ -135,7 +154,10 @@ impl Legend {
             "Symbol" => self.symbols.push(symbol(values)?),
             _ => {
                 let mark = mark(name, values)?;
-                let symbol = self.symbols.last_mut().ok_or("a mark stands in a <Symbol>")?;
+                let symbol = self
+                    .symbols
+                    .last_mut()
+                    .ok_or("a mark stands in a <Symbol>")?;
                 let is_red = symbol.is_red || values.text("colour") == Some("red");
                 let ink = values.number("ink")?.unwrap_or(1.0).clamp(0.05, 1.0);
                 symbol.marks.push((mark, Pen { is_red, ink }));
@@ -151,7 +173,10 @@ fn symbol(values: &Values) -> Result<Symbol, String> {
     let (_, role) = role.ok_or_else(|| format!("`{named}` is no role"))?;
     Ok(Symbol {
         role: *role,
-        units: values.pair("units")?.unwrap_or([1.0, 1.0]).map(|n| n.clamp(1.0, 8.0) as usize),
+        units: values
+            .pair("units")?
+            .unwrap_or([1.0, 1.0])
+            .map(|n| n.clamp(1.0, 8.0) as usize),
         spread: values.pair("spread")?.unwrap_or([0.0, 0.0]),
         is_red: values.text("colour") == Some("red"),
         marks: Vec::new(),
@@ -163,8 +188,17 @@ fn mark(name: &str, values: &Values) -> Result<Mark, String> {
     let to = values.number("to")?.unwrap_or(1.0);
     let across = || values.pair("at").map(|at| at.unwrap_or([-1.0, 1.0]));
     Ok(match name {
-        "Line" => Mark::Line { at: values.number("at")?.unwrap_or(0.0), from, to, width: values.number("width")?.unwrap_or(1.0) },
-        "Bar" => Mark::Bar { at: across()?, from, to },
+        "Line" => Mark::Line {
+            at: values.number("at")?.unwrap_or(0.0),
+            from,
+            to,
+            width: values.number("width")?.unwrap_or(1.0),
+        },
+        "Bar" => Mark::Bar {
+            at: across()?,
+            from,
+            to,
+        },
         "Ticks" => Mark::Ticks {
             at: across()?,
             count: values.number("count")?.unwrap_or(4.0).clamp(1.0, 20.0) as u32,
@@ -190,18 +224,30 @@ impl Values {
     }
 
     fn text(&self, name: &str) -> Option<&str> {
-        self.0.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
+        self.0
+            .iter()
+            .find(|(key, _)| key == name)
+            .map(|(_, value)| value.as_str())
     }
 
     fn number(&self, name: &str) -> Result<Option<f64>, String> {
-        let Some(text) = self.text(name) else { return Ok(None) };
+        let Some(text) = self.text(name) else {
+            return Ok(None);
+        };
         let number = text.trim().parse::<f64>().ok().filter(|n| n.is_finite());
-        number.map(Some).ok_or_else(|| format!("{name}=\"{text}\" is no number"))
+        number
+            .map(Some)
+            .ok_or_else(|| format!("{name}=\"{text}\" is no number"))
     }
 
     fn pair(&self, name: &str) -> Result<Option<[f64; 2]>, String> {
-        let Some(text) = self.text(name) else { return Ok(None) };
-        let numbers: Vec<f64> = text.split_whitespace().filter_map(|n| n.parse().ok()).collect();
+        let Some(text) = self.text(name) else {
+            return Ok(None);
+        };
+        let numbers: Vec<f64> = text
+            .split_whitespace()
+            .filter_map(|n| n.parse().ok())
+            .collect();
         match numbers[..] {
             [one] => Ok(Some([one, one])),
             [low, high] => Ok(Some([low, high])),

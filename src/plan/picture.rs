@@ -37,7 +37,9 @@ impl Picture {
     /// If it is none, damaged or too large.
     pub fn decode(bytes: &[u8]) -> Result<Picture, Unreadable> {
         let damaged = |e: &ImageError| Unreadable::Damaged(e.to_string());
-        let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|_| Unreadable::Format)?;
+        let mut reader = ImageReader::new(Cursor::new(bytes))
+            .with_guessed_format()
+            .map_err(|_| Unreadable::Format)?;
         reader.format().ok_or(Unreadable::Format)?;
         let mut limits = Limits::default();
         limits.max_alloc = Some(1 << 30);
@@ -57,18 +59,33 @@ impl Picture {
         let pixels = on_white(image);
         let longest = pixels.width().max(pixels.height());
         if longest <= LONGEST {
-            return Picture { pixels, shrink: 1.0 };
+            return Picture {
+                pixels,
+                shrink: 1.0,
+            };
         }
         let shrink = f64::from(longest) / f64::from(LONGEST);
         let size = |s: u32| ((f64::from(s) / shrink).round() as u32).max(1);
-        let pixels = imageops::resize(&pixels, size(pixels.width()), size(pixels.height()), FilterType::Triangle);
+        let pixels = imageops::resize(
+            &pixels,
+            size(pixels.width()),
+            size(pixels.height()),
+            FilterType::Triangle,
+        );
         Picture { pixels, shrink }
     }
 }
 
 fn refused(error: &ImageError) -> Unreadable {
     match error {
-        ImageError::Limits(limit) if matches!(limit.kind(), LimitErrorKind::DimensionError | LimitErrorKind::InsufficientMemory) => Unreadable::TooLarge,
+        ImageError::Limits(limit)
+            if matches!(
+                limit.kind(),
+                LimitErrorKind::DimensionError | LimitErrorKind::InsufficientMemory
+            ) =>
+        {
+            Unreadable::TooLarge
+        }
         ImageError::Unsupported(_) => Unreadable::Format,
         other => Unreadable::Damaged(other.to_string()),
     }

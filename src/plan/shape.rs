@@ -9,9 +9,6 @@ const GAP: i32 = 4;
 /// The widest gap within a house that is a way and no corner of a room, units.
 const DOOR: i32 = 2;
 
-/// Cells: their upper left crossings.
-type Cells = BTreeSet<(i32, i32)>;
-
 /// A unit of a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wall {
@@ -49,7 +46,11 @@ struct Lines<'a> {
 
 impl Lines<'_> {
     fn read(&self, at: (i32, i32), upright: bool) -> Read {
-        if upright { self.units.upright(at.0, at.1) } else { self.units.level(at.0, at.1) }
+        if upright {
+            self.units.upright(at.0, at.1)
+        } else {
+            self.units.level(at.0, at.1)
+        }
     }
 
     fn parts(&self, at: (i32, i32), upright: bool) -> bool {
@@ -67,7 +68,12 @@ impl Lines<'_> {
 
     /// The four sides of a cell, each with the cell beyond it: where it begins, and whether it is upright.
     fn sides((u, v): (i32, i32)) -> [((i32, i32), bool, (i32, i32)); 4] {
-        [((u, v), true, (u - 1, v)), ((u + 1, v), true, (u + 1, v)), ((u, v), false, (u, v - 1)), ((u, v + 1), false, (u, v + 1))]
+        [
+            ((u, v), true, (u - 1, v)),
+            ((u + 1, v), true, (u + 1, v)),
+            ((u, v), false, (u, v - 1)),
+            ((u, v + 1), false, (u, v + 1)),
+        ]
     }
 
     /// Whether a room has no ink in it, and is open to the outside along most of where it meets it.
@@ -92,8 +98,12 @@ impl Lines<'_> {
         if room.iter().any(|c| self.units.is_inked(*c)) {
             return false;
         }
-        let sides = room.iter().flat_map(|c| Lines::sides(*c)).filter(|(_, _, beyond)| !cells.contains(beyond));
-        let (gaps, walls): (Vec<_>, Vec<_>) = sides.partition(|(at, upright, _)| self.joined.contains_key(&(*at, *upright)));
+        let sides = room
+            .iter()
+            .flat_map(|c| Lines::sides(*c))
+            .filter(|(_, _, beyond)| !cells.contains(beyond));
+        let (gaps, walls): (Vec<_>, Vec<_>) =
+            sides.partition(|(at, upright, _)| self.joined.contains_key(&(*at, *upright)));
         !gaps.is_empty() && walls.is_empty()
     }
 
@@ -133,16 +143,29 @@ impl Shape {
     }
 
     fn found(units: &Units, is_drawn: bool) -> Shape {
-        let mut lines = Lines { units, joined: BTreeMap::new() };
+        let mut lines = Lines {
+            units,
+            joined: BTreeMap::new(),
+        };
         lines.joined = gaps(&lines);
         let mut cells = lines.enclosed();
-        let is_outside = if is_drawn { Lines::is_outside } else { Lines::is_recess };
+        let is_outside = if is_drawn {
+            Lines::is_outside
+        } else {
+            Lines::is_recess
+        };
         // A recess in a wall looks like a room with an open front; nothing is drawn in it.
         loop {
             // Ways between rooms part nothing where all strokes are known.
-            let drawn = Lines { units, joined: BTreeMap::new() };
+            let drawn = Lines {
+                units,
+                joined: BTreeMap::new(),
+            };
             let rooms = rooms(&cells, if is_drawn { &drawn } else { &lines });
-            let open: Vec<BTreeSet<(i32, i32)>> = rooms.into_iter().filter(|r| is_outside(&lines, r, &cells)).collect();
+            let open: Vec<BTreeSet<(i32, i32)>> = rooms
+                .into_iter()
+                .filter(|r| is_outside(&lines, r, &cells))
+                .collect();
             if open.is_empty() {
                 break;
             }
@@ -154,14 +177,25 @@ impl Shape {
         let cells = largest(cells);
         // Walls inside that face each other across a room are no reason for one between them.
         let is_outer = |at: (i32, i32), upright: bool| {
-            let other = if upright { (at.0 - 1, at.1) } else { (at.0, at.1 - 1) };
+            let other = if upright {
+                (at.0 - 1, at.1)
+            } else {
+                (at.0, at.1 - 1)
+            };
             cells.contains(&at) != cells.contains(&other)
         };
-        lines.joined.retain(|(at, upright), is_door| !is_drawn && *is_door || is_outer(*at, *upright));
-        let mut shape = Shape { cells, ..Shape::default() };
+        lines
+            .joined
+            .retain(|(at, upright), is_door| !is_drawn && *is_door || is_outer(*at, *upright));
+        let mut shape = Shape {
+            cells,
+            ..Shape::default()
+        };
         shape.walls(&lines);
         shape.rooms = rooms(&shape.cells, &lines);
-        shape.mats = (0..shape.rooms.len()).filter(|k| has_mats(&shape.rooms[*k], units)).collect();
+        shape.mats = (0..shape.rooms.len())
+            .filter(|k| has_mats(&shape.rooms[*k], units))
+            .collect();
         shape
     }
 
@@ -172,7 +206,10 @@ impl Shape {
         let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
         for v in v0..=v1 {
             for u in u0..=u1 {
-                for (upright, other, to) in [(true, (u - 1, v), (u, v + 1)), (false, (u, v - 1), (u + 1, v))] {
+                for (upright, other, to) in [
+                    (true, (u - 1, v), (u, v + 1)),
+                    (false, (u, v - 1), (u + 1, v)),
+                ] {
                     let (a, b) = (is((u, v)), is(other));
                     let wall = Wall {
                         from: (u, v),
@@ -199,13 +236,22 @@ fn gaps(lines: &Lines<'_>) -> BTreeMap<((i32, i32), bool), bool> {
     let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
     let mut out = BTreeMap::new();
     for upright in [false, true] {
-        let (lengthwise, crosswise) = if upright { ((v0, v1), (u0, u1)) } else { ((u0, u1), (v0, v1)) };
+        let (lengthwise, crosswise) = if upright {
+            ((v0, v1), (u0, u1))
+        } else {
+            ((u0, u1), (v0, v1))
+        };
         for line in crosswise.0..=crosswise.1 {
             let at = |k: i32| if upright { (line, k) } else { (k, line) };
-            let stands = |k: i32| k >= lengthwise.0 && k < lengthwise.1 && lines.parts(at(k), upright);
+            let stands =
+                |k: i32| k >= lengthwise.0 && k < lengthwise.1 && lines.parts(at(k), upright);
             let crosses = |k: i32| {
                 let (u, v) = at(k);
-                if upright { lines.parts((u, v), false) || lines.parts((u - 1, v), false) } else { lines.parts((u, v), true) || lines.parts((u, v - 1), true) }
+                if upright {
+                    lines.parts((u, v), false) || lines.parts((u - 1, v), false)
+                } else {
+                    lines.parts((u, v), true) || lines.parts((u, v - 1), true)
+                }
             };
             let mut k = lengthwise.0;
             while k < lengthwise.1 {
@@ -230,7 +276,11 @@ fn gaps(lines: &Lines<'_>) -> BTreeMap<((i32, i32), bool), bool> {
     out
 }
 
-fn flood(from: (i32, i32), within: impl Fn((i32, i32)) -> bool, beside: impl Fn((i32, i32)) -> Vec<(i32, i32)>) -> BTreeSet<(i32, i32)> {
+fn flood(
+    from: (i32, i32),
+    within: impl Fn((i32, i32)) -> bool,
+    beside: impl Fn((i32, i32)) -> Vec<(i32, i32)>,
+) -> BTreeSet<(i32, i32)> {
     let mut seen = BTreeSet::from([from]);
     let mut open = vec![from];
     while let Some(cell) = open.pop() {
@@ -248,7 +298,11 @@ fn largest(cells: BTreeSet<(i32, i32)>) -> BTreeSet<(i32, i32)> {
     let mut left = cells.clone();
     let mut best = BTreeSet::new();
     while let Some(&first) = left.iter().next() {
-        let group = flood(first, |c| cells.contains(&c), |(u, v)| vec![(u - 1, v), (u + 1, v), (u, v - 1), (u, v + 1)]);
+        let group = flood(
+            first,
+            |c| cells.contains(&c),
+            |(u, v)| vec![(u - 1, v), (u + 1, v), (u, v - 1), (u, v + 1)],
+        );
         left.retain(|c| !group.contains(c));
         if group.len() > best.len() {
             best = group;
@@ -273,7 +327,10 @@ fn rooms(cells: &BTreeSet<(i32, i32)>, lines: &Lines<'_>) -> Vec<BTreeSet<(i32, 
 fn has_mats(room: &BTreeSet<(i32, i32)>, units: &Units) -> bool {
     let (mut edges, mut all) = (0, 0);
     for &(u, v) in room {
-        for (other, read) in [((u - 1, v), units.upright(u, v)), ((u, v - 1), units.level(u, v))] {
+        for (other, read) in [
+            ((u - 1, v), units.upright(u, v)),
+            ((u, v - 1), units.level(u, v)),
+        ] {
             if room.contains(&other) {
                 all += 1;
                 edges += usize::from(read.role == Role::Mat);

@@ -41,7 +41,11 @@ impl Ink {
             red.put_pixel(x, y, Luma([level(g.min(b) - r)]));
         }
         let threshold = imageproc::contrast::otsu_level(&dark).clamp(38, 100);
-        Ink { dark, red, threshold }
+        Ink {
+            dark,
+            red,
+            threshold,
+        }
     }
 
     /// The share of the sheet that is ink.
@@ -53,7 +57,9 @@ impl Ink {
     /// The ink without what is small in both directions and stands alone: writing, specks. `most` is in pixels; `keep` tells
     /// of the middle and size of a part whether it stays all the same.
     pub fn without_writing(&self, most: f64, keep: impl Fn(DVec2, DVec2) -> bool) -> Ink {
-        let black = GrayImage::from_fn(self.dark.width(), self.dark.height(), |x, y| Luma([u8::from(self.is(x, y))]));
+        let black = GrayImage::from_fn(self.dark.width(), self.dark.height(), |x, y| {
+            Luma([u8::from(self.is(x, y))])
+        });
         let parts = connected_components(&black, Connectivity::Eight, Luma([0]));
         let mut boxes: Vec<[u32; 4]> = Vec::new();
         for (x, y, part) in parts.enumerate_pixels().filter(|(_, _, p)| p[0] > 0) {
@@ -88,11 +94,15 @@ impl Ink {
     pub fn without_slanting(&self) -> Ink {
         let (width, height) = self.dark.dimensions();
         let at = |x: i64, y: i64| {
-            let (x, y) = (x.clamp(0, i64::from(width) - 1), y.clamp(0, i64::from(height) - 1));
+            let (x, y) = (
+                x.clamp(0, i64::from(width) - 1),
+                y.clamp(0, i64::from(height) - 1),
+            );
             f64::from(self.dark.get_pixel(x as u32, y as u32)[0])
         };
         let mut ink = self.clone();
-        let slope = |x: i64, y: i64| dvec2(at(x + 1, y) - at(x - 1, y), at(x, y + 1) - at(x, y - 1));
+        let slope =
+            |x: i64, y: i64| dvec2(at(x + 1, y) - at(x - 1, y), at(x, y + 1) - at(x, y - 1));
         for y in 0..height {
             for x in 0..width {
                 if !self.is(x, y) {
@@ -146,7 +156,11 @@ impl Paper {
         // A block that a wall fills has the tone of the blocks beside it.
         let grown = spread(&light, across, down, |a, b| a.max(b));
         let tones = spread(&grown, across, down, |a, b| a.min(b));
-        Paper { block, across, tones }
+        Paper {
+            block,
+            across,
+            tones,
+        }
     }
 
     /// Tones between the middles of blocks.
@@ -191,7 +205,12 @@ fn lightest(sheet: &RgbImage, [x, y]: [u32; 2], block: u32) -> [f64; 3] {
 }
 
 /// The extreme of each block and the eight round it.
-fn spread(tones: &[[f64; 3]], across: u32, down: u32, pick: impl Fn(f64, f64) -> f64) -> Vec<[f64; 3]> {
+fn spread(
+    tones: &[[f64; 3]],
+    across: u32,
+    down: u32,
+    pick: impl Fn(f64, f64) -> f64,
+) -> Vec<[f64; 3]> {
     let mut out = Vec::with_capacity(tones.len());
     for v in 0..down {
         for u in 0..across {

@@ -28,7 +28,11 @@ pub struct Read {
 
 impl Read {
     /// Nothing.
-    pub const EMPTY: Read = Read { role: Role::Empty, likeness: 1.0, lead: 1.0 };
+    pub const EMPTY: Read = Read {
+        role: Role::Empty,
+        likeness: 1.0,
+        lead: 1.0,
+    };
 
     /// Whether another role is nearly as likely, or the ink agrees badly with this one.
     pub fn is_doubtful(self) -> bool {
@@ -56,14 +60,29 @@ pub struct Units {
 impl Units {
     /// Units that were read elsewhere: level ones line by line from above, upright ones from the left; `inked` are cells with
     /// something in them.
-    pub fn new((across, down): ((i32, i32), (i32, i32)), level: Vec<Vec<Read>>, upright: Vec<Vec<Read>>, inked: BTreeSet<(i32, i32)>) -> Units {
-        Units { across, down, level, upright, likeness: 1.0, inked }
+    pub fn new(
+        (across, down): ((i32, i32), (i32, i32)),
+        level: Vec<Vec<Read>>,
+        upright: Vec<Vec<Read>>,
+        inked: BTreeSet<(i32, i32)>,
+    ) -> Units {
+        Units {
+            across,
+            down,
+            level,
+            upright,
+            likeness: 1.0,
+            inked,
+        }
     }
 
     /// The same, with what lies in the cells.
     #[must_use]
     pub fn with_cells(self, ink: &Ink, grid: &Grid) -> Units {
-        Units { inked: inked(ink, grid), ..self }
+        Units {
+            inked: inked(ink, grid),
+            ..self
+        }
     }
 
     /// Whether there is ink in the middle of the cell below and to the right of a crossing.
@@ -112,16 +131,36 @@ pub fn read(ink: &Ink, all: &Ink, grid: &Grid, legend: &Legend, pen: f64) -> Uni
     let stamps = stamp::stamps(legend, pen);
     let ((u0, u1), (v0, v1)) = (grid.across, grid.down);
     let mut sum = Sum::default();
-    let posts: Vec<Vec<f64>> = (v0..=v1).map(|v| (u0..=u1).map(|u| patch::post(all, grid, f64::from(u), f64::from(v))).collect()).collect();
+    let posts: Vec<Vec<f64>> = (v0..=v1)
+        .map(|v| {
+            (u0..=u1)
+                .map(|u| patch::post(all, grid, f64::from(u), f64::from(v)))
+                .collect()
+        })
+        .collect();
     let mut line = |from: (i32, i32), count: i32, upright: bool| {
-        let at = |k: i32| if upright { (from.0, from.1 + k) } else { (from.0 + k, from.1) };
+        let at = |k: i32| {
+            if upright {
+                (from.0, from.1 + k)
+            } else {
+                (from.0 + k, from.1)
+            }
+        };
         let patches: Vec<Patch> = (0..count)
             .map(|k| {
                 let (u, v) = at(k);
-                Patch::of((ink, all), grid, DVec2::new(f64::from(u), f64::from(v)), upright, legend.is_by_hand)
+                Patch::of(
+                    (ink, all),
+                    grid,
+                    DVec2::new(f64::from(u), f64::from(v)),
+                    upright,
+                    legend.is_by_hand,
+                )
             })
             .collect();
-        let posts: Vec<f64> = (0..=count).map(|k| posts[(at(k).1 - v0) as usize][(at(k).0 - u0) as usize]).collect();
+        let posts: Vec<f64> = (0..=count)
+            .map(|k| posts[(at(k).1 - v0) as usize][(at(k).0 - u0) as usize])
+            .collect();
         runs::best(&patches, &posts, &stamps, pen, &mut sum)
     };
     let level: Vec<Vec<Read>> = (v0..=v1).map(|v| line((u0, v), u1 - u0, false)).collect();
@@ -129,15 +168,38 @@ pub fn read(ink: &Ink, all: &Ink, grid: &Grid, legend: &Legend, pen: f64) -> Uni
     let mut lines = [level, upright];
     settle(&mut lines);
     let [level, upright] = lines;
-    let likeness = if sum.units > 0.0 { sum.likeness / sum.units } else { 0.0 };
-    Units { across: grid.across, down: grid.down, level, upright, likeness, inked: BTreeSet::new() }
+    let likeness = if sum.units > 0.0 {
+        sum.likeness / sum.units
+    } else {
+        0.0
+    };
+    Units {
+        across: grid.across,
+        down: grid.down,
+        level,
+        upright,
+        likeness,
+        inked: BTreeSet::new(),
+    }
 }
 
 /// A plan has more walls than ways without doors: where the two are drawn alike, what was read as ways are walls.
 fn settle(lines: &mut [Vec<Vec<Read>>; 2]) {
-    let count = |role: Role| lines.iter().flatten().flatten().filter(|r| r.role == role).count();
+    let count = |role: Role| {
+        lines
+            .iter()
+            .flatten()
+            .flatten()
+            .filter(|r| r.role == role)
+            .count()
+    };
     if count(Role::Open) > count(Role::Wall) {
-        for read in lines.iter_mut().flatten().flatten().filter(|r| r.role == Role::Open) {
+        for read in lines
+            .iter_mut()
+            .flatten()
+            .flatten()
+            .filter(|r| r.role == Role::Open)
+        {
             read.role = Role::Wall;
         }
     }
@@ -150,7 +212,12 @@ fn inked(ink: &Ink, grid: &Grid) -> BTreeSet<(i32, i32)> {
     for v in grid.down.0..grid.down.1 {
         for u in grid.across.0..grid.across.1 {
             let inside = |k: i32| 0.2 + 0.6 * (f64::from(k) + 0.5) / f64::from(SAMPLES);
-            let places = (0..SAMPLES * SAMPLES).map(|k| grid.at(f64::from(u) + inside(k % SAMPLES), f64::from(v) + inside(k / SAMPLES)));
+            let places = (0..SAMPLES * SAMPLES).map(|k| {
+                grid.at(
+                    f64::from(u) + inside(k % SAMPLES),
+                    f64::from(v) + inside(k / SAMPLES),
+                )
+            });
             if places.filter(|p| dark_at(ink, *p) > ink.threshold).count() >= 8 {
                 out.insert((u, v));
             }
@@ -177,7 +244,8 @@ pub fn pen(ink: &Ink, grid: &Grid) -> f64 {
         }
     }
     let most = counts.iter().copied().max().unwrap_or(0);
-    let common = (1..counts.len()).find(|k| counts[*k] * 4 >= most).unwrap_or(1);
+    let common = (1..counts.len())
+        .find(|k| counts[*k] * 4 >= most)
+        .unwrap_or(1);
     (common as f64 / grid.unit).clamp(0.02, 0.12)
 }
-

@@ -69,7 +69,13 @@ impl Found {
     /// Layers and groups of which nothing says what they stand for, with how many strokes are in them.
     pub fn unknown(&self) -> BTreeMap<&str, usize> {
         let mut unknown = BTreeMap::new();
-        for (stroke, _) in self.lines.strokes.iter().zip(&self.means).filter(|(_, m)| m.is_none()) {
+        for (stroke, _) in self
+            .lines
+            .strokes
+            .iter()
+            .zip(&self.means)
+            .filter(|(_, m)| m.is_none())
+        {
             let name = stroke.layers.first().map_or("", |l| self.lines.named(*l));
             *unknown.entry(name).or_default() += 1;
         }
@@ -97,5 +103,11 @@ pub fn find(lines: Lines, roles: &Roles, unit_mm: Option<f64>) -> Result<Found, 
     if shape.cells.len() < LEAST_CELLS {
         return Err(Refused::NoHouse);
     }
-    Ok(Found { lines, means, grid, units, shape })
+    Ok(Found {
+        lines,
+        means,
+        grid,
+        units,
+        shape,
+    })
 }

@@ -1,7 +1,5 @@
 //! What a drawn house really is: the oracle that a reader of drawings is judged by.
 
-use std::fmt::Write as _;
-
 /// A corner of the grid in units of half a ken: `(a, b)`, a to the LEFT along the front, b BACK from the street.
 pub type Point = (i32, i32);
 
@@ -126,21 +124,6 @@ pub enum Furnishing {
     Privy,
 }
 
-impl Furnishing {
-    /// The name in the truth files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Furnishing::Stairs => "stairs",
-            Furnishing::Alcove => "alcove",
-            Furnishing::Closet => "closet",
-            Furnishing::Stove => "stove",
-            Furnishing::Well => "well",
-            Furnishing::Hearth => "hearth",
-            Furnishing::Privy => "privy",
-        }
-    }
-}
-
 /// A thing at its place.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Fixture {
@@ -214,72 +197,4 @@ impl Plan {
         }
         runs
     }
-
-    /// The truth as JSON; `place` are the nine numbers that take (a, b, 1) to pixels.
-    pub fn json(&self, px: f32, place: &[f64; 9]) -> String {
-        let mut out = format!(
-            "{{\"width\":{},\"depth\":{},\"px_per_unit\":{px}",
-            self.width, self.depth
-        );
-        let _ = write!(out, ",\"unit_to_pixel\":{place:?}");
-        let _ = write!(out, ",\n\"outline\":{}", points(&self.outline));
-        let courts: Vec<String> = self.courts.iter().map(|c| points(c)).collect();
-        let _ = write!(out, ",\n\"courts\":[{}]", courts.join(","));
-        let _ = write!(out, ",\n\"outer\":{}", units(&self.outer));
-        let _ = write!(out, ",\n\"inner\":{}", units(&self.inner));
-        let _ = write!(out, ",\n\"posts\":{}", points(&self.posts));
-        let rooms: Vec<String> = self.rooms.iter().map(room).collect();
-        let _ = write!(out, ",\n\"rooms\":[{}]", rooms.join(",\n "));
-        let things: Vec<String> = self
-            .fixtures
-            .iter()
-            .map(|f| {
-                format!(
-                    "{{\"what\":\"{}\",\"area\":{}}}",
-                    f.what.name(),
-                    area(&f.area)
-                )
-            })
-            .collect();
-        let _ = writeln!(out, ",\n\"fixtures\":[{}]}}", things.join(","));
-        out
-    }
-}
-
-fn points(list: &[Point]) -> String {
-    let list: Vec<String> = list.iter().map(|p| format!("[{},{}]", p.0, p.1)).collect();
-    format!("[{}]", list.join(","))
-}
-
-fn area(area: &Area) -> String {
-    format!(
-        "[{},{},{},{}]",
-        area.from.0, area.from.1, area.to.0, area.to.1
-    )
-}
-
-fn units(list: &[Unit]) -> String {
-    let unit = |u: &Unit| {
-        format!(
-            "{{\"from\":[{},{}],\"to\":[{},{}],\"kind\":\"{}\",\"symbol\":{}}}",
-            u.from.0,
-            u.from.1,
-            u.to.0,
-            u.to.1,
-            u.kind.name(),
-            u.symbol
-        )
-    };
-    let list: Vec<String> = list.iter().map(unit).collect();
-    format!("[{}]", list.join(",\n "))
-}
-
-fn room(room: &RoomTruth) -> String {
-    let mats: Vec<String> = room.mats.iter().map(area).collect();
-    let floor = format!("{:?}", room.floor).to_lowercase();
-    format!(
-        "{{\"area\":{},\"floor\":\"{floor}\",\"mats\":[{}]}}",
-        area(&room.area),
-        mats.join(",")
-    )
 }

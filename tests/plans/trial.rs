@@ -166,3 +166,35 @@ fn at_least(what: &str, some: usize, all: usize, percent: usize) {
         "{what}: {some} of {all}, not {percent} %"
     );
 }
+
+#[test]
+fn survey_drawings_are_read() {
+    let clean = trial(Convention::Survey, Degradation::Clean);
+    at_least("outlines", clean.exact, clean.plans, 1);
+    at_least(
+        "outer units of the right class",
+        clean.right,
+        clean.outer,
+        1,
+    );
+    at_least("walls inside", clean.found, clean.inner, 1);
+}
+
+#[test]
+fn scans_are_read() {
+    let scans = trial(Convention::Survey, Degradation::Scanned);
+    at_least("outlines", scans.exact, scans.plans, 1);
+}
+
+#[test]
+fn sashizu_are_read() {
+    let clean = trial(Convention::Sashizu, Degradation::Clean);
+    at_least("outlines", clean.exact, clean.plans, 1);
+}
+
+#[test]
+fn itazu_are_read() {
+    let clean = trial(Convention::Itazu, Degradation::Clean);
+    at_least("outlines", clean.exact, clean.plans, 1);
+    at_least("walls inside", clean.found, clean.inner, 1);
+}

@@ -326,7 +326,13 @@ impl Plan {
 
     /// Says which walls are in doubt, those of one row that follow each other and were read alike together; returns how many
     /// such walls there are.
-    fn doubts(&self, read: &Written, sheets: &[Sheet], source: &Source, out: &mut Diagnostics) -> usize {
+    fn doubts(
+        &self,
+        read: &Written,
+        sheets: &[Sheet],
+        source: &Source,
+        out: &mut Diagnostics,
+    ) -> usize {
         let follows = |a: &Doubt, b: &Doubt| {
             let between = read.text.get(a.span.end..b.span.start);
             let alike = (a.role, a.is_joined, a.storey) == (b.role, b.is_joined, b.storey);
@@ -335,12 +341,23 @@ impl Plan {
         let runs = read.doubts.chunk_by(follows);
         let mut count = 0;
         for run in runs {
-            let places: Vec<Range<usize>> = run.iter().filter_map(|d| place(d, &read.text, source.text())).collect();
-            let (Some(first), Some(last), [doubt, ..]) = (places.first(), places.last(), run) else { continue };
+            let places: Vec<Range<usize>> = run
+                .iter()
+                .filter_map(|d| place(d, &read.text, source.text()))
+                .collect();
+            let (Some(first), Some(last), [doubt, ..]) = (places.first(), places.last(), run)
+            else {
+                continue;
+            };
             let sheet = &sheets[doubt.storey];
             let middle = run.iter().map(|d| d.at).sum::<DVec2>() / run.len() as f64;
             let at = sheet.found.in_picture(middle) * sheet.shrink;
-            out.push(said::doubt(source.span(first.start..last.end), doubt, &sheet.file, at));
+            out.push(said::doubt(
+                source.span(first.start..last.end),
+                doubt,
+                &sheet.file,
+                at,
+            ));
             count += 1;
         }
         count

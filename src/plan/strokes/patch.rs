@@ -37,7 +37,13 @@ pub(super) struct Patch {
 
 impl Patch {
     /// `is_by_hand` tells of strokes that sway about the lines of the grid.
-    pub(super) fn of((ink, all): (&Ink, &Ink), grid: &Grid, from: DVec2, upright: bool, is_by_hand: bool) -> Patch {
+    pub(super) fn of(
+        (ink, all): (&Ink, &Ink),
+        grid: &Grid,
+        from: DVec2,
+        upright: bool,
+        is_by_hand: bool,
+    ) -> Patch {
         let place = |along: f64, across: f64| match upright {
             false => grid.at(from.x + along, from.y + across),
             true => grid.at(from.x + across, from.y + along),
@@ -49,7 +55,10 @@ impl Patch {
             for i in 0..ALONG {
                 let (mut dark, mut colour) = (0.0, 0.0);
                 for (a, b) in [(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)] {
-                    let at = place((i as f64 + a) / ALONG as f64, ((j as f64 + b) / ACROSS as f64 * 2.0 - 1.0) * REACH);
+                    let at = place(
+                        (i as f64 + a) / ALONG as f64,
+                        ((j as f64 + b) / ACROSS as f64 * 2.0 - 1.0) * REACH,
+                    );
                     dark += f64::from(dark_at(ink, at)) / 4.0;
                     colour += f64::from(red_at(ink, at)) / 4.0;
                 }
@@ -63,13 +72,30 @@ impl Patch {
             straighten(&mut black, &mut red);
         }
         let skip = skip();
-        let middle = |ink: &[f32]| (0..ACROSS).map(|j| ink[j * ALONG + skip..(j + 1) * ALONG - skip].iter().sum::<f32>()).sum::<f32>();
+        let middle = |ink: &[f32]| {
+            (0..ACROSS)
+                .map(|j| {
+                    ink[j * ALONG + skip..(j + 1) * ALONG - skip]
+                        .iter()
+                        .sum::<f32>()
+                })
+                .sum::<f32>()
+        };
         let (blacks, reds) = (middle(&black), middle(&red));
         let (arc, leaf) = (arc(all, &place), leaf(all, &place));
         let is_inked = blacks + reds > 3.0 || arc > 0.5 || leaf > 0.5;
         let tones = |ink: &[f32]| soft(ink, ALONG).into_iter().map(tone).collect::<Vec<u8>>();
         let (black, red) = (tones(&black), tones(&red));
-        Patch { blacks: sums(&black), reds: sums(&red), black, red, is_red: reds > 3.0, arc, leaf, is_inked }
+        Patch {
+            blacks: sums(&black),
+            reds: sums(&red),
+            black,
+            red,
+            is_red: reds > 3.0,
+            arc,
+            leaf,
+            is_inked,
+        }
     }
 }
 
@@ -82,7 +108,10 @@ fn sums(ink: &[u8]) -> [u32; 4] {
     std::array::from_fn(|ends| {
         let from = if ends & 1 == 1 { skip() } else { 0 };
         let to = if ends & 2 == 2 { ALONG - skip() } else { ALONG };
-        (0..ACROSS).flat_map(|j| &ink[j * ALONG + from..j * ALONG + to]).map(|d| u32::from(*d)).sum()
+        (0..ACROSS)
+            .flat_map(|j| &ink[j * ALONG + from..j * ALONG + to])
+            .map(|d| u32::from(*d))
+            .sum()
     })
 }
 
@@ -98,8 +127,13 @@ pub(super) fn across(j: usize) -> f64 {
 
 fn red_at(ink: &Ink, at: DVec2) -> u8 {
     let (x, y) = (at.x.floor(), at.y.floor());
-    let inside = x >= 0.0 && y >= 0.0 && x < f64::from(ink.red.width()) && y < f64::from(ink.red.height());
-    if inside { ink.red.get_pixel(x as u32, y as u32)[0] } else { 0 }
+    let inside =
+        x >= 0.0 && y >= 0.0 && x < f64::from(ink.red.width()) && y < f64::from(ink.red.height());
+    if inside {
+        ink.red.get_pixel(x as u32, y as u32)[0]
+    } else {
+        0
+    }
 }
 
 /// Moves the columns of a patch so that the middle of its strokes lies on the line of the grid.
@@ -108,8 +142,15 @@ fn straighten(black: &mut [f32], red: &mut [f32]) {
     // For each column its ink, and its ink by place.
     let sums: Vec<[f64; 2]> = (0..ALONG)
         .map(|i| {
-            let near = (0..ACROSS).filter(|j| reach(*j)).map(|j| (j as f64, f64::from(black[j * ALONG + i] + red[j * ALONG + i])));
-            near.fold([0.0, 0.0], |[ink, weighed], (j, d)| [ink + d, weighed + d * j])
+            let near = (0..ACROSS).filter(|j| reach(*j)).map(|j| {
+                (
+                    j as f64,
+                    f64::from(black[j * ALONG + i] + red[j * ALONG + i]),
+                )
+            });
+            near.fold([0.0, 0.0], |[ink, weighed], (j, d)| {
+                [ink + d, weighed + d * j]
+            })
         })
         .collect();
     let middle = (ACROSS / 2) as f64;
@@ -119,8 +160,14 @@ fn straighten(black: &mut [f32], red: &mut [f32]) {
             // A few columns together, so that ticks and gaps do not jerk; the ends belong to posts.
             let at = i.clamp(skip, ALONG - 1 - skip);
             let near = &sums[at.saturating_sub(4).max(skip)..(at + 5).min(ALONG - skip)];
-            let (ink, weighed) = near.iter().fold((0.0, 0.0), |(a, b), [c, d]| (a + c, b + d));
-            if ink < 1.0 { 0 } else { (weighed / ink - middle).round() as i64 }
+            let (ink, weighed) = near
+                .iter()
+                .fold((0.0, 0.0), |(a, b), [c, d]| (a + c, b + d));
+            if ink < 1.0 {
+                0
+            } else {
+                (weighed / ink - middle).round() as i64
+            }
         })
         .collect();
     let most = (SWAY / REACH * ACROSS as f64 / 2.0).round() as i64;
@@ -130,7 +177,11 @@ fn straighten(black: &mut [f32], red: &mut [f32]) {
             for j in 0..ACROSS {
                 let from = j as i64 + (*shift).clamp(-most, most);
                 let inside = from >= 0 && from < ACROSS as i64;
-                values[j * ALONG + i] = if inside { old[from as usize * ALONG + i] } else { 0.0 };
+                values[j * ALONG + i] = if inside {
+                    old[from as usize * ALONG + i]
+                } else {
+                    0.0
+                };
             }
         }
     }
@@ -139,14 +190,27 @@ fn straighten(black: &mut [f32], red: &mut [f32]) {
 /// The best share of ink along a quarter circle about one of the ends, on one of the sides.
 fn arc(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> f64 {
     let mut most = 0.0_f64;
-    for (hinge, way) in [(0.0, 1.0), (0.04, 1.0), (0.08, 1.0), (1.0, -1.0), (0.96, -1.0), (0.92, -1.0)] {
-        for (side, k) in [-1.0, 1.0].into_iter().flat_map(|side| (0..8).map(move |k| (side, k))) {
+    for (hinge, way) in [
+        (0.0, 1.0),
+        (0.04, 1.0),
+        (0.08, 1.0),
+        (1.0, -1.0),
+        (0.96, -1.0),
+        (0.92, -1.0),
+    ] {
+        for (side, k) in [-1.0, 1.0]
+            .into_iter()
+            .flat_map(|side| (0..8).map(move |k| (side, k)))
+        {
             let radius = 0.82 + 0.025 * f64::from(k);
             let seen = (0..18).filter(|k| {
                 let angle = (14.0 + 62.0 * f64::from(*k) / 17.0_f64).to_radians();
                 let (along, across) = (libm::cos(angle), libm::sin(angle));
                 let dark = |r: f64| dark_at(ink, place(hinge + way * r * along, side * r * across));
-                dark(radius).max(dark(radius - 0.015)).max(dark(radius + 0.015)) > ink.threshold
+                dark(radius)
+                    .max(dark(radius - 0.015))
+                    .max(dark(radius + 0.015))
+                    > ink.threshold
             });
             most = most.max(seen.count() as f64 / 18.0);
         }
@@ -157,18 +221,31 @@ fn arc(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> f64 {
 /// The best share of ink on a stroke that leaves one of the ends aslant, ends within the unit's length, and has paper beside it.
 fn leaf(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> f64 {
     let mut most = 0.0_f64;
-    for (hinge, way, side) in [(0.0, 1.0, -1.0), (0.0, 1.0, 1.0), (1.0, -1.0, -1.0), (1.0, -1.0, 1.0)] {
+    for (hinge, way, side) in [
+        (0.0, 1.0, -1.0),
+        (0.0, 1.0, 1.0),
+        (1.0, -1.0, -1.0),
+        (1.0, -1.0, 1.0),
+    ] {
         let at = |angle: f64, r: f64| {
             let (along, across) = (libm::cos(angle.to_radians()), libm::sin(angle.to_radians()));
             dark_at(ink, place(hinge + way * r * along, side * r * across)) > ink.threshold
         };
-        let share = |angle: f64, low: f64, high: f64| (0..12).filter(|k| at(angle, low + (high - low) * f64::from(*k) / 11.0)).count() as f64 / 12.0;
+        let share = |angle: f64, low: f64, high: f64| {
+            (0..12)
+                .filter(|k| at(angle, low + (high - low) * f64::from(*k) / 11.0))
+                .count() as f64
+                / 12.0
+        };
         for angle in (0..=20).map(|k| 22.0 + 2.5 * f64::from(k)) {
             let stroke = share(angle, 0.2, 0.58);
             if stroke > 0.6 && stroke > most {
                 let beside = share(angle - 14.0, 0.3, 0.6).max(share(angle + 14.0, 0.3, 0.6));
                 // Hatching and the lines across closets run on.
-                let beyond = [-3.0, 0.0, 3.0].into_iter().map(|a| share(angle + a, 0.98, 1.2)).fold(0.0, f64::max);
+                let beyond = [-3.0, 0.0, 3.0]
+                    .into_iter()
+                    .map(|a| share(angle + a, 0.98, 1.2))
+                    .fold(0.0, f64::max);
                 most = most.max(stroke - beside.max(beyond) * 0.8);
             }
         }
@@ -182,16 +259,32 @@ const POST: f64 = 0.05;
 /// How clearly a post stands at a crossing, 0 to 1: a filled one, or the outline of one.
 pub(super) fn post(ink: &Ink, grid: &Grid, u: f64, v: f64) -> f64 {
     let dark = |x: f64, y: f64| dark_at(ink, grid.at(u + x, v + y)) > ink.threshold;
-    let disc: Vec<(f64, f64)> = (0..81).map(|k| (f64::from(k % 9) / 4.0 - 1.0, f64::from(k / 9) / 4.0 - 1.0)).filter(|(x, y)| x * x + y * y <= 1.01).collect();
+    let disc: Vec<(f64, f64)> = (0..81)
+        .map(|k| (f64::from(k % 9) / 4.0 - 1.0, f64::from(k / 9) / 4.0 - 1.0))
+        .filter(|(x, y)| x * x + y * y <= 1.01)
+        .collect();
     let mut most = 0.0_f64;
     for (dx, dy) in (0..9).map(|k| (f64::from(k % 3 - 1) * 0.02, f64::from(k / 3 - 1) * 0.02)) {
-        let filled = disc.iter().filter(|(x, y)| dark(dx + x * POST, dy + y * POST)).count() as f64 / disc.len() as f64;
+        let filled = disc
+            .iter()
+            .filter(|(x, y)| dark(dx + x * POST, dy + y * POST))
+            .count() as f64
+            / disc.len() as f64;
         most = most.max(filled);
         for half in (0..7).map(|k| 0.06 + 0.01 * f64::from(k)) {
             let side = |x: f64, y: f64, along: (f64, f64)| {
-                (0..9).filter(|k| { let t = half * 0.85 * (f64::from(*k) / 4.0 - 1.0); dark(dx + x + t * along.0, dy + y + t * along.1) }).count() as f64 / 9.0
+                (0..9)
+                    .filter(|k| {
+                        let t = half * 0.85 * (f64::from(*k) / 4.0 - 1.0);
+                        dark(dx + x + t * along.0, dy + y + t * along.1)
+                    })
+                    .count() as f64
+                    / 9.0
             };
-            let ring = side(-half, 0.0, (0.0, 1.0)).min(side(half, 0.0, (0.0, 1.0))).min(side(0.0, -half, (1.0, 0.0))).min(side(0.0, half, (1.0, 0.0)));
+            let ring = side(-half, 0.0, (0.0, 1.0))
+                .min(side(half, 0.0, (0.0, 1.0)))
+                .min(side(0.0, -half, (1.0, 0.0)))
+                .min(side(0.0, half, (1.0, 0.0)));
             most = most.max(ring * 0.9);
         }
     }
@@ -215,4 +308,3 @@ pub(super) fn soft(values: &[f32], along: usize) -> Vec<f32> {
     }
     out
 }
-

@@ -26,18 +26,41 @@ struct Choice {
 }
 
 /// The roles of a line of units that agree best with its ink and its posts (dynamic programming over its runs).
-pub(super) fn best(patches: &[Patch], posts: &[f64], stamps: &[Stamp], pen: f64, sum: &mut Sum) -> Vec<Read> {
+pub(super) fn best(
+    patches: &[Patch],
+    posts: &[f64],
+    stamps: &[Stamp],
+    pen: f64,
+    sum: &mut Sum,
+) -> Vec<Read> {
     let n = patches.len();
-    let empty: Vec<f64> = patches.iter().map(|p| emptiness(p, pen).max(CLUTTER)).collect();
+    let empty: Vec<f64> = patches
+        .iter()
+        .map(|p| emptiness(p, pen).max(CLUTTER))
+        .collect();
     // Most of a sheet is empty, and no symbol stands there.
-    let likeness: Vec<Vec<f64>> = patches.iter().map(|p| if p.is_inked { likenesses(p, stamps, pen) } else { Vec::new() }).collect();
+    let likeness: Vec<Vec<f64>> = patches
+        .iter()
+        .map(|p| {
+            if p.is_inked {
+                likenesses(p, stamps, pen)
+            } else {
+                Vec::new()
+            }
+        })
+        .collect();
     let mut table: Vec<Option<(f64, Choice)>> = vec![None; n + 1];
     for end in 1..=n {
         for from in end.saturating_sub(LONGEST)..end {
-            let before = if from == 0 { 0.0 } else { table[from].map_or(f64::MIN, |t| t.0) };
+            let before = if from == 0 {
+                0.0
+            } else {
+                table[from].map_or(f64::MIN, |t| t.0)
+            };
             let ends = [posts[from], posts[end]];
             for choice in choices(from, end, &likeness, &empty, stamps, ends) {
-                let total = before + choice.value * (end - from) as f64 - CHANGE + (CHANGE - AT_POST) * posts[from];
+                let total = before + choice.value * (end - from) as f64 - CHANGE
+                    + (CHANGE - AT_POST) * posts[from];
                 if table[end].is_none_or(|t| total > t.0) {
                     table[end] = Some((total, choice));
                 }
@@ -47,8 +70,17 @@ pub(super) fn best(patches: &[Patch], posts: &[f64], stamps: &[Stamp], pen: f64,
     let mut out = vec![Read::EMPTY; n];
     let mut end = n;
     while let Some((_, choice)) = table[end] {
-        let Choice { from, role, value, lead } = choice;
-        out[from..end].fill(Read { role, likeness: value.clamp(0.0, 1.0), lead });
+        let Choice {
+            from,
+            role,
+            value,
+            lead,
+        } = choice;
+        out[from..end].fill(Read {
+            role,
+            likeness: value.clamp(0.0, 1.0),
+            lead,
+        });
         sum.add(&empty[from..end], &patches[from..end], value);
         end = from;
         if end == 0 {
@@ -60,18 +92,32 @@ pub(super) fn best(patches: &[Patch], posts: &[f64], stamps: &[Stamp], pen: f64,
 
 /// How well each unit of each stamp agrees with a patch, stamp after stamp.
 fn likenesses(patch: &Patch, stamps: &[Stamp], pen: f64) -> Vec<f64> {
-    stamps.iter().flat_map(|s| (0..s.units).map(|unit| s.likeness(unit, patch, pen))).collect()
+    stamps
+        .iter()
+        .flat_map(|s| (0..s.units).map(|unit| s.likeness(unit, patch, pen)))
+        .collect()
 }
 
 /// The best of the ways to read a run, with what it leads by.
-fn choices(from: usize, end: usize, likeness: &[Vec<f64>], empty: &[f64], stamps: &[Stamp], ends: [f64; 2]) -> impl Iterator<Item = Choice> {
+fn choices(
+    from: usize,
+    end: usize,
+    likeness: &[Vec<f64>],
+    empty: &[f64],
+    stamps: &[Stamp],
+    ends: [f64; 2],
+) -> impl Iterator<Item = Choice> {
     let length = (end - from) as f64;
-    let mut best: Vec<(Role, f64)> = vec![(Role::Empty, empty[from..end].iter().sum::<f64>() / length)];
+    let mut best: Vec<(Role, f64)> =
+        vec![(Role::Empty, empty[from..end].iter().sum::<f64>() / length)];
     if likeness[from..end].iter().all(|l| !l.is_empty()) {
         let mut at = 0;
         for stamp in stamps {
             if (end - from).is_multiple_of(stamp.units) {
-                let units = likeness[from..end].iter().enumerate().map(|(k, l)| l[at + k % stamp.units]);
+                let units = likeness[from..end]
+                    .iter()
+                    .enumerate()
+                    .map(|(k, l)| l[at + k % stamp.units]);
                 let mut value = units.sum::<f64>() / length;
                 if stamp.role.parts() {
                     value -= NO_POST * (2.0 - ends[0] - ends[1]) / length;
@@ -87,5 +133,10 @@ fn choices(from: usize, end: usize, likeness: &[Vec<f64>], empty: &[f64], stamps
     best.sort_by(|a, b| b.1.total_cmp(&a.1));
     let lead = best[0].1 - best.get(1).map_or(0.0, |b| b.1);
     let (role, value) = best[0];
-    std::iter::once(Choice { from, role, value, lead })
+    std::iter::once(Choice {
+        from,
+        role,
+        value,
+        lead,
+    })
 }

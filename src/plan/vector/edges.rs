@@ -52,7 +52,12 @@ pub(super) struct Cover {
 
 impl Cover {
     fn share(&self, means: &[Means]) -> f64 {
-        pieces_share(means.iter().filter_map(|m| self.pieces.get(m)).fold(0, |a, b| a | b))
+        pieces_share(
+            means
+                .iter()
+                .filter_map(|m| self.pieces.get(m))
+                .fold(0, |a, b| a | b),
+        )
     }
 
     /// Whether a wall or an opening covers it.
@@ -65,20 +70,37 @@ impl Cover {
         use Means::{Door, Glazing, Lattice, Open, Slide, Window};
         let share = |m: &[Means]| Some(self.share(m)).filter(|s| *s >= COVERED);
         // Dashes cover half of what they run along.
-        let is_dashed = self.dashed.1 >= 2 && pieces_share(self.dashed.0) > 0.3 && self.share(&[Door, Slide]) < COVERED;
+        let is_dashed = self.dashed.1 >= 2
+            && pieces_share(self.dashed.0) > 0.3
+            && self.share(&[Door, Slide]) < COVERED;
         if let Some(share) = share(&[Open]).or((is_dashed).then_some(1.0)) {
             return Some((Role::Open, share));
         }
         if let Some(share) = share(&[Glazing, Window, Lattice]) {
-            let is_lattice = self.share(&[Lattice]) >= COVERED || self.pieces.contains_key(&Glazing) && self.bars.count_ones() >= 2;
-            return Some((if is_lattice { Role::Lattice } else { Role::Window }, share));
+            let is_lattice = self.share(&[Lattice]) >= COVERED
+                || self.pieces.contains_key(&Glazing) && self.bars.count_ones() >= 2;
+            return Some((
+                if is_lattice {
+                    Role::Lattice
+                } else {
+                    Role::Window
+                },
+                share,
+            ));
         }
         share(&[Door, Slide]).map(|share| (Role::Slide, share))
     }
 
     fn read(&self) -> Read {
-        let (wall, mat) = (self.share(&[Means::Wall]), self.share(&[Means::Mat, Means::Inside]));
-        let read = |role: Role, likeness: f64| Read { role, likeness, lead: 1.0 };
+        let (wall, mat) = (
+            self.share(&[Means::Wall]),
+            self.share(&[Means::Mat, Means::Inside]),
+        );
+        let read = |role: Role, likeness: f64| Read {
+            role,
+            likeness,
+            lead: 1.0,
+        };
         match self.opening() {
             Some((role, share)) => read(role, share),
             None if wall >= COVERED => read(Role::Wall, wall),
@@ -124,9 +146,18 @@ impl Covers {
         if !is_small(across) || !is_small(down) {
             return None;
         }
-        let mut covers = Covers { units: BTreeMap::new(), posts: BTreeSet::new(), ink: BTreeSet::new(), across, down };
+        let mut covers = Covers {
+            units: BTreeMap::new(),
+            posts: BTreeSet::new(),
+            ink: BTreeSet::new(),
+            across,
+            down,
+        };
         let found = leaves::find(strokes, means, grid);
-        let is_leaf: BTreeSet<usize> = found.iter().flat_map(|l| l.strokes.iter().copied()).collect();
+        let is_leaf: BTreeSet<usize> = found
+            .iter()
+            .flat_map(|l| l.strokes.iter().copied())
+            .collect();
         for (k, (stroke, role)) in strokes.iter().zip(means).enumerate() {
             covers.lay(stroke, *role, grid, is_leaf.contains(&k));
         }
@@ -135,22 +166,32 @@ impl Covers {
     }
 
     fn lay(&mut self, stroke: &Stroke, role: Option<Means>, grid: &Grid, is_leaf: bool) {
-        let (low, high) = stroke.points.iter().fold((DVec2::MAX, DVec2::MIN), |(l, h), p| (l.min(grid.units_of(*p)), h.max(grid.units_of(*p))));
+        let (low, high) = stroke
+            .points
+            .iter()
+            .fold((DVec2::MAX, DVec2::MIN), |(l, h), p| {
+                (l.min(grid.units_of(*p)), h.max(grid.units_of(*p)))
+            });
         let size = (high - low).max_element();
-        let is_bar = size < SHORT && role.is_some_and(|m| matches!(m, Means::Glazing | Means::Lattice));
+        let is_bar =
+            size < SHORT && role.is_some_and(|m| matches!(m, Means::Glazing | Means::Lattice));
         match role {
             Some(Means::Ignore | Means::Grid) => {}
             Some(Means::Post) => {
                 let middle = (low + high) / 2.0;
-                self.posts.insert((middle.x.round() as i32, middle.y.round() as i32));
+                self.posts
+                    .insert((middle.x.round() as i32, middle.y.round() as i32));
             }
             Some(m) if m == Means::Wall || m.is_opening() || m == Means::Mat => {
                 if is_bar {
                     self.bar((low, high));
                 }
                 if !is_leaf {
-                    let is_dash = size < SHORT * 0.7 && matches!(m, Means::Door | Means::Slide | Means::Open) && !stroke.is_closed;
-                    sides(stroke).for_each(|side| self.cover(side.map(|p| grid.units_of(p)), m, is_dash));
+                    let is_dash = size < SHORT * 0.7
+                        && matches!(m, Means::Door | Means::Slide | Means::Open)
+                        && !stroke.is_closed;
+                    sides(stroke)
+                        .for_each(|side| self.cover(side.map(|p| grid.units_of(p)), m, is_dash));
                 }
                 if m == Means::Mat {
                     self.ink(stroke, grid);
@@ -178,7 +219,11 @@ impl Covers {
     }
 
     fn unit(&mut self, along: f64, line: f64, upright: bool) -> &mut Cover {
-        let at = if upright { (line as i32, along as i32) } else { (along as i32, line as i32) };
+        let at = if upright {
+            (line as i32, along as i32)
+        } else {
+            (along as i32, line as i32)
+        };
         self.units.entry((at, upright)).or_default()
     }
 
@@ -198,14 +243,25 @@ impl Covers {
         if way[across] > way[along] * lean || off > band || way[along] == 0.0 {
             return;
         }
-        let (limits, lines) = if upright { (self.down, self.across) } else { (self.across, self.down) };
+        let (limits, lines) = if upright {
+            (self.down, self.across)
+        } else {
+            (self.across, self.down)
+        };
         if line < f64::from(lines.0) || line > f64::from(lines.1) {
             return;
         }
-        let (from, to) = (p[along].min(q[along]).max(f64::from(limits.0)), p[along].max(q[along]).min(f64::from(limits.1)));
+        let (from, to) = (
+            p[along].min(q[along]).max(f64::from(limits.0)),
+            p[along].max(q[along]).min(f64::from(limits.1)),
+        );
         let mut start = from.floor();
         while start < to {
-            let piece = |at: f64| (((at - start) * f64::from(PIECES)).round().clamp(0.0, f64::from(PIECES))) as u32;
+            let piece = |at: f64| {
+                (((at - start) * f64::from(PIECES))
+                    .round()
+                    .clamp(0.0, f64::from(PIECES))) as u32
+            };
             let (first, end) = (piece(from), piece(to));
             let bits = ((1_u64 << end) - 1) & !((1_u64 << first) - 1);
             let unit = self.unit(start, line, upright);
@@ -222,9 +278,13 @@ impl Covers {
     fn ink(&mut self, stroke: &Stroke, grid: &Grid) {
         let ((u0, u1), (v0, v1)) = (self.across, self.down);
         let mut note = |p: DVec2| {
-            let is_within = p.x > f64::from(u0) && p.x < f64::from(u1) && p.y > f64::from(v0) && p.y < f64::from(v1);
+            let is_within = p.x > f64::from(u0)
+                && p.x < f64::from(u1)
+                && p.y > f64::from(v0)
+                && p.y < f64::from(v1);
             if is_within {
-                self.ink.insert(((p.x * FINE).floor() as i32, (p.y * FINE).floor() as i32));
+                self.ink
+                    .insert(((p.x * FINE).floor() as i32, (p.y * FINE).floor() as i32));
             }
         };
         stroke.points.iter().for_each(|p| note(grid.units_of(*p)));
@@ -246,7 +306,10 @@ impl Covers {
             let (u, v) = (cell.x as i32, cell.y as i32);
             let side = |off: f64| i32::from(off > 1.0 - MARGIN) - i32::from(off < MARGIN);
             let (right, down) = (side(off.x), side(off.y));
-            let (upright, level) = (((u + i32::from(right > 0), v), true), ((u, v + i32::from(down > 0)), false));
+            let (upright, level) = (
+                ((u + i32::from(right > 0), v), true),
+                ((u, v + i32::from(down > 0)), false),
+            );
             let blocked = (right != 0 && parted(upright), down != 0 && parted(level));
             // Strokes along a wall may belong to the wall.
             if blocked.0 || blocked.1 {
@@ -267,7 +330,10 @@ impl Covers {
                     self.unit_at(at).hung -= 1;
                 }
                 // Of places that suit equally the one that the leaf leans to.
-                *own = leaf.places.iter().min_by_key(|place| std::cmp::Reverse(self.suits(place)));
+                *own = leaf
+                    .places
+                    .iter()
+                    .min_by_key(|place| std::cmp::Reverse(self.suits(place)));
                 for at in own.iter().flat_map(|place| place.units()) {
                     self.unit_at(at).hung += 1;
                 }
@@ -275,11 +341,18 @@ impl Covers {
         }
         for (leaf, own) in leaves.iter().zip(chosen) {
             let Some(own) = own else { continue };
-            let other = leaf.places.iter().filter(|p| *p != own).map(|p| self.suits(p)).max();
+            let other = leaf
+                .places
+                .iter()
+                .filter(|p| *p != own)
+                .map(|p| self.suits(p))
+                .max();
             // Its own units are taken by itself.
             let suits = self.suits(own) + TAKEN * own.units().len() as i32;
             if other.is_some_and(|other| other + CLEAR > suits) {
-                own.units().into_iter().for_each(|at| self.unit_at(at).is_unsure = true);
+                own.units()
+                    .into_iter()
+                    .for_each(|at| self.unit_at(at).is_unsure = true);
             }
         }
     }
@@ -292,22 +365,38 @@ impl Covers {
     fn suits(&self, place: &leaves::Place) -> i32 {
         let is_closed = |at: &At| self.units.get(at).is_some_and(Cover::is_closed);
         let taken = place.units().iter().filter(|u| is_closed(u)).count() as i32;
-        let posts = place.ends().iter().filter(|p| self.posts.contains(p)).count() as i32;
+        let posts = place
+            .ends()
+            .iter()
+            .filter(|p| self.posts.contains(p))
+            .count() as i32;
         let goes_on = place.beyond().iter().filter(|u| is_closed(u)).count() as i32;
-        let meets = place.ends().iter().filter(|p| leaves::around(**p).iter().any(is_closed)).count() as i32;
+        let meets = place
+            .ends()
+            .iter()
+            .filter(|p| leaves::around(**p).iter().any(is_closed))
+            .count() as i32;
         posts * 3 + goes_on * 2 + meets - taken * TAKEN
     }
 
     /// The units of the grid as the picture reader has them.
     pub(super) fn units(&self) -> Units {
         let read = |at: At| match self.units.get(&at) {
-            Some(unit) if unit.hung > 0 => Read { role: Role::Hinged, likeness: 1.0, lead: if unit.is_unsure { 0.0 } else { 1.0 } },
+            Some(unit) if unit.hung > 0 => Read {
+                role: Role::Hinged,
+                likeness: 1.0,
+                lead: if unit.is_unsure { 0.0 } else { 1.0 },
+            },
             Some(unit) => unit.read(),
             None => Read::EMPTY,
         };
         let ((u0, u1), (v0, v1)) = (self.across, self.down);
-        let level = (v0..=v1).map(|v| (u0..u1).map(|u| read(((u, v), false))).collect()).collect();
-        let upright = (u0..=u1).map(|u| (v0..v1).map(|v| read(((u, v), true))).collect()).collect();
+        let level = (v0..=v1)
+            .map(|v| (u0..u1).map(|u| read(((u, v), false))).collect())
+            .collect();
+        let upright = (u0..=u1)
+            .map(|u| (v0..v1).map(|v| read(((u, v), true))).collect())
+            .collect();
         Units::new((self.across, self.down), level, upright, self.inked())
     }
 }

@@ -16,11 +16,17 @@ pub(super) struct Record<'p> {
 
 impl<'p> Record<'p> {
     pub(super) fn new(pairs: &'p [Pair<'p>]) -> Record<'p> {
-        Record { kind: pairs[0].1.trim(), pairs: &pairs[1..] }
+        Record {
+            kind: pairs[0].1.trim(),
+            pairs: &pairs[1..],
+        }
     }
 
     pub(super) fn text(&self, code: i32) -> Option<&'p str> {
-        self.pairs.iter().find(|(c, _)| *c == code).map(|(_, value)| value.trim())
+        self.pairs
+            .iter()
+            .find(|(c, _)| *c == code)
+            .map(|(_, value)| value.trim())
     }
 
     pub(super) fn real(&self, code: i32) -> Option<f64> {
@@ -68,7 +74,13 @@ pub(super) struct Style {
 }
 
 /// Adds what a record draws; false if there is no room for more.
-pub(super) fn draw(record: &Record<'_>, follow: &[Record<'_>], home: &Home, style: &Style, lines: &mut Lines) -> bool {
+pub(super) fn draw(
+    record: &Record<'_>,
+    follow: &[Record<'_>],
+    home: &Home,
+    style: &Style,
+    lines: &mut Lines,
+) -> bool {
     let Some(found) = points(record, follow) else {
         lines.leave_out(record.kind);
         return true;
@@ -100,11 +112,18 @@ struct Path {
 
 impl Path {
     fn open(points: Vec<DVec2>) -> Path {
-        Path { points, ..Path::default() }
+        Path {
+            points,
+            ..Path::default()
+        }
     }
 
     fn area(points: Vec<DVec2>) -> Path {
-        Path { points, is_closed: true, is_filled: true }
+        Path {
+            points,
+            is_closed: true,
+            is_filled: true,
+        }
     }
 }
 
@@ -119,22 +138,62 @@ fn points(record: &Record<'_>, follow: &[Record<'_>]) -> Option<Vec<Path>> {
         "ARC" => {
             let (from, to) = (record.real(50)?.to_radians(), record.real(51)?.to_radians());
             let turn = (to - from).rem_euclid(std::f64::consts::TAU);
-            one(Path::open(arc(record.place(10)?, round(record)?, from, from + turn)))
+            one(Path::open(arc(
+                record.place(10)?,
+                round(record)?,
+                from,
+                from + turn,
+            )))
         }
-        "CIRCLE" => one(Path { points: arc(record.place(10)?, round(record)?, 0.0, std::f64::consts::TAU), is_closed: true, is_filled: false }),
+        "CIRCLE" => one(Path {
+            points: arc(
+                record.place(10)?,
+                round(record)?,
+                0.0,
+                std::f64::consts::TAU,
+            ),
+            is_closed: true,
+            is_filled: false,
+        }),
         "ELLIPSE" => {
             let (axis, ratio) = (record.place(11)?, record.real(40)?);
-            let (from, to) = (record.real(41).unwrap_or(0.0), record.real(42).unwrap_or(std::f64::consts::TAU));
-            one(Path::open(arc(record.place(10)?, [axis, axis.perp() * ratio], from, to)))
+            let (from, to) = (
+                record.real(41).unwrap_or(0.0),
+                record.real(42).unwrap_or(std::f64::consts::TAU),
+            );
+            one(Path::open(arc(
+                record.place(10)?,
+                [axis, axis.perp() * ratio],
+                from,
+                to,
+            )))
         }
-        "SPLINE" => one(Path { points: spline(record)?, is_closed: record.whole(70)? & 1 == 1, is_filled: false }),
+        "SPLINE" => one(Path {
+            points: spline(record)?,
+            is_closed: record.whole(70)? & 1 == 1,
+            is_filled: false,
+        }),
         "SOLID" | "TRACE" => {
-            let corners = [record.place(10)?, record.place(11)?, record.place(13).or(record.place(12))?, record.place(12)?];
+            let corners = [
+                record.place(10)?,
+                record.place(11)?,
+                record.place(13).or(record.place(12))?,
+                record.place(12)?,
+            ];
             one(Path::area(corners.to_vec()))
         }
         "3DFACE" => {
-            let corners = [record.place(10)?, record.place(11)?, record.place(12)?, record.place(13).or(record.place(12))?];
-            one(Path { points: corners.to_vec(), is_closed: true, is_filled: false })
+            let corners = [
+                record.place(10)?,
+                record.place(11)?,
+                record.place(12)?,
+                record.place(13).or(record.place(12))?,
+            ];
+            one(Path {
+                points: corners.to_vec(),
+                is_closed: true,
+                is_filled: false,
+            })
         }
         "HATCH" => Some(hatch(record)),
         "TEXT" | "MTEXT" | "ATTRIB" | "ATTDEF" => one(Path::open(vec![record.place(10)?])),
@@ -149,15 +208,29 @@ fn round(record: &Record<'_>) -> Option<[DVec2; 2]> {
 
 /// Places of one group code, in their order.
 fn places(pairs: &[Pair<'_>], code: i32) -> Vec<DVec2> {
-    let of = |code: i32| pairs.iter().filter(move |(c, _)| *c == code).filter_map(|(_, value)| number(value.trim()));
-    of(code).zip(of(code + 10)).map(|(x, y)| dvec2(x, y)).collect()
+    let of = |code: i32| {
+        pairs
+            .iter()
+            .filter(move |(c, _)| *c == code)
+            .filter_map(|(_, value)| number(value.trim()))
+    };
+    of(code)
+        .zip(of(code + 10))
+        .map(|(x, y)| dvec2(x, y))
+        .collect()
 }
 
 /// Corners with the bulges of the segments that begin at them.
 fn joined(corners: &[(DVec2, f64)], is_closed: bool) -> Vec<DVec2> {
-    let Some((first, _)) = corners.first() else { return vec![] };
+    let Some((first, _)) = corners.first() else {
+        return vec![];
+    };
     let mut points = vec![*first];
-    let count = if is_closed { corners.len() } else { corners.len() - 1 };
+    let count = if is_closed {
+        corners.len()
+    } else {
+        corners.len() - 1
+    };
     for k in 0..count {
         let ((from, bulge), (to, _)) = (corners[k], corners[(k + 1) % corners.len()]);
         points.extend(bulged(from, to, bulge));
@@ -179,7 +252,11 @@ fn light(record: &Record<'_>) -> Option<Path> {
         }
     }
     let is_closed = record.whole(70).unwrap_or(0) & 1 == 1;
-    corners.iter().all(|c| c.0.is_finite()).then(|| Path { points: joined(&corners, is_closed), is_closed, is_filled: false })
+    corners.iter().all(|c| c.0.is_finite()).then(|| Path {
+        points: joined(&corners, is_closed),
+        is_closed,
+        is_filled: false,
+    })
 }
 
 fn heavy(record: &Record<'_>, follow: &[Record<'_>]) -> Option<Path> {
@@ -192,8 +269,14 @@ fn heavy(record: &Record<'_>, follow: &[Record<'_>]) -> Option<Path> {
     let vertices = follow.iter().filter(|r| r.kind == "VERTEX");
     // Control points of splines lie beside the line.
     let vertices = vertices.filter(|r| r.whole(70).unwrap_or(0) & 16 == 0);
-    let corners: Option<Vec<(DVec2, f64)>> = vertices.map(|r| Some((r.place(10)?, r.real(42).unwrap_or(0.0)))).collect();
-    Some(Path { points: joined(&corners?, is_closed), is_closed, is_filled: false })
+    let corners: Option<Vec<(DVec2, f64)>> = vertices
+        .map(|r| Some((r.place(10)?, r.real(42).unwrap_or(0.0))))
+        .collect();
+    Some(Path {
+        points: joined(&corners?, is_closed),
+        is_closed,
+        is_filled: false,
+    })
 }
 
 /// A spline by its fit points, else by chords of its curve.
@@ -203,8 +286,15 @@ fn spline(record: &Record<'_>) -> Option<Vec<DVec2>> {
         return Some(fit);
     }
     let controls = places(record.pairs, 10);
-    let degree = usize::try_from(record.whole(71)?).ok().filter(|d| (1..=10).contains(d))?;
-    let knots: Vec<f64> = record.pairs.iter().filter(|(c, _)| *c == 40).filter_map(|(_, v)| number(v.trim())).collect();
+    let degree = usize::try_from(record.whole(71)?)
+        .ok()
+        .filter(|d| (1..=10).contains(d))?;
+    let knots: Vec<f64> = record
+        .pairs
+        .iter()
+        .filter(|(c, _)| *c == 40)
+        .filter_map(|(_, v)| number(v.trim()))
+        .collect();
     let rises = knots.windows(2).all(|w| w[0] <= w[1]);
     if controls.len() <= degree || knots.len() < controls.len() + degree + 1 || !rises {
         return (controls.len() > 1).then_some(controls);
@@ -213,12 +303,19 @@ fn spline(record: &Record<'_>) -> Option<Vec<DVec2>> {
     let steps = (controls.len() * 6).min(2000);
     let at = |k: usize| {
         let t = from + (to - from) * k as f64 / steps as f64;
-        let span = (degree..controls.len() - 1).rev().find(|j| knots[*j] <= t).unwrap_or(degree);
+        let span = (degree..controls.len() - 1)
+            .rev()
+            .find(|j| knots[*j] <= t)
+            .unwrap_or(degree);
         let mut d: Vec<DVec2> = controls[span - degree..=span].to_vec();
         for r in 1..=degree {
             for j in (r..=degree).rev() {
                 let (low, high) = (knots[span - degree + j], knots[span + 1 + j - r]);
-                let share = if high > low { (t - low) / (high - low) } else { 0.0 };
+                let share = if high > low {
+                    (t - low) / (high - low)
+                } else {
+                    0.0
+                };
                 d[j] = d[j - 1].lerp(d[j], share);
             }
         }
@@ -234,11 +331,22 @@ fn hatch(record: &Record<'_>) -> Vec<Path> {
     let mut rest = record.pairs;
     while let Some(at) = rest.iter().position(|(code, _)| *code == 92) {
         rest = &rest[at..];
-        let end = rest[1..].iter().position(|(code, _)| matches!(code, 92 | 97 | 75)).map_or(rest.len(), |k| k + 1);
+        let end = rest[1..]
+            .iter()
+            .position(|(code, _)| matches!(code, 92 | 97 | 75))
+            .map_or(rest.len(), |k| k + 1);
         let (own, flags) = (&rest[1..end], rest[0].1.trim().parse::<i32>().unwrap_or(0));
-        let points = if flags & 2 == 2 { places(own, 10) } else { edges(own) };
+        let points = if flags & 2 == 2 {
+            places(own, 10)
+        } else {
+            edges(own)
+        };
         if points.len() > 2 {
-            paths.push(Path { points, is_closed: true, is_filled: is_solid });
+            paths.push(Path {
+                points,
+                is_closed: true,
+                is_filled: is_solid,
+            });
         }
         rest = &rest[end..];
     }
@@ -250,13 +358,28 @@ fn edges(pairs: &[Pair<'_>]) -> Vec<DVec2> {
     let mut points = vec![];
     for (k, start) in starts.iter().enumerate() {
         let own = &pairs[start + 1..starts.get(k + 1).copied().unwrap_or(pairs.len())];
-        let real = |code: i32| own.iter().find(|(c, _)| *c == code).and_then(|(_, v)| number(v.trim()));
+        let real = |code: i32| {
+            own.iter()
+                .find(|(c, _)| *c == code)
+                .and_then(|(_, v)| number(v.trim()))
+        };
         match pairs[*start].1.trim() {
             "1" => points.extend(places(own, 10).into_iter().chain(places(own, 11))),
             "2" => {
-                let (Some(radius), Some(middle)) = (real(40), places(own, 10).first().copied()) else { continue };
-                let (from, to) = (real(50).unwrap_or(0.0).to_radians(), real(51).unwrap_or(360.0).to_radians());
-                points.extend(arc(middle, [DVec2::X * radius, DVec2::Y * radius], from, to));
+                let (Some(radius), Some(middle)) = (real(40), places(own, 10).first().copied())
+                else {
+                    continue;
+                };
+                let (from, to) = (
+                    real(50).unwrap_or(0.0).to_radians(),
+                    real(51).unwrap_or(360.0).to_radians(),
+                );
+                points.extend(arc(
+                    middle,
+                    [DVec2::X * radius, DVec2::Y * radius],
+                    from,
+                    to,
+                ));
             }
             _ => {}
         }
@@ -275,7 +398,10 @@ pub(super) fn copies(record: &Record<'_>, base: [f64; 2]) -> Vec<DMat3> {
     let mut all = vec![];
     for row in 0..count(71) {
         for column in 0..count(70) {
-            let off = dvec2(f64::from(column) * real(44, 0.0), f64::from(row) * real(45, 0.0));
+            let off = dvec2(
+                f64::from(column) * real(44, 0.0),
+                f64::from(row) * real(45, 0.0),
+            );
             let place = DMat3::from_translation(at) * turn * DMat3::from_translation(off);
             all.push(record.plane() * place * DMat3::from_scale(scale) * base);
         }
@@ -290,7 +416,10 @@ pub(super) fn decoded(name: &str) -> String {
     while let Some(at) = rest.find("\\U+") {
         out.push_str(&rest[..at]);
         let digits = rest.get(at + 3..at + 7);
-        match digits.and_then(|d| u32::from_str_radix(d, 16).ok()).and_then(char::from_u32) {
+        match digits
+            .and_then(|d| u32::from_str_radix(d, 16).ok())
+            .and_then(char::from_u32)
+        {
             Some(letter) => {
                 out.push(letter);
                 rest = &rest[at + 7..];

@@ -103,7 +103,9 @@ impl Both {
         let (mut low, mut high) = (DVec2::MAX, DVec2::MIN);
         for (stroke, role) in strokes.iter().zip(means) {
             match role {
-                Some(Means::Wall | Means::Grid) => lines(stroke, *role == Some(Means::Wall), &mut axes),
+                Some(Means::Wall | Means::Grid) => {
+                    lines(stroke, *role == Some(Means::Wall), &mut axes)
+                }
                 Some(Means::Post) => {
                     let (a, b) = bounds(&stroke.points);
                     let middle = (a + b) / 2.0;
@@ -132,7 +134,11 @@ impl Both {
     }
 
     fn between(&self, turns: f64) -> f64 {
-        let (far, all) = self.axes.iter().map(|a| a.between(turns)).fold((0.0, 0.0), |s, b| (s.0 + b.0, s.1 + b.1));
+        let (far, all) = self
+            .axes
+            .iter()
+            .map(|a| a.between(turns))
+            .fold((0.0, 0.0), |s, b| (s.0 + b.0, s.1 + b.1));
         far / all
     }
 
@@ -140,7 +146,9 @@ impl Both {
     fn refined(&self, turns: f64, by: f64) -> (f64, f64) {
         let steps = ((turns * by * self.extent * 40.0).ceil() as i32).clamp(40, 400);
         let near = (-steps..=steps).map(|k| turns * (1.0 + by * f64::from(k) / f64::from(steps)));
-        let best = near.map(|t| (self.fit(t), t)).max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));
+        let best = near
+            .map(|t| (self.fit(t), t))
+            .max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));
         best.unwrap_or((0.0, turns))
     }
 
@@ -170,15 +178,23 @@ impl Both {
         let count = ((SIDE[1] - SIDE[0]) * 12.0) as usize;
         let fits: Vec<f64> = (0..count).map(|k| self.fit(turns(k))).collect();
         let most = fits.iter().copied().fold(0.0, f64::max);
-        let is_peak = |k: &usize| *k > 0 && *k + 1 < count && fits[*k] >= fits[k - 1] && fits[*k] >= fits[k + 1];
-        let high = (1..count).filter(is_peak).filter(|k| fits[*k] > most * 0.75);
+        let is_peak = |k: &usize| {
+            *k > 0 && *k + 1 < count && fits[*k] >= fits[k - 1] && fits[*k] >= fits[k + 1]
+        };
+        let high = (1..count)
+            .filter(is_peak)
+            .filter(|k| fits[*k] > most * 0.75);
         let mut refined = high.map(|k| self.refined(turns(k), step / turns(k)));
         refined.find(|(fit, turns)| *fit > AGREES[1] && self.between(*turns) < BETWEEN)
     }
 }
 
 fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
-    points.iter().fold((DVec2::MAX, DVec2::MIN), |(low, high), p| (low.min(*p), high.max(*p)))
+    points
+        .iter()
+        .fold((DVec2::MAX, DVec2::MIN), |(low, high), p| {
+            (low.min(*p), high.max(*p))
+        })
 }
 
 /// The places of lines along the axes; of walls their ends too.
@@ -189,7 +205,9 @@ fn lines(stroke: &Stroke, has_ends: bool, axes: &mut [Marks; 2]) {
         if way[across] > way[along] * 0.15 {
             continue;
         }
-        axes[across].0.push(((p[across] + q[across]) / 2.0, way[along]));
+        axes[across]
+            .0
+            .push(((p[across] + q[across]) / 2.0, way[along]));
         if has_ends {
             axes[along].0.push((p[along], way[along] * 0.25));
             axes[along].0.push((q[along], way[along] * 0.25));
@@ -202,7 +220,9 @@ fn smooth(stroke: &Stroke) -> Stroke {
     let mut points: Vec<DVec2> = vec![];
     for &p in &stroke.points {
         while let [.., a, b] = points[..] {
-            let turn = (b - a).normalize_or_zero().perp_dot((p - b).normalize_or_zero());
+            let turn = (b - a)
+                .normalize_or_zero()
+                .perp_dot((p - b).normalize_or_zero());
             if turn.abs() > TURNS || (b - a).dot(p - b) < 0.0 {
                 break;
             }
@@ -212,13 +232,23 @@ fn smooth(stroke: &Stroke) -> Stroke {
     }
     // A closed line may start within a side.
     while let ([a, b, ..], [.., z]) = (&points[..], &points[..]) {
-        let turn = (*a - *z).normalize_or_zero().perp_dot((*b - *a).normalize_or_zero());
-        if !stroke.is_closed || points.len() < 4 || turn.abs() > TURNS || (*a - *z).dot(*b - *a) < 0.0 {
+        let turn = (*a - *z)
+            .normalize_or_zero()
+            .perp_dot((*b - *a).normalize_or_zero());
+        if !stroke.is_closed
+            || points.len() < 4
+            || turn.abs() > TURNS
+            || (*a - *z).dot(*b - *a) < 0.0
+        {
             break;
         }
         points.remove(0);
     }
-    Stroke { points, is_closed: stroke.is_closed, ..Stroke::default() }
+    Stroke {
+        points,
+        is_closed: stroke.is_closed,
+        ..Stroke::default()
+    }
 }
 
 /// The sides of a stroke.
@@ -245,5 +275,10 @@ pub(super) fn find(lines: &Lines, means: &[Option<Means>], given: Option<f64>) -
         let sum = both.axes[k].sum(turns);
         libm::atan2(sum.y, sum.x) / std::f64::consts::TAU / turns
     };
-    Some(Grid { origin: dvec2(phase(0), phase(1)), unit: 1.0 / turns, unit_mm, fit: both.fit(turns) })
+    Some(Grid {
+        origin: dvec2(phase(0), phase(1)),
+        unit: 1.0 / turns,
+        unit_mm,
+        fit: both.fit(turns),
+    })
 }

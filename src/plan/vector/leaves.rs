@@ -47,7 +47,12 @@ impl Place {
 
 /// The four units that meet in a crossing.
 pub(super) fn around((u, v): (i32, i32)) -> [At; 4] {
-    [((u, v), false), ((u - 1, v), false), ((u, v), true), ((u, v - 1), true)]
+    [
+        ((u, v), false),
+        ((u - 1, v), false),
+        ((u, v), true),
+        ((u, v - 1), true),
+    ]
 }
 
 /// A door on hinges: where it may stand, and the strokes that are its leaf and its arc.
@@ -58,11 +63,26 @@ pub(super) struct Leaf {
 
 /// Finds doors on hinges among the strokes of doors.
 pub(super) fn find(strokes: &[Stroke], means: &[Option<Means>], grid: &Grid) -> Vec<Leaf> {
-    let is_near = |stroke: &Stroke| stroke.points.iter().all(|p| grid.units_of(*p).abs().max_element() < FARTHEST);
-    let is_door = |k: &usize| matches!(means[*k], Some(Means::Door | Means::Hinged)) && is_near(&strokes[*k]);
+    let is_near = |stroke: &Stroke| {
+        stroke
+            .points
+            .iter()
+            .all(|p| grid.units_of(*p).abs().max_element() < FARTHEST)
+    };
+    let is_door =
+        |k: &usize| matches!(means[*k], Some(Means::Door | Means::Hinged)) && is_near(&strokes[*k]);
     let doors: Vec<(usize, Vec<DVec2>)> = (0..strokes.len())
         .filter(is_door)
-        .map(|k| (k, strokes[k].points.iter().map(|p| grid.units_of(*p)).collect()))
+        .map(|k| {
+            (
+                k,
+                strokes[k]
+                    .points
+                    .iter()
+                    .map(|p| grid.units_of(*p))
+                    .collect(),
+            )
+        })
         .collect();
     let mut leaves = vec![];
     let mut used = std::collections::BTreeSet::new();
@@ -76,18 +96,28 @@ pub(super) fn find(strokes: &[Stroke], means: &[Option<Means>], grid: &Grid) -> 
         }
     }
     for (k, arc) in arcs {
-        let own: Vec<usize> = lines.iter().filter(|(_, line)| arc.leaf(*line).is_some()).map(|(j, _)| *j).collect();
+        let own: Vec<usize> = lines
+            .iter()
+            .filter(|(_, line)| arc.leaf(*line).is_some())
+            .map(|(j, _)| *j)
+            .collect();
         let tip = lines.iter().find_map(|(_, line)| arc.leaf(*line));
         used.extend(own.iter().copied());
         let places = arc.places(tip);
         if !places.is_empty() {
-            leaves.push(Leaf { places, strokes: own.into_iter().chain([k]).collect() });
+            leaves.push(Leaf {
+                places,
+                strokes: own.into_iter().chain([k]).collect(),
+            });
         }
     }
     for (k, line) in lines {
         let places = slanted(line);
         if !used.contains(&k) && !places.is_empty() {
-            leaves.push(Leaf { places, strokes: vec![k] });
+            leaves.push(Leaf {
+                places,
+                strokes: vec![k],
+            });
         }
     }
     leaves
@@ -106,23 +136,40 @@ impl Arc {
         if points.len() < 5 {
             return None;
         }
-        let (a, b, c) = (points[0], points[points.len() / 2], points[points.len() - 1]);
+        let (a, b, c) = (
+            points[0],
+            points[points.len() / 2],
+            points[points.len() - 1],
+        );
         let (p, q) = (b - a, c - a);
         let cross = 2.0 * p.perp_dot(q);
         if cross.abs() < 1e-9 {
             return None;
         }
-        let off = dvec2(q.y * p.length_squared() - p.y * q.length_squared(), p.x * q.length_squared() - q.x * p.length_squared()) / cross;
+        let off = dvec2(
+            q.y * p.length_squared() - p.y * q.length_squared(),
+            p.x * q.length_squared() - q.x * p.length_squared(),
+        ) / cross;
         let (middle, radius) = (a + off, off.length());
-        let is_round = points.iter().all(|p| (p.distance(middle) - radius).abs() < radius * ROUND);
+        let is_round = points
+            .iter()
+            .all(|p| (p.distance(middle) - radius).abs() < radius * ROUND);
         let is_leaf = (RADIUS[0]..RADIUS[1]).contains(&radius) && a.distance(c) < radius * 1.7;
-        (is_round && is_leaf).then_some(Arc { middle, radius, ends: [a, c] })
+        (is_round && is_leaf).then_some(Arc {
+            middle,
+            radius,
+            ends: [a, c],
+        })
     }
 
     /// The end of a line at the arc, if it runs there from the middle.
     fn leaf(&self, line: [DVec2; 2]) -> Option<DVec2> {
         let [p, q] = line;
-        let [near, far] = if p.distance(self.middle) < q.distance(self.middle) { [p, q] } else { [q, p] };
+        let [near, far] = if p.distance(self.middle) < q.distance(self.middle) {
+            [p, q]
+        } else {
+            [q, p]
+        };
         let touches = self.ends.iter().any(|e| e.distance(far) < TOUCH);
         (near.distance(self.middle) < TOUCH && touches).then_some(far)
     }
@@ -131,8 +178,15 @@ impl Arc {
     fn places(&self, tip: Option<DVec2>) -> Vec<Place> {
         let is_tip = |e: &DVec2| tip.is_some_and(|t| t.distance(*e) < TOUCH);
         let closed: Vec<DVec2> = self.ends.iter().copied().filter(|e| !is_tip(e)).collect();
-        let closed = if closed.is_empty() { self.ends.to_vec() } else { closed };
-        closed.into_iter().filter_map(|end| self.place(end)).collect()
+        let closed = if closed.is_empty() {
+            self.ends.to_vec()
+        } else {
+            closed
+        };
+        closed
+            .into_iter()
+            .filter_map(|end| self.place(end))
+            .collect()
     }
 
     fn place(&self, end: DVec2) -> Option<Place> {
@@ -147,7 +201,11 @@ impl Arc {
         // Posts stand between the leaf and the lines of the grid.
         let count = (self.radius + 0.2).round().max(1.0);
         let from = (middle - count / 2.0).round();
-        let at = if upright { (line as i32, from as i32) } else { (from as i32, line as i32) };
+        let at = if upright {
+            (line as i32, from as i32)
+        } else {
+            (from as i32, line as i32)
+        };
         Some(Place(at, upright, count as i32))
     }
 }
@@ -157,7 +215,10 @@ fn straight(points: &[DVec2]) -> Option<[DVec2; 2]> {
     let (first, last) = (*points.first()?, *points.last()?);
     let length = first.distance(last);
     let way = (last - first) / length;
-    let is_straight = length > RADIUS[0] && points.iter().all(|p| way.perp_dot(*p - first).abs() < 0.08 * length);
+    let is_straight = length > RADIUS[0]
+        && points
+            .iter()
+            .all(|p| way.perp_dot(*p - first).abs() < 0.08 * length);
     is_straight.then_some([first, last])
 }
 
@@ -166,7 +227,8 @@ fn slanted([p, q]: [DVec2; 2]) -> Vec<Place> {
     let way = q - p;
     let length = way.length();
     let slant = (way / length).abs();
-    let is_open = slant.min_element() > SLANT[0] && slant.max_element() < SLANT[1] && length < RADIUS[1];
+    let is_open =
+        slant.min_element() > SLANT[0] && slant.max_element() < SLANT[1] && length < RADIUS[1];
     if !is_open {
         return vec![];
     }
@@ -177,7 +239,25 @@ fn slanted([p, q]: [DVec2; 2]) -> Vec<Place> {
     }
     let (at, way) = (hinge.round(), tip - hinge);
     let count = (length - 0.2).round().max(1.0) as i32;
-    let level = Place((at.x as i32 - if way.x < 0.0 { count } else { 0 }, at.y as i32), false, count);
-    let upright = Place((at.x as i32, at.y as i32 - if way.y < 0.0 { count } else { 0 }), true, count);
-    if slant.y > slant.x { vec![upright, level] } else { vec![level, upright] }
+    let level = Place(
+        (
+            at.x as i32 - if way.x < 0.0 { count } else { 0 },
+            at.y as i32,
+        ),
+        false,
+        count,
+    );
+    let upright = Place(
+        (
+            at.x as i32,
+            at.y as i32 - if way.y < 0.0 { count } else { 0 },
+        ),
+        true,
+        count,
+    );
+    if slant.y > slant.x {
+        vec![upright, level]
+    } else {
+        vec![level, upright]
+    }
 }

@@ -94,7 +94,9 @@ impl Lines {
 /// Places along an arc of an ellipse: its middle, its two half axes, angles from the first axis towards the second.
 pub(super) fn arc(middle: DVec2, axes: [DVec2; 2], from: f64, to: f64) -> Vec<DVec2> {
     let turn = (to - from).clamp(-std::f64::consts::TAU, std::f64::consts::TAU);
-    let count = (turn.abs() / std::f64::consts::TAU * CHORDS).ceil().max(2.0) as usize;
+    let count = (turn.abs() / std::f64::consts::TAU * CHORDS)
+        .ceil()
+        .max(2.0) as usize;
     let at = |k: usize| {
         let angle = from + turn * k as f64 / count as f64;
         middle + axes[0] * libm::cos(angle) + axes[1] * libm::sin(angle)

@@ -16,7 +16,9 @@ const ANGLES: [f64; 4] = [90.0, 15.0, 1.0, 0.1];
 /// # Errors
 /// If the file is no XML, or somebody has turned or shifted a group of it.
 pub fn read(svg: &str) -> Result<Option<String>, Refused> {
-    let Some(drawing) = told::collect(svg)? else { return Ok(None) };
+    let Some(drawing) = told::collect(svg)? else {
+        return Ok(None);
+    };
     write(&drawing).map(Some)
 }
 
@@ -51,29 +53,60 @@ pub(super) fn write(drawing: &Drawing) -> Result<String, Refused> {
 }
 
 fn azimuth(house: &House) -> Option<f64> {
-    house.values().find_map(|level| numbers(level.told.get("data-place")?).get(3).copied())
+    house
+        .values()
+        .find_map(|level| numbers(level.told.get("data-place")?).get(3).copied())
 }
 
 fn numbers(text: &str) -> Vec<f64> {
-    text.split_whitespace().filter_map(|n| n.parse().ok()).filter(|n: &f64| n.is_finite() && n.abs() < 1e9).collect()
+    text.split_whitespace()
+        .filter_map(|n| n.parse().ok())
+        .filter(|n: &f64| n.is_finite() && n.abs() < 1e9)
+        .collect()
 }
 
-fn write_house(drawing: &Drawing, house: &House, (front, several): (f64, bool), out: &mut String) -> Result<(), Refused> {
-    let Some(told) = house.values().map(|level| &level.told).find(|t| !t.is_empty()) else { return Ok(()) };
+fn write_house(
+    drawing: &Drawing,
+    house: &House,
+    (front, several): (f64, bool),
+    out: &mut String,
+) -> Result<(), Refused> {
+    let Some(told) = house
+        .values()
+        .map(|level| &level.told)
+        .find(|t| !t.is_empty())
+    else {
+        return Ok(());
+    };
     let place = told.get("data-place").map(numbers).unwrap_or_default();
     let &[east, north, up, azimuth] = &place[..] else {
-        return Err(Refused::Unclear("a house is not told its place (data-place)".to_owned()));
+        return Err(Refused::Unclear(
+            "a house is not told its place (data-place)".to_owned(),
+        ));
     };
-    let unit = told.get("data-unit").and_then(|u| u.parse::<f64>().ok()).filter(|u| *u > 0.01 && *u < 1000.0);
-    let unit = unit.ok_or_else(|| Refused::Unclear("a house is not told its unit (data-unit)".to_owned()))?;
+    let unit = told
+        .get("data-unit")
+        .and_then(|u| u.parse::<f64>().ok())
+        .filter(|u| *u > 0.01 && *u < 1000.0);
+    let unit = unit
+        .ok_or_else(|| Refused::Unclear("a house is not told its unit (data-unit)".to_owned()))?;
     let pad = if several { "  " } else { "" };
     let _ = write!(out, "{pad}<House");
     let name = told.get("data-name").unwrap_or_default();
     if !name.is_empty() {
         let _ = write!(out, " name=\"{}\"", escaped(name));
     }
-    let values = [("unit", unit, 3.0), ("azimuth", azimuth, 180.0), ("x", east, 0.0), ("y", north, 0.0), ("z", up, 0.0)];
-    for (key, value, _) in values.into_iter().filter(|(_, value, usual)| value != usual) {
+    let values = [
+        ("unit", unit, 3.0),
+        ("azimuth", azimuth, 180.0),
+        ("x", east, 0.0),
+        ("y", north, 0.0),
+        ("z", up, 0.0),
+    ];
+    for (key, value, _) in values
+        .into_iter()
+        .filter(|(_, value, usual)| value != usual)
+    {
         let _ = write!(out, " {key}=\"{}\"", short(value));
     }
     if told.get("data-street") == Some("yes") {
@@ -88,13 +121,26 @@ fn write_house(drawing: &Drawing, house: &House, (front, several): (f64, bool), 
     Ok(())
 }
 
-fn write_level(drawing: &Drawing, level: &Level, (unit, turn): (f64, f64), pad: &str, out: &mut String) -> Result<(), Refused> {
+fn write_level(
+    drawing: &Drawing,
+    level: &Level,
+    (unit, turn): (f64, f64),
+    pad: &str,
+    out: &mut String,
+) -> Result<(), Refused> {
     if level.walks.is_empty() {
         return Ok(());
     }
-    let height = level.told.get("data-height").and_then(|h| h.parse::<f64>().ok()).filter(|h| *h > 0.0);
+    let height = level
+        .told
+        .get("data-height")
+        .and_then(|h| h.parse::<f64>().ok())
+        .filter(|h| *h > 0.0);
     let height = height.map_or(String::new(), |h| format!(" height=\"{}\"", short(h)));
-    let kind = level.told.get("data-kind").map_or(String::new(), |k| format!(" kind=\"{}\"", escaped(k)));
+    let kind = level
+        .told
+        .get("data-kind")
+        .map_or(String::new(), |k| format!(" kind=\"{}\"", escaped(k)));
     let mut walks: Vec<(&Walk, DVec2, Vec<Wall<'_>>)> = vec![];
     for walk in level.walks.iter().filter(|w| !w.lines.is_empty()) {
         let (start, walls) = placed(drawing, walk, (unit, turn))?;
@@ -103,8 +149,12 @@ fn write_level(drawing: &Drawing, level: &Level, (unit, turn): (f64, f64), pad: 
     // The rows of a storey are its first walk, which is no court and no wall inside.
     let is_outer = |walk: &Walk| walk.kind == "outline" || walk.kind == "open";
     let rows = walks.first().is_some_and(|(walk, ..)| is_outer(walk));
-    let start = walks.first().filter(|(_, start, _)| rows && *start != DVec2::ZERO);
-    let start = start.map_or(String::new(), |(_, start, _)| format!(" start=\"{}\"", place(*start)));
+    let start = walks
+        .first()
+        .filter(|(_, start, _)| rows && *start != DVec2::ZERO);
+    let start = start.map_or(String::new(), |(_, start, _)| {
+        format!(" start=\"{}\"", place(*start))
+    });
     let _ = writeln!(out, "{pad}  <Storey{height}{kind}{start}>");
     for (k, (walk, start, walls)) in walks.iter().enumerate() {
         if rows && k == 0 {
@@ -121,23 +171,49 @@ fn write_level(drawing: &Drawing, level: &Level, (unit, turn): (f64, f64), pad: 
         let _ = writeln!(out, "{pad}    </Loop>");
     }
     for room in &level.rooms {
-        let name = if room.name.is_empty() { String::new() } else { format!(" name=\"{}\"", escaped(&room.name)) };
-        let floor = if room.floor.is_empty() { String::new() } else { format!(" floor=\"{}\"", escaped(&room.floor)) };
-        let _ = writeln!(out, "{pad}    <Room{name} at=\"{}\"{floor}/>", escaped(&room.at));
+        let name = if room.name.is_empty() {
+            String::new()
+        } else {
+            format!(" name=\"{}\"", escaped(&room.name))
+        };
+        let floor = if room.floor.is_empty() {
+            String::new()
+        } else {
+            format!(" floor=\"{}\"", escaped(&room.floor))
+        };
+        let _ = writeln!(
+            out,
+            "{pad}    <Room{name} at=\"{}\"{floor}/>",
+            escaped(&room.at)
+        );
     }
     let _ = writeln!(out, "{pad}  </Storey>");
     Ok(())
 }
 
 /// Where a walk starts, and its walls with the widths of their bays.
-fn placed<'d>(drawing: &Drawing, walk: &'d Walk, (unit, turn): (f64, f64)) -> Result<(DVec2, Vec<Wall<'d>>), Refused> {
-    let told = walk.lines[0].told.get("data-start").map(numbers).unwrap_or_default();
+fn placed<'d>(
+    drawing: &Drawing,
+    walk: &'d Walk,
+    (unit, turn): (f64, f64),
+) -> Result<(DVec2, Vec<Wall<'d>>), Refused> {
+    let told = walk.lines[0]
+        .told
+        .get("data-start")
+        .map(numbers)
+        .unwrap_or_default();
     let &[a, b] = &told[..] else {
-        return Err(Refused::Unclear("a walk is not told its start (data-start)".to_owned()));
+        return Err(Refused::Unclear(
+            "a walk is not told its start (data-start)".to_owned(),
+        ));
     };
     let start = dvec2(a, b);
     let frame = Frame::new(drawing, unit, turn, (walk.lines[0].bays[0].from, start));
-    let mut walls: Vec<Wall<'_>> = walk.lines.iter().filter_map(|line| wall(line, &frame)).collect();
+    let mut walls: Vec<Wall<'_>> = walk
+        .lines
+        .iter()
+        .filter_map(|line| wall(line, &frame))
+        .collect();
     if walls.iter().all(|w| w.heading % 90.0 == 0.0) {
         square(start, &mut walls, 2.0 * frame.exact());
     }
@@ -157,11 +233,22 @@ fn square(start: DVec2, walls: &mut [Wall<'_>], doubt: f64) {
         };
         let end = wall.end[axis];
         let near = |p: &f64| (p - end).abs() <= doubt;
-        let end = known[axis].iter().copied().find(near).or(Some(round(end)).filter(near)).unwrap_or(end);
+        let end = known[axis]
+            .iter()
+            .copied()
+            .find(near)
+            .or(Some(round(end)).filter(near))
+            .unwrap_or(end);
         known[axis].push(end);
         let length: f64 = wall.bays.iter().map(|b| rounded(b.1)).sum();
         let off = (end - at[axis]) * ahead - length;
-        if let Some(last) = wall.bays.iter_mut().rev().find(|b| b.1 > doubt).filter(|_| off.abs() > 1e-9) {
+        if let Some(last) = wall
+            .bays
+            .iter_mut()
+            .rev()
+            .find(|b| b.1 > doubt)
+            .filter(|_| off.abs() > 1e-9)
+        {
             last.1 += off;
         }
         at[axis] = end;
@@ -189,7 +276,11 @@ fn wall<'d>(line: &'d Line, frame: &Frame) -> Option<Wall<'d>> {
     let heading = libm::atan2(whole.y, whole.x).to_degrees();
     let doubt = (2.0 * frame.exact() / length).to_degrees();
     let round = |step: f64| (heading / step).round() * step;
-    let heading = ANGLES.into_iter().map(round).find(|h| (h - heading).abs() <= doubt).unwrap_or(heading);
+    let heading = ANGLES
+        .into_iter()
+        .map(round)
+        .find(|h| (h - heading).abs() <= doubt)
+        .unwrap_or(heading);
     let ahead = whole / length;
     let mut off = 0.0;
     let bays = line.bays.iter().map(|bay| {
@@ -200,7 +291,11 @@ fn wall<'d>(line: &'d Line, frame: &Frame) -> Option<Wall<'d>> {
         off += width;
         (bay, width)
     });
-    Some(Wall { heading, end: from + whole, bays: bays.collect() })
+    Some(Wall {
+        heading,
+        end: from + whole,
+        bays: bays.collect(),
+    })
 }
 
 /// The width of a bay, units: that of its part, of quarter units, or as drawn.
@@ -230,8 +325,12 @@ fn write_rows(walls: &[Wall<'_>], kind: &str, pad: &str, out: &mut String) {
     // A court turns left unless it says otherwise.
     let usual = if kind == "court" { -90.0 } else { 90.0 };
     for (k, wall) in walls.iter().enumerate() {
-        let turn = walls.get(k + 1).map(|next| turned(next.heading - wall.heading));
-        let turn = turn.filter(|t| (t - usual).abs() > 1e-9).map_or(String::new(), |t| format!(" turn=\"{}\"", angle(t)));
+        let turn = walls
+            .get(k + 1)
+            .map(|next| turned(next.heading - wall.heading));
+        let turn = turn
+            .filter(|t| (t - usual).abs() > 1e-9)
+            .map_or(String::new(), |t| format!(" turn=\"{}\"", angle(t)));
         let _ = write!(out, "{pad}<Row{turn}>");
         for (bay, width) in &wall.bays {
             write_bay(bay, *width, out);
@@ -261,7 +360,12 @@ fn write_bay(bay: &Bay, width: f64, out: &mut String) {
     if is_usual && code.chars().all(plain) && !code.starts_with(' ') {
         out.push_str(code);
     } else {
-        let _ = write!(out, "<Part code=\"{}\" width=\"{}\"/>", escaped(code), short(width));
+        let _ = write!(
+            out,
+            "<Part code=\"{}\" width=\"{}\"/>",
+            escaped(code),
+            short(width)
+        );
     }
 }
 
@@ -272,9 +376,17 @@ fn place(p: DVec2) -> String {
 fn short(value: f64) -> String {
     let text = format!("{value:.6}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    if text == "-0" {
+        "0".to_owned()
+    } else {
+        text.to_owned()
+    }
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;").replace('{', "&#123;").replace('}', "&#125;")
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('"', "&quot;")
+        .replace('{', "&#123;")
+        .replace('}', "&#125;")
 }

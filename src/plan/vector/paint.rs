@@ -18,7 +18,11 @@ const BEYOND: f64 = 2.0;
 
 /// Draws all strokes but texts on white; none if there is nothing to draw.
 pub fn picture(lines: &Lines) -> Option<Picture> {
-    let drawn: Vec<&Stroke> = lines.strokes.iter().filter(|s| !s.is_text && s.points.len() > 1).collect();
+    let drawn: Vec<&Stroke> = lines
+        .strokes
+        .iter()
+        .filter(|s| !s.is_text && s.points.len() > 1)
+        .collect();
     let (low, high) = bounds(&drawn)?;
     let size = high - low;
     let scale = (LONGEST - 2.0 * MARGIN) / size.max_element();
@@ -33,15 +37,23 @@ pub fn picture(lines: &Lines) -> Option<Picture> {
         }
     }
     let pixels = RgbImage::from_fn(map.width(), map.height(), |x, y| {
-        map.pixel(x, y).map_or(Rgb([255; 3]), |p| Rgb([p.red(), p.green(), p.blue()]))
+        map.pixel(x, y)
+            .map_or(Rgb([255; 3]), |p| Rgb([p.red(), p.green(), p.blue()]))
     });
-    Some(Picture { pixels, shrink: 1.0 })
+    Some(Picture {
+        pixels,
+        shrink: 1.0,
+    })
 }
 
 fn draw(stroke: &Stroke, at: &dyn Fn(DVec2) -> DVec2, scale: f64, map: &mut Pixmap) {
     let mut path = PathBuilder::new();
     for (k, p) in stroke.points.iter().map(|p| at(*p)).enumerate() {
-        if k == 0 { path.move_to(p.x as f32, p.y as f32) } else { path.line_to(p.x as f32, p.y as f32) }
+        if k == 0 {
+            path.move_to(p.x as f32, p.y as f32)
+        } else {
+            path.line_to(p.x as f32, p.y as f32)
+        }
     }
     if stroke.is_closed {
         path.close();
@@ -52,10 +64,20 @@ fn draw(stroke: &Stroke, at: &dyn Fn(DVec2) -> DVec2, scale: f64, map: &mut Pixm
     paint.set_color_rgba8(r, g, b, 255);
     paint.anti_alias = true;
     if stroke.is_filled {
-        map.fill_path(&path, &paint, FillRule::EvenOdd, Transform::identity(), None);
+        map.fill_path(
+            &path,
+            &paint,
+            FillRule::EvenOdd,
+            Transform::identity(),
+            None,
+        );
     }
     if !stroke.is_filled || stroke.width > 0.0 {
-        let pen = tiny_skia::Stroke { width: (stroke.width * scale).clamp(PEN, LONGEST) as f32, line_cap: LineCap::Butt, ..tiny_skia::Stroke::default() };
+        let pen = tiny_skia::Stroke {
+            width: (stroke.width * scale).clamp(PEN, LONGEST) as f32,
+            line_cap: LineCap::Butt,
+            ..tiny_skia::Stroke::default()
+        };
         map.stroke_path(&path, &paint, &pen, Transform::identity(), None);
     }
 }
@@ -64,12 +86,21 @@ fn draw(stroke: &Stroke, at: &dyn Fn(DVec2) -> DVec2, scale: f64, map: &mut Pixm
 fn bounds(strokes: &[&Stroke]) -> Option<(DVec2, DVec2)> {
     let mut limits = [DVec2::ZERO; 2];
     for axis in 0..2 {
-        let mut all: Vec<f64> = strokes.iter().flat_map(|s| sides(s).map(|[p, _]| p[axis])).collect();
+        let mut all: Vec<f64> = strokes
+            .iter()
+            .flat_map(|s| sides(s).map(|[p, _]| p[axis]))
+            .collect();
         all.sort_by(f64::total_cmp);
-        let part = |share: f64| all.get(((all.len().max(1) - 1) as f64 * share) as usize).copied();
+        let part = |share: f64| {
+            all.get(((all.len().max(1) - 1) as f64 * share) as usize)
+                .copied()
+        };
         let (low, high) = (part(0.02)?, part(0.98)?);
         let room = (high - low) * BEYOND;
-        let within: Vec<f64> = all.into_iter().filter(|v| *v >= low - room && *v <= high + room).collect();
+        let within: Vec<f64> = all
+            .into_iter()
+            .filter(|v| *v >= low - room && *v <= high + room)
+            .collect();
         limits[0][axis] = *within.first()?;
         limits[1][axis] = *within.last()?;
     }

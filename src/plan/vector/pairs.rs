@@ -18,7 +18,10 @@ pub(super) fn read<'b>(bytes: &'b [u8], text: &'b mut String) -> Result<Vec<Pair
         return binary(rest);
     }
     if bytes.starts_with(b"AC10") {
-        return Err(Refused::NotDxf { line: 1, what: "this is a DWG; save it as DXF".to_owned() });
+        return Err(Refused::NotDxf {
+            line: 1,
+            what: "this is a DWG; save it as DXF".to_owned(),
+        });
     }
     *text = decoded(bytes);
     let mut pairs = vec![];
@@ -27,7 +30,10 @@ pub(super) fn read<'b>(bytes: &'b [u8], text: &'b mut String) -> Result<Vec<Pair
         if line.trim().is_empty() && pairs.is_empty() {
             continue;
         }
-        let wrong = |what: &str| Refused::NotDxf { line: k + 1, what: what.to_owned() };
+        let wrong = |what: &str| Refused::NotDxf {
+            line: k + 1,
+            what: what.to_owned(),
+        };
         let Ok(code) = line.trim().parse::<i32>() else {
             // What stands after the end is nobody's business.
             if pairs.last().is_some_and(is_end) {
@@ -35,13 +41,17 @@ pub(super) fn read<'b>(bytes: &'b [u8], text: &'b mut String) -> Result<Vec<Pair
             }
             return Err(wrong("a group code (a whole number) was looked for"));
         };
-        let Some((_, value)) = lines.next() else { return Err(wrong("the file ends after a group code")) };
+        let Some((_, value)) = lines.next() else {
+            return Err(wrong("the file ends after a group code"));
+        };
         let value = value.strip_suffix('\r').unwrap_or(value);
         pairs.push((code, Cow::Borrowed(value)));
     }
     match pairs.iter().any(is_end) {
         true => Ok(pairs),
-        false => Err(Refused::Truncated { line: text.lines().count() }),
+        false => Err(Refused::Truncated {
+            line: text.lines().count(),
+        }),
     }
 }
 
@@ -57,7 +67,8 @@ fn decoded(bytes: &[u8]) -> String {
     // Programs name the code page of their makers, whatever the letters are. Bytes that begin a letter of Shift_JIS are rare signs
     // in western ones.
     let head = String::from_utf8_lossy(&bytes[..bytes.len().min(20_000)]).to_uppercase();
-    let is_western = (head.contains("ANSI_125") || head.contains("ISO8859")) && !bytes.iter().any(|b| (0x81..=0x9f).contains(b));
+    let is_western = (head.contains("ANSI_125") || head.contains("ISO8859"))
+        && !bytes.iter().any(|b| (0x81..=0x9f).contains(b));
     let (text, _, is_wrong) = encoding_rs::SHIFT_JIS.decode(bytes);
     match is_western || is_wrong && !head.contains("932") {
         true => encoding_rs::WINDOWS_1252.decode(bytes).0.into_owned(),
@@ -96,7 +107,9 @@ fn binary(bytes: &[u8]) -> Result<Vec<Pair<'_>>, Refused> {
         Some(taken)
     };
     loop {
-        let cut = Refused::Truncated { line: pairs.len() * 2 };
+        let cut = Refused::Truncated {
+            line: pairs.len() * 2,
+        };
         let pair = (|| {
             let short = |b: &[u8]| i32::from(i16::from_le_bytes([b[0], b[1]]));
             let code = match is_old {
@@ -107,14 +120,18 @@ fn binary(bytes: &[u8]) -> Result<Vec<Pair<'_>>, Refused> {
                 false => short(take(&mut at, 2)?),
             };
             let value = match kind(code) {
-                Kind::Real => f64::from_le_bytes(take(&mut at, 8)?.try_into().ok()?).to_string().into(),
+                Kind::Real => f64::from_le_bytes(take(&mut at, 8)?.try_into().ok()?)
+                    .to_string()
+                    .into(),
                 Kind::Whole(size) => {
                     let mut whole = [0; 8];
                     let taken = take(&mut at, size)?;
                     whole[..size].copy_from_slice(taken);
                     // The sign is in the highest byte that is there.
                     let shift = 64 - 8 * size as u32;
-                    ((i64::from_le_bytes(whole) << shift) >> shift).to_string().into()
+                    ((i64::from_le_bytes(whole) << shift) >> shift)
+                        .to_string()
+                        .into()
                 }
                 Kind::Bytes => {
                     let size = usize::from(take(&mut at, 1)?[0]);

@@ -1,7 +1,7 @@
 //! A page of a PDF: its lines with their colours, pens and layers, or the one picture on it.
 
-use super::refused::Refused;
 use super::lines::{Lines, MOST, Stroke, cubic, moved};
+use super::refused::Refused;
 use crate::plan::{Picture, Unreadable};
 use glam::{DMat3, DVec2, dvec2, dvec3};
 use hayro_syntax::Pdf;
@@ -34,21 +34,42 @@ pub enum Page {
 /// If the file is no PDF, locked, too large, or has no such page.
 pub fn read(bytes: &[u8], number: usize) -> Result<Page, Refused> {
     if bytes.len() > LARGEST {
-        return Err(Refused::TooLarge { what: "bytes", most: LARGEST });
+        return Err(Refused::TooLarge {
+            what: "bytes",
+            most: LARGEST,
+        });
     }
-    if !bytes[..bytes.len().min(1024)].windows(5).any(|w| w == b"%PDF-") {
+    if !bytes[..bytes.len().min(1024)]
+        .windows(5)
+        .any(|w| w == b"%PDF-")
+    {
         return Err(Refused::NotPdf("%PDF was looked for".to_owned()));
     }
     let pdf = Pdf::new(bytes.to_vec()).map_err(|e| Refused::NotPdf(format!("{e:?}")))?;
     let pages = pdf.pages();
-    let page = number.checked_sub(1).and_then(|k| pages.get(k)).ok_or(Refused::NoPage { asked: number, pages: pages.len() })?;
-    let mut drawn = Drawn { lines: Lines::default(), pictures: vec![], operations: 0 };
+    let page = number
+        .checked_sub(1)
+        .and_then(|k| pages.get(k))
+        .ok_or(Refused::NoPage {
+            asked: number,
+            pages: pages.len(),
+        })?;
+    let mut drawn = Drawn {
+        lines: Lines::default(),
+        pictures: vec![],
+        operations: 0,
+    };
     let turn = page.initial_transform(true).as_coeffs();
-    let state = State { matrix: matrix(turn), ..State::default() };
+    let state = State {
+        matrix: matrix(turn),
+        ..State::default()
+    };
     if let Some(stream) = page.page_stream() {
         drawn.draw(UntypedIter::new(stream), page.resources(), state, 0)?;
     }
-    let Drawn { lines, pictures, .. } = drawn;
+    let Drawn {
+        lines, pictures, ..
+    } = drawn;
     let strokes = lines.strokes.iter().filter(|s| !s.is_text).count();
     match pictures.into_iter().max_by_key(|(area, _)| *area) {
         Some((_, picture)) if strokes < FEW => decoded(&picture).map(Page::Picture),
@@ -72,19 +93,32 @@ fn decoded(stream: &Stream<'_>) -> Result<Picture, Refused> {
     }
     let dict = stream.dict();
     let size = |key: &str| dict.get::<u32>(key).filter(|s| *s > 0);
-    let (width, height) = size("Width").zip(size("Height")).ok_or_else(|| wrong("it has no size"))?;
+    let (width, height) = size("Width")
+        .zip(size("Height"))
+        .ok_or_else(|| wrong("it has no size"))?;
     let pixels = width as usize * height as usize;
     if pixels > 100_000_000 {
-        return Err(Refused::TooLarge { what: "pixels", most: 100_000_000 });
+        return Err(Refused::TooLarge {
+            what: "pixels",
+            most: 100_000_000,
+        });
     }
     let data = stream.decoded().map_err(|e| wrong(&format!("{e:?}")))?;
-    let bits = if dict.get::<bool>("ImageMask") == Some(true) { 1 } else { dict.get::<u32>("BitsPerComponent").unwrap_or(8) };
+    let bits = if dict.get::<bool>("ImageMask") == Some(true) {
+        1
+    } else {
+        dict.get::<u32>("BitsPerComponent").unwrap_or(8)
+    };
     let parts = match (bits, data.len() / pixels.max(1)) {
         (1, _) if data.len() >= width.div_ceil(8) as usize * height as usize => 0,
         (8, 1) => 1,
         (8, 3) => 3,
         (8, 4) => 4,
-        _ => return Err(wrong("it is not grey, RGB or CMYK with 8 bits, nor black and white")),
+        _ => {
+            return Err(wrong(
+                "it is not grey, RGB or CMYK with 8 bits, nor black and white",
+            ));
+        }
     };
     let row = width.div_ceil(8) as usize;
     let image = image::RgbImage::from_fn(width, height, |x, y| {
@@ -98,12 +132,15 @@ fn decoded(stream: &Stream<'_>) -> Result<Picture, Refused> {
         })
     });
     let mut png = Cursor::new(vec![]);
-    image.write_to(&mut png, image::ImageFormat::Png).map_err(|e| wrong(&e.to_string()))?;
+    image
+        .write_to(&mut png, image::ImageFormat::Png)
+        .map_err(|e| wrong(&e.to_string()))?;
     Picture::decode(png.get_ref()).map_err(unreadable)
 }
 
 fn cmyk([c, m, y, k]: [f64; 4]) -> [u8; 3] {
-    [c, m, y].map(|ink| ((1.0 - ink.clamp(0.0, 1.0)) * (1.0 - k.clamp(0.0, 1.0)) * 255.0).round() as u8)
+    [c, m, y]
+        .map(|ink| ((1.0 - ink.clamp(0.0, 1.0)) * (1.0 - k.clamp(0.0, 1.0)) * 255.0).round() as u8)
 }
 
 /// What holds for the next stroke.
@@ -118,7 +155,13 @@ struct State {
 
 impl Default for State {
     fn default() -> State {
-        State { matrix: DMat3::IDENTITY, stroke: [0; 3], fill: [0; 3], width: 1.0, is_dashed: false }
+        State {
+            matrix: DMat3::IDENTITY,
+            stroke: [0; 3],
+            fill: [0; 3],
+            width: 1.0,
+            is_dashed: false,
+        }
     }
 }
 
@@ -132,16 +175,29 @@ struct Drawn<'p> {
 }
 
 impl<'p> Drawn<'p> {
-    fn draw(&mut self, mut operations: UntypedIter<'_>, resources: &Resources<'p>, first: State, depth: usize) -> Result<(), Refused> {
+    fn draw(
+        &mut self,
+        mut operations: UntypedIter<'_>,
+        resources: &Resources<'p>,
+        first: State,
+        depth: usize,
+    ) -> Result<(), Refused> {
         let mut state = first;
-        let (mut kept, mut layers, mut path): (Vec<State>, Vec<Option<u32>>, Path) = (vec![], vec![], vec![]);
+        let (mut kept, mut layers, mut path): (Vec<State>, Vec<Option<u32>>, Path) =
+            (vec![], vec![], vec![]);
         while let Some(operation) = operations.next() {
             self.operations += 1;
             if self.operations > OPERATIONS {
-                return Err(Refused::TooLarge { what: "operations", most: OPERATIONS });
+                return Err(Refused::TooLarge {
+                    what: "operations",
+                    most: OPERATIONS,
+                });
             }
             let operands: Vec<Object<'_>> = operation.operands().cloned().collect();
-            let numbers: Vec<f64> = operands.iter().filter_map(|o| o.clone().into_number().map(|n| n.as_f64())).collect();
+            let numbers: Vec<f64> = operands
+                .iter()
+                .filter_map(|o| o.clone().into_number().map(|n| n.as_f64()))
+                .collect();
             let word: &[u8] = operation.operator;
             match word {
                 b"q" if kept.len() < 4096 => kept.push(state.clone()),
@@ -150,9 +206,14 @@ impl<'p> Drawn<'p> {
                     self.paint(word, std::mem::take(&mut path), &state, &layers)?;
                 }
                 b"BDC" | b"BMC" => {
-                    let names: Vec<Name<'_>> = operands.into_iter().filter_map(Object::into_name).collect();
-                    let layer = names.get(1).filter(|_| names[0].as_ref() == b"OC").and_then(|n| resources.properties.get::<Dict<'_>>(n));
-                    let name = layer.and_then(|l| l.get::<hayro_syntax::object::String<'_>>("Name"));
+                    let names: Vec<Name<'_>> =
+                        operands.into_iter().filter_map(Object::into_name).collect();
+                    let layer = names
+                        .get(1)
+                        .filter(|_| names[0].as_ref() == b"OC")
+                        .and_then(|n| resources.properties.get::<Dict<'_>>(n));
+                    let name =
+                        layer.and_then(|l| l.get::<hayro_syntax::object::String<'_>>("Name"));
                     layers.push(name.map(|n| self.lines.name(&text(n.as_ref()))));
                 }
                 b"EMC" => drop(layers.pop()),
@@ -164,7 +225,11 @@ impl<'p> Drawn<'p> {
                 }
                 b"Tj" | b"TJ" | b"'" | b"\"" => {
                     let at = moved(&state.matrix, DVec2::ZERO);
-                    self.put(Stroke { points: vec![at], is_text: true, ..Stroke::default() })?;
+                    self.put(Stroke {
+                        points: vec![at],
+                        is_text: true,
+                        ..Stroke::default()
+                    })?;
                 }
                 _ if !build(word, &numbers, &mut path) => set(word, &numbers, operands, &mut state),
                 _ => {}
@@ -173,7 +238,13 @@ impl<'p> Drawn<'p> {
         Ok(())
     }
 
-    fn used(&mut self, form: Stream<'p>, resources: &Resources<'p>, state: &State, depth: usize) -> Result<(), Refused> {
+    fn used(
+        &mut self,
+        form: Stream<'p>,
+        resources: &Resources<'p>,
+        state: &State,
+        depth: usize,
+    ) -> Result<(), Refused> {
         let kind = form.dict().get::<Name<'_>>("Subtype");
         match kind.as_ref().map(|k| k.as_ref()) {
             Some(b"Image") => {
@@ -182,18 +253,37 @@ impl<'p> Drawn<'p> {
                 Ok(())
             }
             Some(b"Form") if depth < DEEPEST => {
-                let Ok(data) = form.decoded_data() else { return Ok(()) };
+                let Ok(data) = form.decoded_data() else {
+                    return Ok(());
+                };
                 let own = form.dict().get::<Dict<'p>>("Resources").map(Resources::new);
-                let turn = form.dict().get::<[f64; 6]>("Matrix").map_or(DMat3::IDENTITY, matrix);
-                let state = State { matrix: state.matrix * turn, ..state.clone() };
-                self.draw(UntypedIter::new(&data), own.as_ref().unwrap_or(resources), state, depth + 1)
+                let turn = form
+                    .dict()
+                    .get::<[f64; 6]>("Matrix")
+                    .map_or(DMat3::IDENTITY, matrix);
+                let state = State {
+                    matrix: state.matrix * turn,
+                    ..state.clone()
+                };
+                self.draw(
+                    UntypedIter::new(&data),
+                    own.as_ref().unwrap_or(resources),
+                    state,
+                    depth + 1,
+                )
             }
             _ => Ok(()),
         }
     }
 
     /// Adds a path as strokes, areas or both; white areas take away nothing and are left out.
-    fn paint(&mut self, word: &[u8], path: Path, state: &State, layers: &[Option<u32>]) -> Result<(), Refused> {
+    fn paint(
+        &mut self,
+        word: &[u8],
+        path: Path,
+        state: &State,
+        layers: &[Option<u32>],
+    ) -> Result<(), Refused> {
         let strokes = matches!(word, b"S" | b"s" | b"B" | b"B*" | b"b" | b"b*");
         let fills = matches!(word, b"f" | b"F" | b"f*" | b"B" | b"B*" | b"b" | b"b*");
         let closes = matches!(word, b"s" | b"b" | b"b*");
@@ -220,7 +310,10 @@ impl<'p> Drawn<'p> {
     fn put(&mut self, stroke: Stroke) -> Result<(), Refused> {
         match self.lines.put(stroke) {
             true => Ok(()),
-            false => Err(Refused::TooLarge { what: "corners", most: MOST }),
+            false => Err(Refused::TooLarge {
+                what: "corners",
+                most: MOST,
+            }),
         }
     }
 }
@@ -229,7 +322,10 @@ impl<'p> Drawn<'p> {
 fn text(bytes: &[u8]) -> String {
     match bytes.strip_prefix(&[0xfe, 0xff]) {
         Some(wide) => {
-            let units: Vec<u16> = wide.chunks_exact(2).map(|c| u16::from_be_bytes([c[0], c[1]])).collect();
+            let units: Vec<u16> = wide
+                .chunks_exact(2)
+                .map(|c| u16::from_be_bytes([c[0], c[1]]))
+                .collect();
             String::from_utf16_lossy(&units)
         }
         None => String::from_utf8_lossy(bytes).into_owned(),
@@ -238,7 +334,11 @@ fn text(bytes: &[u8]) -> String {
 
 /// Adds to a path; false if the operation does something else.
 fn build(word: &[u8], numbers: &[f64], path: &mut Path) -> bool {
-    let last = path.last().and_then(|(p, _)| p.last()).copied().unwrap_or_default();
+    let last = path
+        .last()
+        .and_then(|(p, _)| p.last())
+        .copied()
+        .unwrap_or_default();
     let mut add = |points: Vec<DVec2>| match path.last_mut() {
         Some((line, false)) => line.extend(points),
         Some((line, true)) => {
@@ -258,7 +358,15 @@ fn build(word: &[u8], numbers: &[f64], path: &mut Path) -> bool {
                 *is_closed = true;
             }
         }
-        (b"re", &[x, y, w, h]) => path.push((vec![dvec2(x, y), dvec2(x + w, y), dvec2(x + w, y + h), dvec2(x, y + h)], true)),
+        (b"re", &[x, y, w, h]) => path.push((
+            vec![
+                dvec2(x, y),
+                dvec2(x + w, y),
+                dvec2(x + w, y + h),
+                dvec2(x, y + h),
+            ],
+            true,
+        )),
         _ => return false,
     }
     true

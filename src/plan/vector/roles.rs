@@ -1,8 +1,8 @@
 //! What the layers, blocks, colours and line types of a drawing stand for, by legends (`grammar/legend-cad.xml`).
 
 use super::lines::{Lines, Stroke};
-use super::xml::{Element, walk};
 use super::refused::Refused;
+use super::xml::{Element, walk};
 use std::collections::BTreeMap;
 
 /// What a stroke stands for.
@@ -56,7 +56,16 @@ impl Means {
 
     /// Whether it stands on a wall in place of it.
     pub fn is_opening(self) -> bool {
-        matches!(self, Means::Door | Means::Glazing | Means::Slide | Means::Hinged | Means::Window | Means::Lattice | Means::Open)
+        matches!(
+            self,
+            Means::Door
+                | Means::Glazing
+                | Means::Slide
+                | Means::Hinged
+                | Means::Window
+                | Means::Lattice
+                | Means::Open
+        )
     }
 }
 
@@ -86,11 +95,18 @@ impl Roles {
             let role = role.ok_or_else(|| wrong(format!("`{word}` is no role")))?.1;
             if element.name() == "Colour" {
                 let value = element.own("value").unwrap_or_default();
-                let colour: svgtypes::Color = value.parse().map_err(|_| wrong(format!("`{value}` is no colour")))?;
-                roles.colours.push(([colour.red, colour.green, colour.blue], role));
+                let colour: svgtypes::Color = value
+                    .parse()
+                    .map_err(|_| wrong(format!("`{value}` is no colour")))?;
+                roles
+                    .colours
+                    .push(([colour.red, colour.green, colour.blue], role));
                 return Ok(());
             }
-            let name = element.own("name").filter(|n| !n.is_empty()).ok_or_else(|| wrong(format!("a <{}> needs a name", element.name())))?;
+            let name = element
+                .own("name")
+                .filter(|n| !n.is_empty())
+                .ok_or_else(|| wrong(format!("a <{}> needs a name", element.name())))?;
             let list = match element.name() {
                 "Layer" => &mut roles.layers,
                 "Block" => &mut roles.blocks,
@@ -116,21 +132,41 @@ impl Roles {
     pub fn of(&self, lines: &Lines) -> Vec<Option<Means>> {
         let mut known: [BTreeMap<u32, Option<Means>>; 3] = Default::default();
         let [layers, blocks, line_types] = &mut known;
-        let mut look = |list: &[(String, Means)], known: &mut BTreeMap<u32, Option<Means>>, number: u32| {
-            *known.entry(number).or_insert_with(|| {
-                let name = lines.named(number).to_uppercase();
-                list.iter().find(|(pattern, _)| fits(pattern, &name)).map(|(_, role)| *role)
-            })
-        };
+        let look =
+            |list: &[(String, Means)], known: &mut BTreeMap<u32, Option<Means>>, number: u32| {
+                *known.entry(number).or_insert_with(|| {
+                    let name = lines.named(number).to_uppercase();
+                    list.iter()
+                        .find(|(pattern, _)| fits(pattern, &name))
+                        .map(|(_, role)| *role)
+                })
+            };
         let mut one = |stroke: &Stroke| {
-            let block = stroke.blocks.iter().find_map(|b| look(&self.blocks, blocks, *b));
-            let layer = stroke.layers.iter().find_map(|l| look(&self.layers, layers, *l));
+            let block = stroke
+                .blocks
+                .iter()
+                .find_map(|b| look(&self.blocks, blocks, *b));
+            let layer = stroke
+                .layers
+                .iter()
+                .find_map(|l| look(&self.layers, layers, *l));
             // A text is no wall, whatever its layer.
             if stroke.is_text {
-                return Some(layer.filter(|l| *l == Means::Ignore).unwrap_or(Means::Inside));
+                return Some(
+                    layer
+                        .filter(|l| *l == Means::Ignore)
+                        .unwrap_or(Means::Inside),
+                );
             }
-            let own = || self.colours.iter().find(|(c, _)| *c == stroke.colour).map(|(_, role)| *role);
-            let line = stroke.line_type.and_then(|t| look(&self.line_types, line_types, t));
+            let own = || {
+                self.colours
+                    .iter()
+                    .find(|(c, _)| *c == stroke.colour)
+                    .map(|(_, role)| *role)
+            };
+            let line = stroke
+                .line_type
+                .and_then(|t| look(&self.line_types, line_types, t));
             block.or(layer).or(line).or_else(own)
         };
         lines.strokes.iter().map(&mut one).collect()
@@ -141,9 +177,13 @@ impl Roles {
 fn fits(pattern: &str, name: &str) -> bool {
     let mut pieces = pattern.split('*');
     let first = pieces.next().unwrap_or_default();
-    let Some(mut rest) = name.strip_prefix(first) else { return false };
+    let Some(mut rest) = name.strip_prefix(first) else {
+        return false;
+    };
     let mut pieces: Vec<&str> = pieces.collect();
-    let Some(last) = pieces.pop() else { return rest.is_empty() };
+    let Some(last) = pieces.pop() else {
+        return rest.is_empty();
+    };
     for piece in pieces {
         match rest.find(piece) {
             Some(at) => rest = &rest[at + piece.len()..],

@@ -1,7 +1,7 @@
 //! SVG of any program: shapes with their colours, pens, classes and groups; texts by their place alone.
 
-use super::refused::Refused;
 use super::lines::{Lines, MOST, Stroke, arc, cubic, moved};
+use super::refused::Refused;
 use super::style::{Look, Rules};
 use super::xml::{Attributes, Element, walk};
 use glam::{DMat3, DVec2, dvec2};
@@ -13,7 +13,16 @@ const DEEPEST: usize = 8;
 /// The most elements, those that are used several times counted each time.
 const ELEMENTS: usize = 1_000_000;
 /// What is drawn only where something refers to it.
-const KEPT_BACK: [&str; 8] = ["defs", "symbol", "clipPath", "mask", "marker", "pattern", "metadata", "namedview"];
+const KEPT_BACK: [&str; 8] = [
+    "defs",
+    "symbol",
+    "clipPath",
+    "mask",
+    "marker",
+    "pattern",
+    "metadata",
+    "namedview",
+];
 
 /// An element of the tree.
 struct Node {
@@ -30,10 +39,25 @@ struct Node {
 pub fn read(text: &str) -> Result<Lines, Refused> {
     let (nodes, rules) = tree(text)?;
     if nodes.first().is_none_or(|n| n.name != "svg") {
-        return Err(Refused::NotXml { at: 0, what: "the element <svg> was looked for".to_owned() });
+        return Err(Refused::NotXml {
+            at: 0,
+            what: "the element <svg> was looked for".to_owned(),
+        });
     }
-    let ids = nodes.iter().enumerate().filter_map(|(k, n)| Some((n.attributes.get("id")?, k))).collect();
-    let mut out = Drawn { nodes: &nodes, ids, rules, lines: Lines::default(), met: 0, symbols: 0, open: vec![] };
+    let ids = nodes
+        .iter()
+        .enumerate()
+        .filter_map(|(k, n)| Some((n.attributes.get("id")?, k)))
+        .collect();
+    let mut out = Drawn {
+        nodes: &nodes,
+        ids,
+        rules,
+        lines: Lines::default(),
+        met: 0,
+        symbols: 0,
+        open: vec![],
+    };
     out.draw(0, &Look::default())?;
     Ok(out.lines)
 }
@@ -45,9 +69,16 @@ fn tree(text: &str) -> Result<(Vec<Node>, Rules), Refused> {
             rules.add(element.text);
         }
         if nodes.len() >= ELEMENTS {
-            return Err(Refused::TooLarge { what: "elements", most: ELEMENTS });
+            return Err(Refused::TooLarge {
+                what: "elements",
+                most: ELEMENTS,
+            });
         }
-        nodes.push(Node { name: element.name().to_owned(), attributes: element.attributes().clone(), end: 0 });
+        nodes.push(Node {
+            name: element.name().to_owned(),
+            attributes: element.attributes().clone(),
+            end: 0,
+        });
         depths.push(element.depth());
         Ok(())
     })?;
@@ -81,7 +112,10 @@ impl Drawn<'_> {
         let node = &self.nodes[at];
         self.met += 1;
         if self.met > ELEMENTS {
-            return Err(Refused::TooLarge { what: "elements", most: ELEMENTS });
+            return Err(Refused::TooLarge {
+                what: "elements",
+                most: ELEMENTS,
+            });
         }
         if KEPT_BACK.contains(&node.name.as_str()) && self.open.last() != Some(&at) {
             return Ok(());
@@ -103,7 +137,10 @@ impl Drawn<'_> {
     }
 
     fn used(&mut self, attributes: &Attributes, look: &Look) -> Result<(), Refused> {
-        let link = attributes.get("href").or(attributes.get("xlink:href")).unwrap_or_default();
+        let link = attributes
+            .get("href")
+            .or(attributes.get("xlink:href"))
+            .unwrap_or_default();
         let Some(&target) = self.ids.get(link.trim_start_matches('#')) else {
             self.lines.leave_out("use of what is not there");
             return Ok(());
@@ -115,7 +152,8 @@ impl Drawn<'_> {
         let off = dvec2(number(attributes, "x"), number(attributes, "y"));
         let mut look = look.clone();
         look.matrix *= DMat3::from_translation(off);
-        look.blocks.insert(0, self.lines.name(link.trim_start_matches('#')));
+        look.blocks
+            .insert(0, self.lines.name(link.trim_start_matches('#')));
         if look.symbol == 0 {
             self.symbols += 1;
             look.symbol = self.symbols;
@@ -131,16 +169,31 @@ impl Drawn<'_> {
         let of = |name: &str| number(a, name);
         let paths = match node.name.as_str() {
             "path" => path(a.get("d").unwrap_or_default()),
-            "line" => vec![(vec![dvec2(of("x1"), of("y1")), dvec2(of("x2"), of("y2"))], false)],
-            "polyline" | "polygon" => vec![(corners(a.get("points").unwrap_or_default()), node.name == "polygon")],
+            "line" => vec![(
+                vec![dvec2(of("x1"), of("y1")), dvec2(of("x2"), of("y2"))],
+                false,
+            )],
+            "polyline" | "polygon" => vec![(
+                corners(a.get("points").unwrap_or_default()),
+                node.name == "polygon",
+            )],
             "rect" => {
-                let (low, high) = (dvec2(of("x"), of("y")), dvec2(of("x") + of("width"), of("y") + of("height")));
-                vec![(vec![low, dvec2(high.x, low.y), high, dvec2(low.x, high.y)], true)]
+                let (low, high) = (
+                    dvec2(of("x"), of("y")),
+                    dvec2(of("x") + of("width"), of("y") + of("height")),
+                );
+                vec![(
+                    vec![low, dvec2(high.x, low.y), high, dvec2(low.x, high.y)],
+                    true,
+                )]
             }
             "circle" | "ellipse" => {
                 let radius = |name: &str| a.get("r").map_or_else(|| of(name), |_| of("r"));
                 let axes = [DVec2::X * radius("rx"), DVec2::Y * radius("ry")];
-                vec![(arc(dvec2(of("cx"), of("cy")), axes, 0.0, std::f64::consts::TAU), true)]
+                vec![(
+                    arc(dvec2(of("cx"), of("cy")), axes, 0.0, std::f64::consts::TAU),
+                    true,
+                )]
             }
             "text" => vec![(vec![dvec2(of("x"), of("y"))], false)],
             _ => return Ok(()),
@@ -157,7 +210,11 @@ impl Drawn<'_> {
                 is_closed: is_closed || is_filled && look.stroke.is_none(),
                 is_filled,
                 is_text,
-                width: if look.stroke.is_some() { look.width * spread } else { 0.0 },
+                width: if look.stroke.is_some() {
+                    look.width * spread
+                } else {
+                    0.0
+                },
                 colour: look.stroke.or(look.fill).unwrap_or_default(),
                 layers: look.layers.clone(),
                 blocks: look.blocks.clone(),
@@ -165,7 +222,10 @@ impl Drawn<'_> {
                 symbol: look.symbol,
             };
             if !self.lines.put(stroke) {
-                return Err(Refused::TooLarge { what: "corners", most: MOST });
+                return Err(Refused::TooLarge {
+                    what: "corners",
+                    most: MOST,
+                });
             }
         }
         Ok(())
@@ -175,19 +235,31 @@ impl Drawn<'_> {
 /// A length in user units; one in percent or with a unit is read by its number.
 pub(super) fn number(attributes: &Attributes, name: &str) -> f64 {
     let text = attributes.get(name).unwrap_or_default().trim();
-    let end = text.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e' | 'E'))).unwrap_or(text.len());
-    text[..end].parse().ok().filter(|n: &f64| n.is_finite()).unwrap_or(0.0)
+    let end = text
+        .find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e' | 'E')))
+        .unwrap_or(text.len());
+    text[..end]
+        .parse()
+        .ok()
+        .filter(|n: &f64| n.is_finite())
+        .unwrap_or(0.0)
 }
 
 fn corners(points: &str) -> Vec<DVec2> {
-    svgtypes::PointsParser::from(points).map(|(x, y)| dvec2(x, y)).collect()
+    svgtypes::PointsParser::from(points)
+        .map(|(x, y)| dvec2(x, y))
+        .collect()
 }
 
 /// The lines of a path, each with whether it is closed; what comes after something unreadable is left out, as browsers do.
 fn path(d: &str) -> Vec<(Vec<DVec2>, bool)> {
     let mut paths: Vec<(Vec<DVec2>, bool)> = vec![];
     for segment in SimplifyingPathParser::from(d).map_while(Result::ok) {
-        let last = paths.last().and_then(|(p, _)| p.last()).copied().unwrap_or_default();
+        let last = paths
+            .last()
+            .and_then(|(p, _)| p.last())
+            .copied()
+            .unwrap_or_default();
         let mut add = |points: Vec<DVec2>| {
             // After a path was closed the next one begins where it began.
             match paths.last_mut() {
@@ -203,10 +275,22 @@ fn path(d: &str) -> Vec<(Vec<DVec2>, bool)> {
         match segment {
             SimplePathSegment::MoveTo { x, y } => paths.push((vec![dvec2(x, y)], false)),
             SimplePathSegment::LineTo { x, y } => add(vec![dvec2(x, y)]),
-            SimplePathSegment::CurveTo { x1, y1, x2, y2, x, y } => add(cubic([last, dvec2(x1, y1), dvec2(x2, y2), dvec2(x, y)])),
+            SimplePathSegment::CurveTo {
+                x1,
+                y1,
+                x2,
+                y2,
+                x,
+                y,
+            } => add(cubic([last, dvec2(x1, y1), dvec2(x2, y2), dvec2(x, y)])),
             SimplePathSegment::Quadratic { x1, y1, x, y } => {
                 let (middle, end) = (dvec2(x1, y1), dvec2(x, y));
-                add(cubic([last, last.lerp(middle, 2.0 / 3.0), end.lerp(middle, 2.0 / 3.0), end]));
+                add(cubic([
+                    last,
+                    last.lerp(middle, 2.0 / 3.0),
+                    end.lerp(middle, 2.0 / 3.0),
+                    end,
+                ]));
             }
             SimplePathSegment::ClosePath => {
                 if let Some((_, is_closed)) = paths.last_mut() {

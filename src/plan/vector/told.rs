@@ -68,50 +68,95 @@ pub(super) fn collect(svg: &str) -> Result<Option<Drawing>, Refused> {
     let (mut wall, mut seen) = (None::<(u32, u32, Line)>, std::collections::BTreeSet::new());
     walk(svg, &mut |element: &Element<'_>| {
         if element.depth() == 1 {
-            drawing.scale = element.own("data-scale").and_then(|s| s.parse().ok()).filter(|s: &f64| *s > 0.0 && s.is_finite()).unwrap_or(0.0);
+            drawing.scale = element
+                .own("data-scale")
+                .and_then(|s| s.parse().ok())
+                .filter(|s: &f64| *s > 0.0 && s.is_finite())
+                .unwrap_or(0.0);
         }
         let (role, house) = (element.own("data-role"), element.number("data-house"));
         let level = element.number("data-level");
         if let (Some(role), Some(house), Some(level)) = (role, house, level) {
             put(&mut drawing, wall.take());
             if role == "axis" {
-                let key = (element.above("data-view").unwrap_or_default().to_owned(), house, level, element.number("data-wall"));
+                let key = (
+                    element.above("data-view").unwrap_or_default().to_owned(),
+                    house,
+                    level,
+                    element.number("data-wall"),
+                );
                 if !seen.insert(key) {
                     return Err(Refused::Unclear("a wall is drawn twice".to_owned()));
                 }
-                wall = Some((house, level, Line { told: element.attributes().clone(), bays: vec![] }));
+                wall = Some((
+                    house,
+                    level,
+                    Line {
+                        told: element.attributes().clone(),
+                        bays: vec![],
+                    },
+                ));
             } else if let Some(name) = element.own("data-room") {
                 let text = |key: &str| element.own(key).unwrap_or_default().to_owned();
-                let room = Room { name: name.to_owned(), at: text("data-at"), floor: text("data-floor") };
+                let room = Room {
+                    name: name.to_owned(),
+                    at: text("data-at"),
+                    floor: text("data-floor"),
+                };
                 level_of(&mut drawing, house, level).rooms.push(room);
             }
         } else if element.name() == "path" && element.above("data-role") == Some("axis") {
-            let Some((.., line)) = &mut wall else { return Ok(()) };
+            let Some((.., line)) = &mut wall else {
+                return Ok(());
+            };
             if element.is_transformed() {
-                return Err(Refused::Unclear("a wall lies in a group that was shifted or turned (transform)".to_owned()));
+                return Err(Refused::Unclear(
+                    "a wall lies in a group that was shifted or turned (transform)".to_owned(),
+                ));
             }
             count += 1;
             let ends = element.own("d").and_then(ends).filter(|_| count < MOST);
-            let (from, to) = ends.ok_or_else(|| Refused::Unclear("the line of a bay is not M x yL x y".to_owned()))?;
-            line.bays.push(Bay { code: element.own("data-code").map(str::to_owned), from, to });
+            let (from, to) = ends.ok_or_else(|| {
+                Refused::Unclear("the line of a bay is not M x yL x y".to_owned())
+            })?;
+            line.bays.push(Bay {
+                code: element.own("data-code").map(str::to_owned),
+                from,
+                to,
+            });
         }
         Ok(())
     })?;
     put(&mut drawing, wall);
-    let is_own = drawing.scale > 0.0 && drawing.houses.values().flat_map(BTreeMap::values).any(|level| !level.walks.is_empty());
+    let is_own = drawing.scale > 0.0
+        && drawing
+            .houses
+            .values()
+            .flat_map(BTreeMap::values)
+            .any(|level| !level.walks.is_empty());
     Ok(is_own.then_some(drawing))
 }
 
 fn level_of(drawing: &mut Drawing, house: u32, level: u32) -> &mut Level {
-    drawing.houses.entry(house).or_default().entry(level).or_default()
+    drawing
+        .houses
+        .entry(house)
+        .or_default()
+        .entry(level)
+        .or_default()
 }
 
 /// Adds a wall to its walk; the first wall of a walk tells of it, and of the house.
 fn put(drawing: &mut Drawing, wall: Option<(u32, u32, Line)>) {
-    let Some((house, level, line)) = wall else { return };
+    let Some((house, level, line)) = wall else {
+        return;
+    };
     let level = level_of(drawing, house, level);
     if let Some(kind) = line.told.get("data-walk") {
-        level.walks.push(Walk { kind: kind.to_owned(), lines: vec![] });
+        level.walks.push(Walk {
+            kind: kind.to_owned(),
+            lines: vec![],
+        });
         if level.told.is_empty() {
             level.told = line.told.clone();
         }
@@ -125,7 +170,9 @@ fn put(drawing: &mut Drawing, wall: Option<(u32, u32, Line)>) {
 fn ends(d: &str) -> Option<(DVec2, DVec2)> {
     let (from, to) = d.strip_prefix('M')?.split_once('L')?;
     let place = |text: &str| {
-        let mut numbers = text.split_whitespace().map(|n| n.parse::<f64>().ok().filter(|n| n.abs() < 1e6));
+        let mut numbers = text
+            .split_whitespace()
+            .map(|n| n.parse::<f64>().ok().filter(|n| n.abs() < 1e6));
         let place = dvec2(numbers.next()??, numbers.next()??);
         numbers.next().is_none().then_some(place)
     };
@@ -145,13 +192,24 @@ pub(super) struct Frame {
 impl Frame {
     /// The frame of a walk that starts at a place in the plan; `turn` are the degrees between the fronts of this house and the
     /// first one.
-    pub(super) fn new(drawing: &Drawing, unit: f64, turn: f64, (paper, plan): (DVec2, DVec2)) -> Frame {
+    pub(super) fn new(
+        drawing: &Drawing,
+        unit: f64,
+        turn: f64,
+        (paper, plan): (DVec2, DVec2),
+    ) -> Frame {
         let quarters = turn / 90.0;
         let turn = match (quarters - quarters.round()).abs() < 1e-9 {
-            true => [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y][(quarters.round() as i64).rem_euclid(4) as usize],
+            true => [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y]
+                [(quarters.round() as i64).rem_euclid(4) as usize],
             false => dvec2(libm::cos(turn.to_radians()), libm::sin(turn.to_radians())),
         };
-        Frame { paper, plan, turn, per_mm: drawing.scale / 1000.0 / (unit * SHAKU) }
+        Frame {
+            paper,
+            plan,
+            turn,
+            per_mm: drawing.scale / 1000.0 / (unit * SHAKU),
+        }
     }
 
     /// Where a place on paper lies in the plan.

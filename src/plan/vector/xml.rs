@@ -1,8 +1,8 @@
 //! Walks through the elements of an XML file with their attributes and those of the groups round them.
 
 use super::refused::Refused;
-use quick_xml::{Reader, XmlVersion};
 use quick_xml::events::{BytesStart, Event};
+use quick_xml::{Reader, XmlVersion};
 
 /// The most groups within groups.
 const DEEPEST: usize = 200;
@@ -14,14 +14,19 @@ pub(super) struct Attributes(Vec<(String, String)>);
 impl Attributes {
     fn of(tag: &BytesStart<'_>) -> Attributes {
         let pairs = tag.attributes().flatten().map(|a| {
-            let value = a.normalized_value(XmlVersion::Explicit1_0).unwrap_or_default();
+            let value = a
+                .normalized_value(XmlVersion::Explicit1_0)
+                .unwrap_or_default();
             (a.key.as_ref().to_owned(), value.into_owned())
         });
         Attributes(pairs.collect())
     }
 
     pub(super) fn get(&self, name: &str) -> Option<&str> {
-        self.0.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
+        self.0
+            .iter()
+            .find(|(key, _)| key == name)
+            .map(|(_, value)| value.as_str())
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -61,12 +66,10 @@ impl Element<'_> {
 
     /// The attribute of the nearest element round it that has it, or its own.
     pub(super) fn above(&self, name: &str) -> Option<&str> {
-        self.open.iter().rev().find_map(|(_, attributes)| attributes.get(name))
-    }
-
-    /// It and what is open round it, the root first.
-    pub(super) fn path(&self) -> &[(String, Attributes)] {
         self.open
+            .iter()
+            .rev()
+            .find_map(|(_, attributes)| attributes.get(name))
     }
 
     pub(super) fn is_transformed(&self) -> bool {
@@ -78,7 +81,10 @@ impl Element<'_> {
 ///
 /// # Errors
 /// If the file is no XML, or `meet` fails.
-pub(super) fn walk(text: &str, meet: &mut dyn FnMut(&Element<'_>) -> Result<(), Refused>) -> Result<(), Refused> {
+pub(super) fn walk(
+    text: &str,
+    meet: &mut dyn FnMut(&Element<'_>) -> Result<(), Refused>,
+) -> Result<(), Refused> {
     let mut reader = Reader::from_str(text.trim_start_matches('\u{feff}'));
     let mut open: Vec<(String, Attributes)> = vec![];
     let mut style = None::<String>;
@@ -95,17 +101,26 @@ pub(super) fn walk(text: &str, meet: &mut dyn FnMut(&Element<'_>) -> Result<(), 
                 }
                 match open[open.len() - 1].0 == "style" {
                     true => style = Some(String::new()),
-                    false => meet(&Element { open: &open, text: "" })?,
+                    false => meet(&Element {
+                        open: &open,
+                        text: "",
+                    })?,
                 }
             }
             Event::Empty(tag) => {
                 open.push((tag.local_name().as_ref().to_owned(), Attributes::of(&tag)));
-                meet(&Element { open: &open, text: "" })?;
+                meet(&Element {
+                    open: &open,
+                    text: "",
+                })?;
                 open.pop();
             }
             Event::End(_) => {
                 if let Some(text) = style.take() {
-                    meet(&Element { open: &open, text: &text })?;
+                    meet(&Element {
+                        open: &open,
+                        text: &text,
+                    })?;
                 }
                 open.pop();
             }
