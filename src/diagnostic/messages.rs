@@ -2,7 +2,6 @@
 //! have it.
 
 pub mod catalog;
-pub mod drawn;
 pub mod file;
 pub mod fittings;
 pub mod legacy;

@@ -3,7 +3,7 @@
 use super::legend::Role;
 use super::text::Doubt;
 use super::{Refused, Unreadable};
-use crate::diagnostic::messages::drawn as say;
+use crate::diagnostic::messages::plan::drawn as say;
 use crate::diagnostic::{Diagnostic, Noun, noun};
 use crate::source::Span;
 use glam::DVec2;

@@ -37,6 +37,9 @@ pub struct Shape {
     pub mats: BTreeSet<usize>,
 }
 
+/// A side of a cell: where it begins, whether it is upright, and the cell beyond it.
+type CellSide = ((i32, i32), bool, (i32, i32));
+
 /// What parts two cells.
 #[derive(Clone)]
 struct Lines<'a> {
@@ -67,7 +70,7 @@ impl Lines<'_> {
     }
 
     /// The four sides of a cell, each with the cell beyond it: where it begins, and whether it is upright.
-    fn sides((u, v): (i32, i32)) -> [((i32, i32), bool, (i32, i32)); 4] {
+    fn sides((u, v): (i32, i32)) -> [CellSide; 4] {
         [
             ((u, v), true, (u - 1, v)),
             ((u + 1, v), true, (u + 1, v)),

@@ -440,15 +440,9 @@ fn inner(
 ) {
     let mut units: Vec<Unit> = Vec::new();
     for wall in &shape.inner {
-        let level = wall.from.1 == wall.to.1;
-        let (from, to) = if level {
-            (wall.to, wall.from)
-        } else {
-            (wall.to, wall.from)
-        };
         units.push(Unit {
-            from: place(from),
-            to: place(to),
+            from: place(wall.to),
+            to: place(wall.from),
             wall: *wall,
         });
     }

@@ -4,7 +4,7 @@ use crate::cli::files::output;
 use crate::cli::files::terminal::counted;
 use crate::cli::options::report;
 use crate::cli::{Exit, Failure, Outcome};
-use crate::diagnostic::messages::drawn as say;
+use crate::diagnostic::messages::plan::drawn as say;
 use crate::diagnostic::{Diagnostics, Language, noun};
 use crate::driver;
 use crate::fs::FolderWorld;

@@ -1,5 +1,6 @@
 //! Messages about walls, outlines and storeys (HSD04xx).
 
+pub mod drawn;
 mod meeting;
 pub(crate) mod fixtures;
 pub(crate) mod rooms;

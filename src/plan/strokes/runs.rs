@@ -67,8 +67,16 @@ pub(super) fn best(
             }
         }
     }
-    let mut out = vec![Read::EMPTY; n];
-    let mut end = n;
+    let taken = |from: usize, end: usize, value: f64| {
+        sum.add(&empty[from..end], &patches[from..end], value)
+    };
+    reads(&table, taken)
+}
+
+/// What the best choices up to the end of a line read; `taken` is called with each of them, from the end.
+fn reads(table: &[Option<(f64, Choice)>], mut taken: impl FnMut(usize, usize, f64)) -> Vec<Read> {
+    let mut end = table.len() - 1;
+    let mut out = vec![Read::EMPTY; end];
     while let Some((_, choice)) = table[end] {
         let Choice {
             from,
@@ -81,7 +89,7 @@ pub(super) fn best(
             likeness: value.clamp(0.0, 1.0),
             lead,
         });
-        sum.add(&empty[from..end], &patches[from..end], value);
+        taken(from, end, value);
         end = from;
         if end == 0 {
             break;

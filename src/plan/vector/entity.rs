@@ -135,16 +135,7 @@ fn points(record: &Record<'_>, follow: &[Record<'_>]) -> Option<Vec<Path>> {
         "LWPOLYLINE" => one(light(record)?),
         "POLYLINE" => one(heavy(record, follow)?),
         "MLINE" => one(Path::open(places(record.pairs, 11))),
-        "ARC" => {
-            let (from, to) = (record.real(50)?.to_radians(), record.real(51)?.to_radians());
-            let turn = (to - from).rem_euclid(std::f64::consts::TAU);
-            one(Path::open(arc(
-                record.place(10)?,
-                round(record)?,
-                from,
-                from + turn,
-            )))
-        }
+        "ARC" => one(bow(record)?),
         "CIRCLE" => one(Path {
             points: arc(
                 record.place(10)?,
@@ -155,50 +146,49 @@ fn points(record: &Record<'_>, follow: &[Record<'_>]) -> Option<Vec<Path>> {
             is_closed: true,
             is_filled: false,
         }),
-        "ELLIPSE" => {
-            let (axis, ratio) = (record.place(11)?, record.real(40)?);
-            let (from, to) = (
-                record.real(41).unwrap_or(0.0),
-                record.real(42).unwrap_or(std::f64::consts::TAU),
-            );
-            one(Path::open(arc(
-                record.place(10)?,
-                [axis, axis.perp() * ratio],
-                from,
-                to,
-            )))
-        }
+        "ELLIPSE" => one(oval(record)?),
         "SPLINE" => one(Path {
             points: spline(record)?,
             is_closed: record.whole(70)? & 1 == 1,
             is_filled: false,
         }),
-        "SOLID" | "TRACE" => {
-            let corners = [
-                record.place(10)?,
-                record.place(11)?,
-                record.place(13).or(record.place(12))?,
-                record.place(12)?,
-            ];
-            one(Path::area(corners.to_vec()))
-        }
-        "3DFACE" => {
-            let corners = [
-                record.place(10)?,
-                record.place(11)?,
-                record.place(12)?,
-                record.place(13).or(record.place(12))?,
-            ];
-            one(Path {
-                points: corners.to_vec(),
-                is_closed: true,
-                is_filled: false,
-            })
-        }
+        // The corners of a solid go zigzag.
+        "SOLID" | "TRACE" => one(Path::area(four(record, [10, 11, 13, 12])?)),
+        "3DFACE" => one(Path {
+            points: four(record, [10, 11, 12, 13])?,
+            is_closed: true,
+            is_filled: false,
+        }),
         "HATCH" => Some(hatch(record)),
         "TEXT" | "MTEXT" | "ATTRIB" | "ATTDEF" => one(Path::open(vec![record.place(10)?])),
         _ => None,
     }
+}
+
+/// Four corners by their codes; a triangle repeats its third.
+fn four(record: &Record<'_>, codes: [i32; 4]) -> Option<Vec<DVec2>> {
+    let corner = |code: i32| match code {
+        13 => record.place(13).or(record.place(12)),
+        code => record.place(code),
+    };
+    codes.into_iter().map(corner).collect()
+}
+
+/// A part of a circle; it runs counter-clockwise.
+fn bow(record: &Record<'_>) -> Option<Path> {
+    let (from, to) = (record.real(50)?.to_radians(), record.real(51)?.to_radians());
+    let turn = (to - from).rem_euclid(std::f64::consts::TAU);
+    let points = arc(record.place(10)?, round(record)?, from, from + turn);
+    Some(Path::open(points))
+}
+
+/// An ellipse or a part of one.
+fn oval(record: &Record<'_>) -> Option<Path> {
+    let (axis, ratio) = (record.place(11)?, record.real(40)?);
+    let from = record.real(41).unwrap_or(0.0);
+    let to = record.real(42).unwrap_or(std::f64::consts::TAU);
+    let axes = [axis, axis.perp() * ratio];
+    Some(Path::open(arc(record.place(10)?, axes, from, to)))
 }
 
 fn round(record: &Record<'_>) -> Option<[DVec2; 2]> {

@@ -170,25 +170,27 @@ fn write_level(
         write_rows(walls, &walk.kind, &format!("{pad}      "), out);
         let _ = writeln!(out, "{pad}    </Loop>");
     }
+    write_rooms(level, pad, out);
+    let _ = writeln!(out, "{pad}  </Storey>");
+    Ok(())
+}
+
+fn write_rooms(level: &Level, pad: &str, out: &mut String) {
+    let attribute = |name: &str, value: &str| match value {
+        "" => String::new(),
+        value => format!(" {name}=\"{}\"", escaped(value)),
+    };
     for room in &level.rooms {
-        let name = if room.name.is_empty() {
-            String::new()
-        } else {
-            format!(" name=\"{}\"", escaped(&room.name))
-        };
-        let floor = if room.floor.is_empty() {
-            String::new()
-        } else {
-            format!(" floor=\"{}\"", escaped(&room.floor))
-        };
+        let (name, floor) = (
+            attribute("name", &room.name),
+            attribute("floor", &room.floor),
+        );
         let _ = writeln!(
             out,
             "{pad}    <Room{name} at=\"{}\"{floor}/>",
             escaped(&room.at)
         );
     }
-    let _ = writeln!(out, "{pad}  </Storey>");
-    Ok(())
 }
 
 /// Where a walk starts, and its walls with the widths of their bays.

@@ -165,6 +165,15 @@ impl Default for State {
     }
 }
 
+/// The name of the layer that marked content begins, if it is one.
+fn layer_of(operands: Vec<Object<'_>>, resources: &Resources<'_>) -> Option<String> {
+    let names: Vec<Name<'_>> = operands.into_iter().filter_map(Object::into_name).collect();
+    let named = names.get(1).filter(|_| names[0].as_ref() == b"OC")?;
+    let layer = resources.properties.get::<Dict<'_>>(named)?;
+    let name = layer.get::<hayro_syntax::object::String<'_>>("Name")?;
+    Some(text(name.as_ref()))
+}
+
 /// A path being drawn.
 type Path = Vec<(Vec<DVec2>, bool)>;
 
@@ -206,15 +215,8 @@ impl<'p> Drawn<'p> {
                     self.paint(word, std::mem::take(&mut path), &state, &layers)?;
                 }
                 b"BDC" | b"BMC" => {
-                    let names: Vec<Name<'_>> =
-                        operands.into_iter().filter_map(Object::into_name).collect();
-                    let layer = names
-                        .get(1)
-                        .filter(|_| names[0].as_ref() == b"OC")
-                        .and_then(|n| resources.properties.get::<Dict<'_>>(n));
-                    let name =
-                        layer.and_then(|l| l.get::<hayro_syntax::object::String<'_>>("Name"));
-                    layers.push(name.map(|n| self.lines.name(&text(n.as_ref()))));
+                    let name = layer_of(operands, resources);
+                    layers.push(name.map(|n| self.lines.name(&n)));
                 }
                 b"EMC" => drop(layers.pop()),
                 b"Do" => {

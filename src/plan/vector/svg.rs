@@ -165,38 +165,8 @@ impl Drawn<'_> {
     }
 
     fn shape(&mut self, node: &Node, look: &Look) -> Result<(), Refused> {
-        let a = &node.attributes;
-        let of = |name: &str| number(a, name);
-        let paths = match node.name.as_str() {
-            "path" => path(a.get("d").unwrap_or_default()),
-            "line" => vec![(
-                vec![dvec2(of("x1"), of("y1")), dvec2(of("x2"), of("y2"))],
-                false,
-            )],
-            "polyline" | "polygon" => vec![(
-                corners(a.get("points").unwrap_or_default()),
-                node.name == "polygon",
-            )],
-            "rect" => {
-                let (low, high) = (
-                    dvec2(of("x"), of("y")),
-                    dvec2(of("x") + of("width"), of("y") + of("height")),
-                );
-                vec![(
-                    vec![low, dvec2(high.x, low.y), high, dvec2(low.x, high.y)],
-                    true,
-                )]
-            }
-            "circle" | "ellipse" => {
-                let radius = |name: &str| a.get("r").map_or_else(|| of(name), |_| of("r"));
-                let axes = [DVec2::X * radius("rx"), DVec2::Y * radius("ry")];
-                vec![(
-                    arc(dvec2(of("cx"), of("cy")), axes, 0.0, std::f64::consts::TAU),
-                    true,
-                )]
-            }
-            "text" => vec![(vec![dvec2(of("x"), of("y"))], false)],
-            _ => return Ok(()),
+        let Some(paths) = outlines(node) else {
+            return Ok(());
         };
         let is_text = node.name == "text";
         if !is_text && look.stroke.is_none() && look.fill.is_none() {
@@ -230,6 +200,43 @@ impl Drawn<'_> {
         }
         Ok(())
     }
+}
+
+/// What an element draws: places in its own frame, and whether they close; `None` if it is no shape.
+fn outlines(node: &Node) -> Option<Vec<(Vec<DVec2>, bool)>> {
+    let a = &node.attributes;
+    let of = |name: &str| number(a, name);
+    Some(match node.name.as_str() {
+        "path" => path(a.get("d").unwrap_or_default()),
+        "line" => vec![(
+            vec![dvec2(of("x1"), of("y1")), dvec2(of("x2"), of("y2"))],
+            false,
+        )],
+        "polyline" | "polygon" => vec![(
+            corners(a.get("points").unwrap_or_default()),
+            node.name == "polygon",
+        )],
+        "rect" => {
+            let (low, high) = (
+                dvec2(of("x"), of("y")),
+                dvec2(of("x") + of("width"), of("y") + of("height")),
+            );
+            vec![(
+                vec![low, dvec2(high.x, low.y), high, dvec2(low.x, high.y)],
+                true,
+            )]
+        }
+        "circle" | "ellipse" => {
+            let radius = |name: &str| a.get("r").map_or_else(|| of(name), |_| of("r"));
+            let axes = [DVec2::X * radius("rx"), DVec2::Y * radius("ry")];
+            vec![(
+                arc(dvec2(of("cx"), of("cy")), axes, 0.0, std::f64::consts::TAU),
+                true,
+            )]
+        }
+        "text" => vec![(vec![dvec2(of("x"), of("y"))], false)],
+        _ => return None,
+    })
 }
 
 /// A length in user units; one in percent or with a unit is read by its number.

@@ -96,34 +96,15 @@ pub(super) fn collect(svg: &str) -> Result<Option<Drawing>, Refused> {
                         bays: vec![],
                     },
                 ));
-            } else if let Some(name) = element.own("data-room") {
-                let text = |key: &str| element.own(key).unwrap_or_default().to_owned();
-                let room = Room {
-                    name: name.to_owned(),
-                    at: text("data-at"),
-                    floor: text("data-floor"),
-                };
+            } else if let Some(room) = room(element) {
                 level_of(&mut drawing, house, level).rooms.push(room);
             }
         } else if element.name() == "path" && element.above("data-role") == Some("axis") {
             let Some((.., line)) = &mut wall else {
                 return Ok(());
             };
-            if element.is_transformed() {
-                return Err(Refused::Unclear(
-                    "a wall lies in a group that was shifted or turned (transform)".to_owned(),
-                ));
-            }
             count += 1;
-            let ends = element.own("d").and_then(ends).filter(|_| count < MOST);
-            let (from, to) = ends.ok_or_else(|| {
-                Refused::Unclear("the line of a bay is not M x yL x y".to_owned())
-            })?;
-            line.bays.push(Bay {
-                code: element.own("data-code").map(str::to_owned),
-                from,
-                to,
-            });
+            line.bays.push(bay(element, count < MOST)?);
         }
         Ok(())
     })?;
@@ -135,6 +116,31 @@ pub(super) fn collect(svg: &str) -> Result<Option<Drawing>, Refused> {
             .flat_map(BTreeMap::values)
             .any(|level| !level.walks.is_empty());
     Ok(is_own.then_some(drawing))
+}
+
+/// The bay that a line of a wall draws; `in_number` says whether no more were drawn than are read.
+fn bay(element: &Element<'_>, in_number: bool) -> Result<Bay, Refused> {
+    let unclear = |why: &str| Refused::Unclear(why.to_owned());
+    if element.is_transformed() {
+        return Err(unclear(
+            "a wall lies in a group that was shifted or turned (transform)",
+        ));
+    }
+    let ends = element.own("d").and_then(ends).filter(|_| in_number);
+    let (from, to) = ends.ok_or_else(|| unclear("the line of a bay is not M x yL x y"))?;
+    let code = element.own("data-code").map(str::to_owned);
+    Ok(Bay { code, from, to })
+}
+
+/// The room that a group names.
+fn room(element: &Element<'_>) -> Option<Room> {
+    let text = |key: &str| element.own(key).unwrap_or_default().to_owned();
+    let name = element.own("data-room")?.to_owned();
+    Some(Room {
+        name,
+        at: text("data-at"),
+        floor: text("data-floor"),
+    })
 }
 
 fn level_of(drawing: &mut Drawing, house: u32, level: u32) -> &mut Level {
