@@ -20,6 +20,11 @@ const FEWEST: f64 = 5.0;
 /// What is on a line of the grid at the edge of a house, beside what is on the strongest one.
 const LEAST_LINE: f64 = 0.04;
 
+/// Places of a line within a unit that are tried.
+const SLOTS: usize = 60;
+/// Places to each side that still count as on the line: an eighth of a unit.
+const REACH: i32 = 7;
+
 /// Where units are on a sheet.
 #[derive(Clone, Copy, Debug)]
 pub struct Grid {
@@ -55,18 +60,19 @@ impl Grid {
         let size = f64::from(ink.dark.width().max(ink.dark.height()));
         let thick = thick(ink);
         let mut strokes = Strokes::of(ink, (size / 55.0).max(9.0), &thick);
-        let mut periods = match unit {
-            Some(unit) => near(&strokes, [unit; 2], aspect.max(KNOWN), aspect),
-            None => period(&strokes, aspect)?,
+        let (known, share) = match unit {
+            Some(unit) => ([unit; 2], aspect.max(KNOWN)),
+            None => (period(&strokes, aspect)?, KNOWN),
         };
+        let mut lines = near(&strokes, known, share, aspect);
         // Strokes of a unit's length are the walls; writing is shorter.
         for share in [KNOWN, KNOWN / 2.0] {
-            strokes = Strokes::of(ink, 0.7 * periods[0], &thick);
-            periods = near(&strokes, periods, share, aspect);
+            strokes = Strokes::of(ink, 0.7 * lines[0].0, &thick);
+            lines = near(&strokes, lines.map(|l| l.0), share, aspect);
         }
-        let [px, py] = periods;
-        let fit = (in_phase(&strokes.upright, px).0 + in_phase(&strokes.level, py).0) / 2.0;
-        let origin = dvec2(phase(&strokes.upright, px), phase(&strokes.level, py));
+        let [(px, x), (py, y)] = lines;
+        let fit = (in_phase(&strokes.upright, px) + in_phase(&strokes.level, py)) / 2.0;
+        let origin = dvec2(x, y);
         let mut grid = Grid {
             to_sheet: DMat3::from_translation(origin)
                 * DMat3::from_diagonal(dvec2(px, py).extend(1.0)),
@@ -77,7 +83,7 @@ impl Grid {
             residual: 0.0,
         };
         // Farther than that from a line stand boards, four to a unit.
-        for reach in [0.2, 0.15, 0.12] {
+        for reach in [0.18, 0.15, 0.12] {
             grid.refine(ink, reach, false);
         }
         // Perspective is what is left over when the lines are nearly right; before that it only fits noise.
@@ -134,13 +140,14 @@ impl Grid {
                 };
                 let place =
                     |offset: f64, t1: f64| super::flatten::project(self.to_sheet, unit(offset, t1));
-                if let Some(off) = stroke_near(ink, self.unit, reach, place) {
+                if let Some((off, weight)) = stroke_near(ink, self.unit, reach, place) {
                     let at = place(off, 0.5);
                     seen.push(Seen {
                         unit: unit(0.0, 0.5),
                         pixel: if upright { at.x } else { at.y },
                         upright,
                         off,
+                        weight,
                     });
                 }
             }
@@ -157,10 +164,17 @@ struct Seen {
     /// Whether the line is upright.
     upright: bool,
     off: f64,
+    /// How thick it is: walls count more than mats.
+    weight: f64,
 }
 
-/// How far from a line of the grid the ink along one unit of it lies, in units: its middle, if it is a stroke.
-fn stroke_near(ink: &Ink, unit: f64, reach: f64, place: impl Fn(f64, f64) -> DVec2) -> Option<f64> {
+/// How far from a line of the grid the ink along one unit of it lies, in units, if it is a stroke: its middle, and its share.
+fn stroke_near(
+    ink: &Ink,
+    unit: f64,
+    reach: f64,
+    place: impl Fn(f64, f64) -> DVec2,
+) -> Option<(f64, f64)> {
     let steps = ((reach * unit).ceil() as i32).max(2);
     let along = 12;
     let (mut sum, mut moment, mut most) = (0.0, 0.0, 0.0_f64);
@@ -178,7 +192,7 @@ fn stroke_near(ink: &Ink, unit: f64, reach: f64, place: impl Fn(f64, f64) -> DVe
         sum += weight;
         moment += weight * offset;
     }
-    (most > 0.5).then(|| moment / sum)
+    (most > 0.5).then(|| (moment / sum, sum / f64::from(2 * steps + 1)))
 }
 
 /// The ink at the pixel nearest to a place; none outside.
@@ -217,12 +231,12 @@ fn fitted(seen: &[Seen], now: DMat3, leans: bool) -> Option<DMat3> {
             };
             for i in 0..8 {
                 for j in 0..9 {
-                    normal[i][j] += row[i] * row[j];
+                    normal[i][j] += s.weight * row[i] * row[j];
                 }
             }
         }
         // A little weight on no perspective, for sheets with strokes in one corner only.
-        let level = if leans { 2e-3 } else { 1e6 } * kept.len() as f64;
+        let level = if leans { 2e-3 } else { 1e6 } * kept.iter().map(|s| s.weight).sum::<f64>();
         normal[6][6] += level;
         normal[7][7] += level;
         let h = solved(normal)?;
@@ -381,8 +395,8 @@ fn sums(lines: u32, length: u32, least: f64, is: impl Fn(u32, u32) -> bool) -> V
         .collect()
 }
 
-/// How well sums keep to a period: the share of them that is in phase, at most 1, and the phase.
-fn in_phase(sums: &[f64], period: f64) -> (f64, f64) {
+/// How well sums keep to a period: the share of them that is in phase, at most 1.
+fn in_phase(sums: &[f64], period: f64) -> f64 {
     let angle = std::f64::consts::TAU / period;
     let turned = |at: f64| dvec2(libm::cos(at * angle), libm::sin(at * angle));
     let (mut now, step) = (turned(0.5), turned(1.0));
@@ -392,32 +406,11 @@ fn in_phase(sums: &[f64], period: f64) -> (f64, f64) {
         all += s;
         now = now.rotate(step);
     }
-    if all == 0.0 {
-        return (0.0, 0.0);
+    if all > 0.0 {
+        libm::sqrt(sum.length_squared()) / all
+    } else {
+        0.0
     }
-    (
-        libm::sqrt(sum.length_squared()) / all,
-        libm::atan2(sum.y, sum.x),
-    )
-}
-
-/// Where the first line of a period lies.
-fn phase(sums: &[f64], period: f64) -> f64 {
-    in_phase(sums, period).1 / std::f64::consts::TAU * period
-}
-
-/// How well all that tells of an axis keeps to a period, each beside the best it does with any.
-fn agreement(told: &[Sums; 3], best: [f64; 3], period: f64) -> f64 {
-    told.iter()
-        .zip(best)
-        .map(|(sums, best)| {
-            if best > 0.0 {
-                in_phase(sums, period).0 / best
-            } else {
-                0.0
-            }
-        })
-        .sum()
 }
 
 /// The units to the right and down that the strokes keep to best; the two differ by at most a share.
@@ -434,7 +427,7 @@ fn period(strokes: &Strokes, aspect: f64) -> Option<[f64; 2]> {
         let told = &strokes.told[axis];
         let shares: Vec<[f64; 3]> = periods
             .iter()
-            .map(|p| [0, 1, 2].map(|k| in_phase(&told[k], *p).0))
+            .map(|p| [0, 1, 2].map(|k| in_phase(&told[k], *p)))
             .collect();
         let best = [0, 1, 2].map(|k| shares.iter().map(|s| s[k]).fold(1e-9, f64::max));
         shares
@@ -463,34 +456,59 @@ fn period(strokes: &Strokes, aspect: f64) -> Option<[f64; 2]> {
     Some([periods[peak], periods[pairs[peak].1]])
 }
 
-/// The units to the right and down nearest to some that are known to a share; the two differ by at most another share.
-fn near(strokes: &Strokes, known: [f64; 2], share: f64, aspect: f64) -> [f64; 2] {
+/// The units to the right and down nearest to some that are known to a share, and where the first line of each lies.
+///
+/// Counted is what lies on lines: what lies between them may be boards, mats and dimensions. The two units differ by at most
+/// `aspect`.
+fn near(strokes: &Strokes, known: [f64; 2], share: f64, aspect: f64) -> [(f64, f64); 2] {
     let steps = (share / FINE).ceil() as i32;
     let tried = [0, 1].map(|axis| {
-        let periods: Vec<f64> = (-steps..=steps)
-            .map(|k| known[axis] * (1.0 + f64::from(k) * FINE))
-            .collect();
-        let told = &strokes.told[axis];
-        let best = [0, 1, 2].map(|k| {
-            periods
-                .iter()
-                .map(|p| in_phase(&told[k], *p).0)
-                .fold(0.0, f64::max)
-        });
-        periods
-            .into_iter()
-            .map(|p| (p, agreement(told, best, p)))
-            .collect::<Vec<_>>()
+        let sums = together(&strokes.told[axis]);
+        let periods = (-steps..=steps).map(|k| known[axis] * (1.0 + f64::from(k) * FINE));
+        periods.map(|p| (p, on_lines(&sums, p))).collect::<Vec<_>>()
     });
-    let mut found = (0.0, known);
-    for (x, a) in &tried[0] {
-        for (y, b) in &tried[1] {
+    let mut found = (0.0, known.map(|p| (p, 0.0)));
+    for (x, (a, from_x)) in &tried[0] {
+        for (y, (b, from_y)) in &tried[1] {
             if a + b > found.0 && (y / x - 1.0).abs() <= aspect {
-                found = (a + b, [*x, *y]);
+                found = (a + b, [(*x, *from_x), (*y, *from_y)]);
             }
         }
     }
     found.1
+}
+
+/// All that tells of one axis, each with the same weight.
+fn together(told: &[Sums; 3]) -> Sums {
+    let all = told
+        .each_ref()
+        .map(|sums| sums.iter().sum::<f64>().max(1e-9));
+    (0..told[0].len())
+        .map(|k| (0..3).map(|t| told[t][k] / all[t]).sum())
+        .collect()
+}
+
+/// How much lies on lines of a period, at the best place of the first line.
+fn on_lines(sums: &[f64], period: f64) -> (f64, f64) {
+    let mut slots = [0.0; SLOTS];
+    for (k, s) in sums.iter().enumerate() {
+        let at = (k as f64 + 0.5) / period;
+        slots[((at - at.floor()) * SLOTS as f64) as usize % SLOTS] += s;
+    }
+    // The nearer to the line the more it counts.
+    let weight = |slot: usize| {
+        let sum = |k: i32| {
+            f64::from(REACH + 1 - k.abs())
+                * slots[(slot as i32 + k).rem_euclid(SLOTS as i32) as usize]
+        };
+        (-REACH..=REACH).map(sum).sum::<f64>() / f64::from(REACH + 1)
+    };
+    let best = (0..SLOTS)
+        .map(|slot| (slot, weight(slot)))
+        .max_by(|a, b| a.1.total_cmp(&b.1));
+    best.map_or((0.0, 0.0), |(slot, sum)| {
+        (sum, (slot as f64 + 0.5) / SLOTS as f64 * period)
+    })
 }
 
 /// The first and the last line of a grid with strokes or posts on it, and two more.

@@ -119,6 +119,14 @@ impl Lines<'_> {
         }
     }
 
+    /// Takes back gaps inside, but for doors where they are kept: walls that face each other across a room are no reason for one between them.
+    fn keep_outer(&mut self, cells: &BTreeSet<(i32, i32)>, keeps_doors: bool) {
+        self.joined.retain(|((u, v), upright), is_door| {
+            let other = if *upright { (u - 1, *v) } else { (*u, v - 1) };
+            keeps_doors && *is_door || cells.contains(&(*u, *v)) != cells.contains(&other)
+        });
+    }
+
     /// Cells beside a cell that no wall parts from it.
     fn beside(&self, (u, v): (i32, i32)) -> impl Iterator<Item = (i32, i32)> {
         [
@@ -159,6 +167,9 @@ impl Shape {
         };
         // A recess in a wall looks like a room with an open front; nothing is drawn in it.
         loop {
+            if !is_drawn {
+                lines.keep_outer(&cells, true);
+            }
             // Ways between rooms part nothing where all strokes are known.
             let drawn = Lines {
                 units,
@@ -178,18 +189,7 @@ impl Shape {
             }
         }
         let cells = largest(cells);
-        // Walls inside that face each other across a room are no reason for one between them.
-        let is_outer = |at: (i32, i32), upright: bool| {
-            let other = if upright {
-                (at.0 - 1, at.1)
-            } else {
-                (at.0, at.1 - 1)
-            };
-            cells.contains(&at) != cells.contains(&other)
-        };
-        lines
-            .joined
-            .retain(|(at, upright), is_door| !is_drawn && *is_door || is_outer(*at, *upright));
+        lines.keep_outer(&cells, !is_drawn);
         let mut shape = Shape {
             cells,
             ..Shape::default()

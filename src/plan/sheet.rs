@@ -9,6 +9,9 @@ const BLOCKS: u32 = 120;
 /// The share of a block's pixels that may be darker than its paper.
 const PAPER: f64 = 0.85;
 
+/// How far what a sheet lies on may reach into a picture, of its side.
+const EDGE: f64 = 0.1;
+
 /// How clearly a stroke must run one way, 0 to 1.
 const SLANT_CLEAR: f64 = 0.5;
 /// A stroke slants that runs at more than half the angle of which this is the tangent: 17 degrees.
@@ -41,10 +44,38 @@ impl Ink {
             red.put_pixel(x, y, Luma([level(g.min(b) - r)]));
         }
         let threshold = imageproc::contrast::otsu_level(&dark).clamp(38, 100);
-        Ink {
+        let mut ink = Ink {
             dark,
             red,
             threshold,
+        };
+        ink.clear_edges();
+        ink
+    }
+
+    /// Clears ink that runs in from the edges of the picture a little way: what the sheet lies on, not what is drawn on it.
+    fn clear_edges(&mut self) {
+        let (width, height) = self.dark.dimensions();
+        for (lines, length, upright) in [(height, width, false), (width, height, true)] {
+            let reach = (f64::from(length) * EDGE) as u32;
+            for (line, back) in (0..lines).flat_map(|line| [(line, false), (line, true)]) {
+                let place = |k: u32| {
+                    let k = if back { length - 1 - k } else { k };
+                    if upright { (line, k) } else { (k, line) }
+                };
+                let run = (0..length)
+                    .take_while(|k| {
+                        self.dark.get_pixel(place(*k).0, place(*k).1)[0] > self.threshold / 2
+                    })
+                    .count() as u32;
+                // A stroke that is cut off by the edge goes on.
+                if run <= reach {
+                    for (x, y) in (0..run).map(place) {
+                        self.dark.put_pixel(x, y, Luma([0]));
+                        self.red.put_pixel(x, y, Luma([0]));
+                    }
+                }
+            }
         }
     }
 
