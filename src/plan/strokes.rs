@@ -5,6 +5,7 @@ use super::legend::{Legend, Role};
 use super::sheet::Ink;
 use glam::DVec2;
 use patch::Patch;
+use runs::{Habits, Line, Sum};
 use std::collections::BTreeSet;
 
 mod patch;
@@ -107,30 +108,10 @@ fn look(lines: &[Vec<Read>], line: i32, at: i32) -> Read {
     unit.copied().unwrap_or(Read::EMPTY)
 }
 
-/// How much better symbols explain the ink of a sheet than none would.
-#[derive(Default)]
-struct Sum {
-    likeness: f64,
-    units: f64,
-}
-
-impl Sum {
-    fn add(&mut self, empty: &[f64], patches: &[Patch], value: f64) {
-        for (bare, patch) in empty.iter().zip(patches) {
-            // What is empty agrees with any legend.
-            if patch.is_inked && *bare < 0.6 {
-                self.likeness += value;
-                self.units += 1.0;
-            }
-        }
-    }
-}
-
 /// Reads the units of a grid by a legend; `ink` is that of walls, `all` has what slants too, `pen` is the width of the thinnest strokes, in units.
 pub fn read(ink: &Ink, all: &Ink, grid: &Grid, legend: &Legend, pen: f64) -> Units {
     let stamps = stamp::stamps(legend, pen);
     let ((u0, u1), (v0, v1)) = (grid.across, grid.down);
-    let mut sum = Sum::default();
     let posts: Vec<Vec<f64>> = (v0..=v1)
         .map(|v| {
             (u0..=u1)
@@ -138,7 +119,7 @@ pub fn read(ink: &Ink, all: &Ink, grid: &Grid, legend: &Legend, pen: f64) -> Uni
                 .collect()
         })
         .collect();
-    let mut line = |from: (i32, i32), count: i32, upright: bool| {
+    let line = |from: (i32, i32), count: i32, upright: bool| {
         let at = |k: i32| {
             if upright {
                 (from.0, from.1 + k)
@@ -146,39 +127,46 @@ pub fn read(ink: &Ink, all: &Ink, grid: &Grid, legend: &Legend, pen: f64) -> Uni
                 (from.0 + k, from.1)
             }
         };
-        let patches: Vec<Patch> = (0..count)
-            .map(|k| {
-                let (u, v) = at(k);
-                Patch::of(
-                    (ink, all),
-                    grid,
-                    DVec2::new(f64::from(u), f64::from(v)),
-                    upright,
-                    legend.is_by_hand,
-                )
-            })
-            .collect();
-        let posts: Vec<f64> = (0..=count)
+        let patch = |k: i32| {
+            let (u, v) = at(k);
+            Patch::of(
+                (ink, all),
+                grid,
+                DVec2::new(f64::from(u), f64::from(v)),
+                upright,
+                legend.is_by_hand,
+            )
+        };
+        let patches: Vec<Patch> = (0..count).map(patch).collect();
+        let posts = (0..=count)
             .map(|k| posts[(at(k).1 - v0) as usize][(at(k).0 - u0) as usize])
             .collect();
-        runs::best(&patches, &posts, &stamps, pen, &mut sum)
+        Line::of(&patches, posts, &stamps, pen)
     };
-    let level: Vec<Vec<Read>> = (v0..=v1).map(|v| line((u0, v), u1 - u0, false)).collect();
-    let upright: Vec<Vec<Read>> = (u0..=u1).map(|u| line((u, v0), v1 - v0, true)).collect();
-    let mut lines = [level, upright];
+    let level: Vec<Line> = (v0..=v1).map(|v| line((u0, v), u1 - u0, false)).collect();
+    let upright: Vec<Line> = (u0..=u1).map(|u| line((u, v0), v1 - v0, true)).collect();
+    // One hand draws one thing in one way: what a first look finds often is likelier at the second.
+    let mut habits = Habits::none(&stamps);
+    for line in level.iter().chain(&upright) {
+        line.best(&stamps, &habits)
+            .iter()
+            .for_each(|c| habits.note(c));
+    }
+    habits.settle(&stamps);
+    let mut sum = Sum::default();
+    let mut reads = |line: &Line| line.reads(&line.best(&stamps, &habits), &mut sum);
+    let mut lines = [
+        level.iter().map(&mut reads).collect(),
+        upright.iter().map(&mut reads).collect(),
+    ];
     settle(&mut lines);
     let [level, upright] = lines;
-    let likeness = if sum.units > 0.0 {
-        sum.likeness / sum.units
-    } else {
-        0.0
-    };
     Units {
         across: grid.across,
         down: grid.down,
         level,
         upright,
-        likeness,
+        likeness: sum.mean(),
         inked: BTreeSet::new(),
     }
 }

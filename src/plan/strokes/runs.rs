@@ -1,9 +1,9 @@
 //! What runs of wall stand for: units of a line between posts are of one kind, drawn in one way.
 
 use super::super::legend::Role;
+use super::Read;
 use super::patch::Patch;
 use super::stamp::{Stamp, emptiness};
-use super::{Read, Sum};
 
 /// What agrees less with every symbol is none: writing, hatching, things that stand in a room.
 const CLUTTER: f64 = 0.5;
@@ -15,136 +15,198 @@ const AT_POST: f64 = 0.02;
 const NO_POST: f64 = 0.1;
 /// The longest run of one kind that is tried, units.
 const LONGEST: usize = 8;
+/// What a way to draw costs that the sheet has nowhere else.
+const STRANGE: f64 = 0.1;
+/// The share of all runs of a role from which on a way to draw is a habit.
+const USUAL: f64 = 0.2;
 
-/// A way to read a run: its role, the sum of likeness, and the place of its stamp.
+/// A run of units of one kind, and the next best kind beside it.
 #[derive(Clone, Copy)]
-struct Choice {
+pub(super) struct Run {
     from: usize,
+    end: usize,
     role: Role,
+    stamp: Option<usize>,
     value: f64,
     lead: f64,
 }
 
-/// The roles of a line of units that agree best with its ink and its posts (dynamic programming over its runs).
-pub(super) fn best(
-    patches: &[Patch],
-    posts: &[f64],
-    stamps: &[Stamp],
-    pen: f64,
-    sum: &mut Sum,
-) -> Vec<Read> {
-    let n = patches.len();
-    let empty: Vec<f64> = patches
-        .iter()
-        .map(|p| emptiness(p, pen).max(CLUTTER))
-        .collect();
-    // Most of a sheet is empty, and no symbol stands there.
-    let likeness: Vec<Vec<f64>> = patches
-        .iter()
-        .map(|p| {
-            if p.is_inked {
-                likenesses(p, stamps, pen)
-            } else {
-                Vec::new()
-            }
-        })
-        .collect();
-    let mut table: Vec<Option<(f64, Choice)>> = vec![None; n + 1];
-    for end in 1..=n {
-        for from in end.saturating_sub(LONGEST)..end {
-            let before = if from == 0 {
-                0.0
-            } else {
-                table[from].map_or(f64::MIN, |t| t.0)
-            };
-            let ends = [posts[from], posts[end]];
-            for choice in choices(from, end, &likeness, &empty, stamps, ends) {
-                let total = before + choice.value * (end - from) as f64 - CHANGE
-                    + (CHANGE - AT_POST) * posts[from];
-                if table[end].is_none_or(|t| total > t.0) {
-                    table[end] = Some((total, choice));
-                }
-            }
+/// What each way to draw costs, by stamps.
+pub(super) struct Habits {
+    weights: Vec<f64>,
+    costs: Vec<f64>,
+}
+
+impl Habits {
+    /// Before anything is known of a sheet.
+    pub(super) fn none(stamps: &[Stamp]) -> Habits {
+        Habits {
+            weights: vec![0.0; stamps.len()],
+            costs: vec![0.0; stamps.len()],
         }
     }
-    let taken = |from: usize, end: usize, value: f64| {
-        sum.add(&empty[from..end], &patches[from..end], value)
-    };
-    reads(&table, taken)
-}
 
-/// What the best choices up to the end of a line read; `taken` is called with each of them, from the end.
-fn reads(table: &[Option<(f64, Choice)>], mut taken: impl FnMut(usize, usize, f64)) -> Vec<Read> {
-    let mut end = table.len() - 1;
-    let mut out = vec![Read::EMPTY; end];
-    while let Some((_, choice)) = table[end] {
-        let Choice {
-            from,
-            role,
-            value,
-            lead,
-        } = choice;
-        out[from..end].fill(Read {
-            role,
-            likeness: value.clamp(0.0, 1.0),
-            lead,
-        });
-        taken(from, end, value);
-        end = from;
-        if end == 0 {
-            break;
+    pub(super) fn note(&mut self, run: &Run) {
+        if let Some(stamp) = run.stamp {
+            self.weights[stamp] += (run.end - run.from) as f64 * (run.value - CLUTTER).max(0.0);
         }
     }
-    out
-}
 
-/// How well each unit of each stamp agrees with a patch, stamp after stamp.
-fn likenesses(patch: &Patch, stamps: &[Stamp], pen: f64) -> Vec<f64> {
-    stamps
-        .iter()
-        .flat_map(|s| (0..s.units).map(|unit| s.likeness(unit, patch, pen)))
-        .collect()
-}
-
-/// The best of the ways to read a run, with what it leads by.
-fn choices(
-    from: usize,
-    end: usize,
-    likeness: &[Vec<f64>],
-    empty: &[f64],
-    stamps: &[Stamp],
-    ends: [f64; 2],
-) -> impl Iterator<Item = Choice> {
-    let length = (end - from) as f64;
-    let mut best: Vec<(Role, f64)> =
-        vec![(Role::Empty, empty[from..end].iter().sum::<f64>() / length)];
-    if likeness[from..end].iter().all(|l| !l.is_empty()) {
-        let mut at = 0;
-        for stamp in stamps {
-            if (end - from).is_multiple_of(stamp.units) {
-                let units = likeness[from..end]
+    /// Draws the conclusion: a symbol in a spread, or the ones beside it, by its share of all that stand for its role.
+    pub(super) fn settle(&mut self, stamps: &[Stamp]) {
+        for (k, stamp) in stamps.iter().enumerate() {
+            let of_role = |s: &Stamp| s.role == stamp.role;
+            let alike =
+                |s: &Stamp| s.kind.0 == stamp.kind.0 && s.kind.1.abs_diff(stamp.kind.1) <= 1;
+            let sum = |is: &dyn Fn(&Stamp) -> bool| {
+                stamps
                     .iter()
-                    .enumerate()
-                    .map(|(k, l)| l[at + k % stamp.units]);
-                let mut value = units.sum::<f64>() / length;
-                if stamp.role.parts() {
-                    value -= NO_POST * (2.0 - ends[0] - ends[1]) / length;
+                    .zip(&self.weights)
+                    .filter(|(s, _)| is(s))
+                    .map(|(_, w)| w)
+                    .sum::<f64>()
+            };
+            let (mine, all) = (sum(&alike), sum(&of_role));
+            let share = if all > 0.0 { mine / all } else { 1.0 };
+            self.costs[k] = STRANGE * (1.0 - share / USUAL).max(0.0);
+        }
+    }
+}
+
+/// How well symbols explain the ink of a sheet.
+#[derive(Default)]
+pub(super) struct Sum {
+    likeness: f64,
+    units: f64,
+}
+
+impl Sum {
+    pub(super) fn mean(&self) -> f64 {
+        if self.units > 0.0 {
+            self.likeness / self.units
+        } else {
+            0.0
+        }
+    }
+}
+
+/// A line of units and how well each of them agrees with each stamp.
+pub(super) struct Line {
+    /// How clearly posts stand between them.
+    posts: Vec<f64>,
+    /// How empty they are.
+    empty: Vec<f64>,
+    /// For each unit that has ink, stamp after stamp and unit after unit of it.
+    likeness: Vec<Vec<f32>>,
+}
+
+impl Line {
+    pub(super) fn of(patches: &[Patch], posts: Vec<f64>, stamps: &[Stamp], pen: f64) -> Line {
+        let all = |patch: &Patch| {
+            stamps
+                .iter()
+                .flat_map(|s| (0..s.units).map(|unit| s.likeness(unit, patch, pen) as f32))
+                .collect()
+        };
+        Line {
+            posts,
+            empty: patches
+                .iter()
+                .map(|p| emptiness(p, pen).max(CLUTTER))
+                .collect(),
+            // Most of a sheet is empty, and no symbol stands there.
+            likeness: patches
+                .iter()
+                .map(|p| if p.is_inked { all(p) } else { Vec::new() })
+                .collect(),
+        }
+    }
+
+    /// The runs that agree best with its ink and its posts (dynamic programming over their ends).
+    pub(super) fn best(&self, stamps: &[Stamp], habits: &Habits) -> Vec<Run> {
+        let n = self.empty.len();
+        let mut table: Vec<Option<(f64, Run)>> = vec![None; n + 1];
+        for end in 1..=n {
+            for from in end.saturating_sub(LONGEST)..end {
+                let before = if from == 0 {
+                    0.0
+                } else {
+                    table[from].map_or(f64::MIN, |t| t.0)
+                };
+                let run = self.run(from, end, stamps, habits);
+                let total = before + run.value * (end - from) as f64 - CHANGE
+                    + (CHANGE - AT_POST) * self.posts[from];
+                if table[end].is_none_or(|t| total > t.0) {
+                    table[end] = Some((total, run));
                 }
+            }
+        }
+        let mut runs = Vec::new();
+        let mut end = n;
+        while let Some((_, run)) = table[end] {
+            runs.push(run);
+            end = run.from;
+        }
+        runs
+    }
+
+    /// The best way to read a run.
+    fn run(&self, from: usize, end: usize, stamps: &[Stamp], habits: &Habits) -> Run {
+        let length = (end - from) as f64;
+        let mut best: Vec<(Role, f64, Option<usize>)> = vec![(
+            Role::Empty,
+            self.empty[from..end].iter().sum::<f64>() / length,
+            None,
+        )];
+        let bare_ends = NO_POST * (2.0 - self.posts[from] - self.posts[end]) / length;
+        let mut at = 0;
+        let is_inked = self.likeness[from..end].iter().all(|l| !l.is_empty());
+        for (k, stamp) in stamps.iter().enumerate() {
+            if is_inked && (end - from).is_multiple_of(stamp.units) {
+                let units = self.likeness[from..end].iter().enumerate();
+                let sum = units
+                    .map(|(k, l)| f64::from(l[at + k % stamp.units]))
+                    .sum::<f64>();
+                let value = sum / length
+                    - habits.costs[k]
+                    - if stamp.role.parts() { bare_ends } else { 0.0 };
                 match best.iter_mut().find(|b| b.0 == stamp.role) {
-                    Some(b) => b.1 = b.1.max(value),
-                    None => best.push((stamp.role, value)),
+                    Some(b) if b.1 >= value => {}
+                    Some(b) => (b.1, b.2) = (value, Some(k)),
+                    None => best.push((stamp.role, value, Some(k))),
                 }
             }
             at += stamp.units;
         }
+        best.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let lead = best[0].1 - best.get(1).map_or(0.0, |b| b.1);
+        let (role, value, stamp) = best[0];
+        Run {
+            from,
+            end,
+            role,
+            stamp,
+            value,
+            lead,
+        }
     }
-    best.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let lead = best[0].1 - best.get(1).map_or(0.0, |b| b.1);
-    let (role, value) = best[0];
-    std::iter::once(Choice {
-        from,
-        role,
-        value,
-        lead,
-    })
+
+    /// The units of runs; `sum` gathers how well they agree.
+    pub(super) fn reads(&self, runs: &[Run], sum: &mut Sum) -> Vec<Read> {
+        let mut out = vec![Read::EMPTY; self.empty.len()];
+        for run in runs {
+            out[run.from..run.end].fill(Read {
+                role: run.role,
+                likeness: run.value.clamp(0.0, 1.0),
+                lead: run.lead,
+            });
+            // What is empty agrees with any legend.
+            let inked = (run.from..run.end)
+                .filter(|k| !self.likeness[*k].is_empty() && self.empty[*k] < 0.6);
+            let count = inked.count() as f64;
+            sum.likeness += count * run.value;
+            sum.units += count;
+        }
+        out
+    }
 }

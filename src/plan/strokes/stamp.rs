@@ -12,6 +12,8 @@ const APART: f64 = 1.6;
 pub(super) struct Stamp {
     pub(super) role: Role,
     pub(super) units: usize,
+    /// The symbol's place in its legend, and which of its spreads this is.
+    pub(super) kind: (usize, usize),
     /// Whether it has red marks.
     is_red: bool,
     /// The way of a leaf, or the leaf.
@@ -24,7 +26,7 @@ pub(super) struct Stamp {
 
 pub(super) fn stamps(legend: &Legend, pen: f64) -> Vec<Stamp> {
     let mut out = Vec::new();
-    for symbol in &legend.symbols {
+    for (place, symbol) in legend.symbols.iter().enumerate() {
         for (units, k) in (symbol.units[0]..=symbol.units[1])
             .flat_map(|units| (0..SPREADS).map(move |k| (units, k)))
         {
@@ -35,7 +37,10 @@ pub(super) fn stamps(legend: &Legend, pen: f64) -> Vec<Stamp> {
                 continue;
             }
             for (turned, mirrored) in [(false, false), (true, false), (false, true), (true, true)] {
-                let stamp = stamp(symbol, units, spread, pen, turned, mirrored);
+                let stamp = Stamp {
+                    kind: (place, k),
+                    ..stamp(symbol, units, spread, pen, turned, mirrored)
+                };
                 if !out.iter().any(|s: &Stamp| {
                     s.role == stamp.role && s.ink == stamp.ink && s.way == stamp.way
                 }) {
@@ -116,6 +121,7 @@ fn stamp(
     Stamp {
         role: symbol.role,
         units,
+        kind: (0, 0),
         is_red: symbol.marks.iter().any(|(_, p)| p.is_red),
         way: symbol.marks.iter().map(|(m, _)| *m).find(|m| is_way(*m)),
         is_bare: symbol.marks.iter().all(|(m, _)| is_way(*m)),
