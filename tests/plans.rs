@@ -133,3 +133,34 @@ fn the_same_picture_gives_the_same_house() {
     };
     assert_eq!(read(), read());
 }
+
+/// The drawings of `examples/plans`, by convention and seed.
+const EXAMPLES: [(&str, Convention, u64); 3] = [
+    ("survey", Convention::Survey, 1),
+    ("sashizu", Convention::Sashizu, 3),
+    ("itazu", Convention::Itazu, 2),
+];
+
+/// `HSD_UPDATE=1` draws them anew.
+#[test]
+fn the_examples_are_drawn_here_and_read() {
+    let folder = crate::support::root().join("examples/plans");
+    for (name, convention, seed) in EXAMPLES {
+        let drawn = png(&drawing(seed, convention, Degradation::Clean, 36.0));
+        let path = folder.join(format!("{name}.png"));
+        if std::env::var_os("HSD_UPDATE").is_some() {
+            std::fs::create_dir_all(&folder).expect("a folder can be made");
+            std::fs::write(&path, &drawn).expect("a picture can be written");
+        }
+        let there = std::fs::read(&path).expect("the example is there");
+        assert!(there == drawn, "{name}: HSD_UPDATE=1 draws it anew");
+        let found = find(picture_of(&there)).expect(name);
+        assert_eq!(found.legend, name);
+    }
+}
+
+fn picture_of(bytes: &[u8]) -> image::RgbImage {
+    image::load_from_memory(bytes)
+        .expect("it is a picture")
+        .to_rgb8()
+}

@@ -450,8 +450,7 @@ fn period(strokes: &Strokes, aspect: f64) -> Option<[f64; 2]> {
     };
     let peak = (2..=4)
         .filter_map(multiple)
-        .filter(|k| pairs[*k].0 >= NEARLY * pairs[best].0)
-        .next_back()
+        .rfind(|k| pairs[*k].0 >= NEARLY * pairs[best].0)
         .unwrap_or(best);
     Some([periods[peak], periods[pairs[peak].1]])
 }

@@ -1,8 +1,8 @@
 //! A picture as it comes from a camera or a scanner.
 
 use image::error::{ImageError, LimitErrorKind};
-use image::imageops::{self, FilterType};
-use image::{DynamicImage, ImageDecoder, ImageReader, Limits, RgbImage};
+use image::imageops;
+use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits, RgbImage};
 use std::io::Cursor;
 
 /// The most pixels of a picture.
@@ -40,7 +40,12 @@ impl Picture {
         let mut reader = ImageReader::new(Cursor::new(bytes))
             .with_guessed_format()
             .map_err(|_| Unreadable::Format)?;
-        reader.format().ok_or(Unreadable::Format)?;
+        let format = reader.format().ok_or(Unreadable::Format)?;
+        if format == ImageFormat::Jpeg && !is_whole(bytes) {
+            return Err(Unreadable::Damaged(
+                "the picture ends before its end mark".to_owned(),
+            ));
+        }
         let mut limits = Limits::default();
         limits.max_alloc = Some(1 << 30);
         reader.limits(limits);
@@ -52,10 +57,10 @@ impl Picture {
         let orientation = decoder.orientation().map_err(|e| damaged(&e))?;
         let mut image = DynamicImage::from_decoder(decoder).map_err(|e| refused(&e))?;
         image.apply_orientation(orientation);
-        Ok(Picture::of(&image))
+        Ok(Picture::of(image))
     }
 
-    fn of(image: &DynamicImage) -> Picture {
+    fn of(image: DynamicImage) -> Picture {
         let pixels = on_white(image);
         let longest = pixels.width().max(pixels.height());
         if longest <= LONGEST {
@@ -66,12 +71,7 @@ impl Picture {
         }
         let shrink = f64::from(longest) / f64::from(LONGEST);
         let size = |s: u32| ((f64::from(s) / shrink).round() as u32).max(1);
-        let pixels = imageops::resize(
-            &pixels,
-            size(pixels.width()),
-            size(pixels.height()),
-            FilterType::Triangle,
-        );
+        let pixels = imageops::thumbnail(&pixels, size(pixels.width()), size(pixels.height()));
         Picture { pixels, shrink }
     }
 }
@@ -91,12 +91,31 @@ fn refused(error: &ImageError) -> Unreadable {
     }
 }
 
-/// Colours without transparency: clear parts are paper.
-fn on_white(image: &DynamicImage) -> RgbImage {
-    if !image.color().has_alpha() {
-        return image.to_rgb8();
+/// Whether a JPEG ends with its end mark. Its decoder fills what is missing with grey, which would be read as paper.
+///
+/// The small picture within the head of a photograph has an end mark of its own, so the head is left out.
+fn is_whole(bytes: &[u8]) -> bool {
+    let mut at = 2;
+    while let [0xff, kind, high, low, ..] = bytes.get(at..).unwrap_or_default() {
+        if *kind == 0xda {
+            return bytes[at..].windows(2).any(|pair| pair == [0xff, 0xd9]);
+        }
+        // Marks may be filled up with 0xff.
+        at += if *kind == 0xff {
+            1
+        } else {
+            2 + usize::from(u16::from_be_bytes([*high, *low]))
+        };
     }
-    let clear = image.to_rgba8();
+    false
+}
+
+/// Colours without transparency: clear parts are paper.
+fn on_white(image: DynamicImage) -> RgbImage {
+    if !image.color().has_alpha() {
+        return image.into_rgb8();
+    }
+    let clear = image.into_rgba8();
     RgbImage::from_fn(clear.width(), clear.height(), |x, y| {
         let [r, g, b, a] = clear.get_pixel(x, y).0.map(u16::from);
         image::Rgb([r, g, b].map(|c| ((c * a + 255 * (255 - a)) / 255) as u8))
