@@ -52,20 +52,15 @@ pub(super) fn stamps(legend: &Legend, pen: f64) -> Vec<Stamp> {
     out
 }
 
-/// The least distance between strokes that run beside each other, in spreads.
+/// The least distance between strokes that run beside each other from end to end, in spreads.
 fn narrowest(symbol: &Symbol) -> f64 {
-    let lines = || {
-        symbol.marks.iter().filter_map(|(m, _)| {
-            if let Mark::Line { at, from, to, .. } = m {
-                Some((*at, *from, *to))
-            } else {
-                None
-            }
-        })
+    let through = |mark: Mark| match mark {
+        Mark::Line { at, from, to, .. } if from <= 0.0 && to >= 1.0 => Some(at),
+        _ => None,
     };
-    let pairs = lines().flat_map(|a| lines().map(move |b| (a, b)));
-    let beside = pairs.filter(|(a, b)| a.0 < b.0 && a.1.max(b.1) + 0.2 < a.2.min(b.2));
-    beside.map(|(a, b)| b.0 - a.0).fold(f64::INFINITY, f64::min)
+    let lines = || symbol.marks.iter().filter_map(|(m, _)| through(*m));
+    let pairs = lines().flat_map(|a| lines().map(move |b| b - a));
+    pairs.filter(|d| *d > 0.0).fold(f64::INFINITY, f64::min)
 }
 
 fn stamp(
@@ -77,46 +72,26 @@ fn stamp(
     mirrored: bool,
 ) -> Stamp {
     let along = ALONG * units;
-    let sub = 3;
     let ink = [false, true].map(|is_red| {
-        let marks: Vec<_> = symbol
-            .marks
-            .iter()
-            .filter(|(_, p)| p.is_red == is_red)
-            .collect();
         let mut ink = vec![0.0_f32; along * ACROSS];
-        for (at, value) in ink.iter_mut().enumerate().filter(|_| !marks.is_empty()) {
-            let (j, i) = (at / along, at % along);
-            for (a, b) in (0..sub * sub).map(|k| (k % sub, k / sub)) {
-                let t = (i as f64 + (a as f64 + 0.5) / sub as f64) / along as f64;
-                let s = ((j as f64 + (b as f64 + 0.5) / sub as f64) / ACROSS as f64 * 2.0 - 1.0)
-                    * REACH;
-                let (t, s) = (
-                    if turned { 1.0 - t } else { t },
-                    if mirrored { -s } else { s },
-                );
-                let inks = marks
-                    .iter()
-                    .filter(|(m, _)| covers(*m, t, s, spread, pen, units))
-                    .map(|(_, p)| p.ink as f32);
-                *value += inks.fold(0.0, f32::max) / (sub * sub) as f32;
+        for (mark, drawn) in symbol.marks.iter().filter(|(_, p)| p.is_red == is_red) {
+            let Some((mut rows, mut columns)) = covered(*mark, spread, pen, units) else {
+                continue;
+            };
+            if mirrored {
+                rows.reverse();
+            }
+            if turned {
+                columns.reverse();
+            }
+            for (at, value) in ink.iter_mut().enumerate() {
+                *value = value.max(rows[at / along] * columns[at % along] * drawn.ink as f32);
             }
         }
         let ink = soft(&ink, along);
-        let unit = |k: usize| {
-            let within = |at: usize| at >= skip() && at + skip() < along;
-            let value = &|j: usize, i: usize| {
-                if within(k * ALONG + i) {
-                    tone(ink[j * along + k * ALONG + i])
-                } else {
-                    0
-                }
-            };
-            (0..ACROSS)
-                .flat_map(|j| (0..ALONG).map(move |i| value(j, i)))
-                .collect()
-        };
-        (0..units).map(unit).collect::<Vec<Vec<u8>>>()
+        (0..units)
+            .map(|k| part(&ink, k, along))
+            .collect::<Vec<Vec<u8>>>()
     });
     Stamp {
         role: symbol.role,
@@ -129,42 +104,75 @@ fn stamp(
     }
 }
 
+/// The ink of one unit of a stamp, without its ends.
+fn part(ink: &[f32], unit: usize, along: usize) -> Vec<u8> {
+    let columns = unit * ALONG..(unit + 1) * ALONG;
+    let within = skip()..along - skip();
+    let rows = ink.chunks_exact(along);
+    rows.flat_map(|row| {
+        columns
+            .clone()
+            .map(|i| if within.contains(&i) { tone(row[i]) } else { 0 })
+            .collect::<Vec<u8>>()
+    })
+    .collect()
+}
+
 fn is_way(mark: Mark) -> bool {
     matches!(mark, Mark::Arc | Mark::Leaf)
 }
 
-/// Whether a mark covers a place.
-fn covers(mark: Mark, t: f64, s: f64, spread: f64, pen: f64, units: usize) -> bool {
-    match mark {
+/// The shares of rows, from right to left, and of columns, from end to end, that a mark covers.
+fn covered(mark: Mark, spread: f64, pen: f64, units: usize) -> Option<(Vec<f32>, Vec<f32>)> {
+    let rows = |low: f64, high: f64| cells(ACROSS, low / REACH / 2.0 + 0.5, high / REACH / 2.0 + 0.5);
+    let along = ALONG * units;
+    Some(match mark {
         Mark::Line {
             at,
             from,
             to,
             width,
-        } => t >= from && t <= to && (s - at * spread).abs() <= pen * width / 2.0,
+        } => {
+            let half = pen * width / 2.0;
+            (
+                rows(at * spread - half, at * spread + half),
+                cells(along, from, to),
+            )
+        }
         Mark::Bar {
             at: [low, high],
             from,
             to,
-        } => t >= from && t <= to && s >= low * spread && s <= high * spread,
+        } => (rows(low * spread, high * spread), cells(along, from, to)),
         Mark::Ticks {
             at: [low, high],
             count,
             width,
             between_posts,
         } => {
-            // In units from an end of one.
-            let along = (t * units as f64).fract();
-            let (n, shift) = if between_posts {
+            let (spaces, shift) = if between_posts {
                 (f64::from(count) + 1.0, 0.0)
             } else {
                 (f64::from(count), 0.5)
             };
-            let off = along * n - shift - libm::round(along * n - shift);
-            s >= low * spread && s <= high * spread && off.abs() / n <= pen * width / 2.0
+            let half = pen * width / 2.0;
+            let middles = (0..=count).map(|k| (f64::from(k) + shift) / spaces);
+            let mut unit = vec![0.0_f32; ALONG];
+            for middle in middles {
+                let tick = cells(ALONG, middle - half, middle + half);
+                unit.iter_mut().zip(tick).for_each(|(a, b)| *a = a.max(b));
+            }
+            (rows(low * spread, high * spread), unit.repeat(units))
         }
-        Mark::Arc | Mark::Leaf => false,
-    }
+        Mark::Arc | Mark::Leaf => return None,
+    })
+}
+
+/// How much of each of so many equal parts of 0 to 1 lies between two places.
+fn cells(count: usize, low: f64, high: f64) -> Vec<f32> {
+    let n = count as f64;
+    let share = |k: usize| ((k as f64 + 1.0).min(high * n) - (k as f64).max(low * n)).clamp(0.0, 1.0);
+    (0..count).map(|k| share(k) as f32).collect()
 }
 
 impl Stamp {
@@ -191,10 +199,11 @@ impl Stamp {
         }
     }
 
-    /// Twice the ink that both share by all ink of both, without the ends.
+    /// Twice the ink that both share by all ink of both, without the ends; a hair to one side is tried too.
     fn agreement(&self, unit: usize, patch: &Patch) -> f64 {
         let ends = usize::from(unit == 0) + 2 * usize::from(unit + 1 == self.units);
-        let (mut shared, mut all) = (0, 0);
+        let mut shared = [0_u32; 3];
+        let mut all = 0;
         for (mine, theirs, sums, is_there) in [
             (&self.ink[0], &patch.black, &patch.blacks, true),
             (
@@ -204,21 +213,27 @@ impl Stamp {
                 self.is_red || patch.is_red,
             ),
         ] {
+            let mine = &mine[unit];
             if is_there {
-                shared += mine[unit]
-                    .iter()
-                    .zip(theirs)
-                    .map(|(a, b)| u32::from(*a.min(b)))
-                    .sum::<u32>();
-                all += mine[unit].iter().map(|a| u32::from(*a)).sum::<u32>() + sums[ends];
+                let end = mine.len() - ALONG;
+                shared[0] += common(mine, theirs);
+                shared[1] += common(&mine[ALONG..], &theirs[..end]);
+                shared[2] += common(&mine[..end], &theirs[ALONG..]);
+                all += mine.iter().map(|a| u32::from(*a)).sum::<u32>() + sums[ends];
             }
         }
+        let most = shared.into_iter().max().unwrap_or(0);
         if all > 0 {
-            2.0 * f64::from(shared) / f64::from(all)
+            2.0 * f64::from(most) / f64::from(all)
         } else {
             0.0
         }
     }
+}
+
+/// The ink that two have in common.
+fn common(a: &[u8], b: &[u8]) -> u32 {
+    a.iter().zip(b).map(|(a, b)| u32::from(*a.min(b))).sum()
 }
 
 /// How empty a patch is, beside a line of the pen through it.
