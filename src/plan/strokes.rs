@@ -16,6 +16,11 @@ mod stamp;
 const LEAST_LEAD: f64 = 0.12;
 /// What agrees less is in doubt.
 const LEAST_LIKENESS: f64 = 0.45;
+/// Lines of the grid by which the width of the pen is found.
+const SAMPLES: usize = 8;
+/// Pens that are tried, by the first guess.
+const PENS: [f64; 4] = [0.8, 1.0, 1.2, 1.5];
+
 /// What a unit was read as.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Read {
@@ -108,57 +113,79 @@ fn look(lines: &[Vec<Read>], line: i32, at: i32) -> Read {
     unit.copied().unwrap_or(Read::EMPTY)
 }
 
-/// Reads the units of a grid by a legend; `ink` is that of walls, `all` has what slants too, `pen` is the width of the thinnest strokes, in units.
-pub fn read(ink: &Ink, all: &Ink, grid: &Grid, legend: &Legend, pen: f64) -> Units {
-    let stamps = stamp::stamps(legend, pen);
+/// The ink along a line of the grid, unit by unit, and how clearly posts stand between them.
+struct Strip {
+    patches: Vec<Patch>,
+    posts: Vec<f64>,
+}
+
+/// Level and upright lines.
+fn strips(ink: &Ink, all: &Ink, grid: &Grid, is_by_hand: bool) -> [Vec<Strip>; 2] {
     let ((u0, u1), (v0, v1)) = (grid.across, grid.down);
-    let posts: Vec<Vec<f64>> = (v0..=v1)
-        .map(|v| {
-            (u0..=u1)
-                .map(|u| patch::post(all, grid, f64::from(u), f64::from(v)))
-                .collect()
-        })
-        .collect();
-    let line = |from: (i32, i32), count: i32, upright: bool| {
-        let at = |k: i32| {
-            if upright {
-                (from.0, from.1 + k)
-            } else {
-                (from.0 + k, from.1)
-            }
+    let post = |(u, v): (i32, i32)| patch::post(all, grid, f64::from(u), f64::from(v));
+    let strip = |from: (i32, i32), count: i32, upright: bool| {
+        let at = |k: i32| match upright {
+            true => (from.0, from.1 + k),
+            false => (from.0 + k, from.1),
         };
         let patch = |k: i32| {
-            let (u, v) = at(k);
-            Patch::of(
-                (ink, all),
-                grid,
-                DVec2::new(f64::from(u), f64::from(v)),
-                upright,
-                legend.is_by_hand,
-            )
+            let from = DVec2::new(f64::from(at(k).0), f64::from(at(k).1));
+            Patch::of((ink, all), grid, from, upright, is_by_hand)
         };
-        let patches: Vec<Patch> = (0..count).map(patch).collect();
-        let posts = (0..=count)
-            .map(|k| posts[(at(k).1 - v0) as usize][(at(k).0 - u0) as usize])
-            .collect();
-        Line::of(&patches, posts, &stamps, pen)
+        Strip {
+            patches: (0..count).map(patch).collect(),
+            posts: (0..=count).map(|k| post(at(k))).collect(),
+        }
     };
-    let level: Vec<Line> = (v0..=v1).map(|v| line((u0, v), u1 - u0, false)).collect();
-    let upright: Vec<Line> = (u0..=u1).map(|u| line((u, v0), v1 - v0, true)).collect();
+    [
+        (v0..=v1).map(|v| strip((u0, v), u1 - u0, false)).collect(),
+        (u0..=u1).map(|u| strip((u, v0), v1 - v0, true)).collect(),
+    ]
+}
+
+/// The width of a line under which the symbols of a legend agree best with the fullest lines of a sheet.
+fn fitting_pen(strips: &[Vec<Strip>; 2], legend: &Legend, pen: f64) -> f64 {
+    let ink = |s: &Strip| s.patches.iter().filter(|p| p.is_inked).count();
+    let mut fullest: Vec<&Strip> = strips.iter().flatten().collect();
+    fullest.sort_by_key(|s| std::cmp::Reverse(ink(s)));
+    fullest.truncate(SAMPLES);
+    let agreement = |pen: f64| {
+        let stamps = stamp::stamps(legend, pen);
+        let none = Habits::none(&stamps);
+        let lines = fullest.iter().map(|s| Line::of(s, &stamps, pen));
+        lines
+            .map(|line| {
+                line.best(&stamps, &none)
+                    .iter()
+                    .map(runs::Run::agreement)
+                    .sum::<f64>()
+            })
+            .sum::<f64>()
+    };
+    let tried = PENS.map(|factor| (pen * factor, agreement(pen * factor)));
+    let best = tried
+        .into_iter()
+        .reduce(|a, b| if b.1 > a.1 { b } else { a });
+    best.map_or(pen, |b| b.0)
+}
+
+/// Reads the units of a grid by a legend; `ink` is that of walls, `all` has what slants too, `pen` is about the width of the thinnest strokes, in units.
+pub fn read(ink: &Ink, all: &Ink, grid: &Grid, legend: &Legend, pen: f64) -> Units {
+    let strips = strips(ink, all, grid, legend.is_by_hand);
+    let pen = fitting_pen(&strips, legend, pen);
+    let stamps = stamp::stamps(legend, pen);
+    let lines: [Vec<Line>; 2] =
+        strips.map(|side| side.iter().map(|s| Line::of(s, &stamps, pen)).collect());
     // One hand draws one thing in one way: what a first look finds often is likelier at the second.
     let mut habits = Habits::none(&stamps);
-    for line in level.iter().chain(&upright) {
-        line.best(&stamps, &habits)
-            .iter()
-            .for_each(|c| habits.note(c));
+    for line in lines.iter().flatten() {
+        let runs = line.best(&stamps, &habits);
+        runs.iter().for_each(|run| habits.note(run));
     }
     habits.settle(&stamps);
     let mut sum = Sum::default();
     let mut reads = |line: &Line| line.reads(&line.best(&stamps, &habits), &mut sum);
-    let mut lines = [
-        level.iter().map(&mut reads).collect(),
-        upright.iter().map(&mut reads).collect(),
-    ];
+    let mut lines = lines.map(|side| side.iter().map(&mut reads).collect());
     settle(&mut lines);
     let [level, upright] = lines;
     Units {

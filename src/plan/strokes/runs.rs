@@ -1,9 +1,9 @@
 //! What runs of wall stand for: units of a line between posts are of one kind, drawn in one way.
 
 use super::super::legend::Role;
-use super::Read;
 use super::patch::Patch;
 use super::stamp::{Stamp, emptiness};
+use super::{Read, Strip};
 
 /// What agrees less with every symbol is none: writing, hatching, things that stand in a room.
 const CLUTTER: f64 = 0.5;
@@ -31,6 +31,16 @@ pub(super) struct Run {
     lead: f64,
 }
 
+impl Run {
+    /// How much better than clutter it agrees with the ink.
+    pub(super) fn agreement(&self) -> f64 {
+        match self.stamp {
+            Some(_) => (self.end - self.from) as f64 * (self.value - CLUTTER).max(0.0),
+            None => 0.0,
+        }
+    }
+}
+
 /// What each way to draw costs, by stamps.
 pub(super) struct Habits {
     weights: Vec<f64>,
@@ -48,7 +58,7 @@ impl Habits {
 
     pub(super) fn note(&mut self, run: &Run) {
         if let Some(stamp) = run.stamp {
-            self.weights[stamp] += (run.end - run.from) as f64 * (run.value - CLUTTER).max(0.0);
+            self.weights[stamp] += run.agreement();
         }
     }
 
@@ -101,7 +111,8 @@ pub(super) struct Line {
 }
 
 impl Line {
-    pub(super) fn of(patches: &[Patch], posts: Vec<f64>, stamps: &[Stamp], pen: f64) -> Line {
+    pub(super) fn of(strip: &Strip, stamps: &[Stamp], pen: f64) -> Line {
+        let patches = &strip.patches;
         let all = |patch: &Patch| {
             stamps
                 .iter()
@@ -109,7 +120,7 @@ impl Line {
                 .collect()
         };
         Line {
-            posts,
+            posts: strip.posts.clone(),
             empty: patches
                 .iter()
                 .map(|p| emptiness(p, pen).max(CLUTTER))

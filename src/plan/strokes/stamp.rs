@@ -124,7 +124,8 @@ fn is_way(mark: Mark) -> bool {
 
 /// The shares of rows, from right to left, and of columns, from end to end, that a mark covers.
 fn covered(mark: Mark, spread: f64, pen: f64, units: usize) -> Option<(Vec<f32>, Vec<f32>)> {
-    let rows = |low: f64, high: f64| cells(ACROSS, low / REACH / 2.0 + 0.5, high / REACH / 2.0 + 0.5);
+    let rows =
+        |low: f64, high: f64| cells(ACROSS, low / REACH / 2.0 + 0.5, high / REACH / 2.0 + 0.5);
     let along = ALONG * units;
     Some(match mark {
         Mark::Line {
@@ -171,7 +172,8 @@ fn covered(mark: Mark, spread: f64, pen: f64, units: usize) -> Option<(Vec<f32>,
 /// How much of each of so many equal parts of 0 to 1 lies between two places.
 fn cells(count: usize, low: f64, high: f64) -> Vec<f32> {
     let n = count as f64;
-    let share = |k: usize| ((k as f64 + 1.0).min(high * n) - (k as f64).max(low * n)).clamp(0.0, 1.0);
+    let share =
+        |k: usize| ((k as f64 + 1.0).min(high * n) - (k as f64).max(low * n)).clamp(0.0, 1.0);
     (0..count).map(|k| share(k) as f32).collect()
 }
 
