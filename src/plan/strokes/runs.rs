@@ -20,6 +20,11 @@ const STRANGE: f64 = 0.1;
 /// The share of all runs of a role from which on a way to draw is a habit.
 const USUAL: f64 = 0.2;
 
+/// What it counts that a symbol agrees better than its counterpart.
+const CLEAR: f64 = 1.0;
+/// How much better it has to.
+const LEAST_CLEAR: f64 = 0.05;
+
 /// A run of units of one kind, and the next best kind beside it.
 #[derive(Clone, Copy)]
 pub(super) struct Run {
@@ -161,6 +166,24 @@ impl Line {
         runs
     }
 
+    /// How well each stamp agrees with a run, if it is drawn over so many units.
+    fn means(&self, from: usize, end: usize, stamps: &[Stamp]) -> Vec<Option<f64>> {
+        let mut at = 0;
+        let mean = |stamp: &Stamp| {
+            let first = at;
+            at += stamp.units;
+            let is_long_enough = (end - from).is_multiple_of(stamp.units);
+            is_long_enough.then(|| {
+                let units = self.likeness[from..end].iter().enumerate();
+                let sum: f64 = units
+                    .map(|(k, l)| f64::from(l[first + k % stamp.units]))
+                    .sum();
+                sum / (end - from) as f64
+            })
+        };
+        stamps.iter().map(mean).collect()
+    }
+
     /// The best way to read a run.
     fn run(&self, from: usize, end: usize, stamps: &[Stamp], habits: &Habits) -> Run {
         let length = (end - from) as f64;
@@ -170,24 +193,20 @@ impl Line {
             None,
         )];
         let bare_ends = NO_POST * (2.0 - self.posts[from] - self.posts[end]) / length;
-        let mut at = 0;
-        let is_inked = self.likeness[from..end].iter().all(|l| !l.is_empty());
-        for (k, stamp) in stamps.iter().enumerate() {
-            if is_inked && (end - from).is_multiple_of(stamp.units) {
-                let units = self.likeness[from..end].iter().enumerate();
-                let sum = units
-                    .map(|(k, l)| f64::from(l[at + k % stamp.units]))
-                    .sum::<f64>();
-                let value = sum / length
-                    - habits.costs[k]
-                    - if stamp.role.parts() { bare_ends } else { 0.0 };
+        if self.likeness[from..end].iter().all(|l| !l.is_empty()) {
+            let means = self.means(from, end, stamps);
+            for (k, stamp) in stamps.iter().enumerate().filter(|(_, s)| !s.is_counter) {
+                let Some(mean) = means[k] else { continue };
+                let against = stamp.counter.and_then(|c| means[c]);
+                let clear = against.map_or(0.0, |a| CLEAR * (mean - a - LEAST_CLEAR));
+                let bare = if stamp.role.parts() { bare_ends } else { 0.0 };
+                let value = mean + clear - habits.costs[k] - bare;
                 match best.iter_mut().find(|b| b.0 == stamp.role) {
                     Some(b) if b.1 >= value => {}
                     Some(b) => (b.1, b.2) = (value, Some(k)),
                     None => best.push((stamp.role, value, Some(k))),
                 }
             }
-            at += stamp.units;
         }
         best.sort_by(|a, b| b.1.total_cmp(&a.1));
         let lead = best[0].1 - best.get(1).map_or(0.0, |b| b.1);

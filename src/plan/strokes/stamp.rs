@@ -1,6 +1,6 @@
 //! Symbols of a legend as ink, and how well the ink of a unit agrees with them.
 
-use super::super::legend::{Legend, Mark, Role, Symbol};
+use super::super::legend::{Legend, Mark, Pen, Role, Symbol};
 use super::patch::{ACROSS, ALONG, Patch, REACH, across, skip, soft, tone};
 
 /// Spreads of a symbol that are tried.
@@ -20,6 +20,10 @@ pub(super) struct Stamp {
     way: Option<Mark>,
     /// Whether nothing stands in the way of its leaf.
     is_bare: bool,
+    /// The same mirrored, or with its ticks between the places where they are: what is drawn so agrees less with that.
+    pub(super) counter: Option<usize>,
+    /// Whether it is there to be agreed less with only.
+    pub(super) is_counter: bool,
     /// Its black ink and its red ink, for each unit of it.
     ink: [Vec<Vec<u8>>; 2],
 }
@@ -36,20 +40,74 @@ pub(super) fn stamps(legend: &Legend, pen: f64) -> Vec<Stamp> {
             if narrowest(symbol) * spread < APART * pen {
                 continue;
             }
+            let first = out.len();
             for (turned, mirrored) in [(false, false), (true, false), (false, true), (true, true)] {
                 let stamp = Stamp {
                     kind: (place, k),
                     ..stamp(symbol, units, spread, pen, turned, mirrored)
                 };
-                if !out.iter().any(|s: &Stamp| {
-                    s.role == stamp.role && s.ink == stamp.ink && s.way == stamp.way
-                }) {
+                let alike = |s: &Stamp| s.ink == stamp.ink && s.way == stamp.way;
+                if !out[first..].iter().any(alike) {
                     out.push(stamp);
                 }
             }
+            oppose(&mut out, first, symbol, pen, spread);
         }
     }
     out
+}
+
+/// Gives each of the stamps of a symbol from one on what it must agree better than.
+fn oppose(out: &mut Vec<Stamp>, first: usize, symbol: &Symbol, pen: f64, spread: f64) {
+    let shifted = |(mark, drawn): &(Mark, Pen)| match *mark {
+        Mark::Ticks {
+            at,
+            count,
+            width,
+            between_posts,
+        } if between_posts => (
+            Mark::Ticks {
+                at,
+                count: count + 1,
+                width,
+                between_posts: false,
+            },
+            *drawn,
+        ),
+        Mark::Ticks {
+            at, count, width, ..
+        } if count > 1 => (
+            Mark::Ticks {
+                at,
+                count: count - 1,
+                width,
+                between_posts: true,
+            },
+            *drawn,
+        ),
+        other => (other, *drawn),
+    };
+    let end = out.len();
+    if symbol
+        .marks
+        .iter()
+        .any(|(m, _)| matches!(m, Mark::Ticks { .. }))
+    {
+        let marks = symbol.marks.iter().map(shifted).collect();
+        let symbol = Symbol {
+            marks,
+            ..symbol.clone()
+        };
+        let counter = stamp(&symbol, out[first].units, spread, pen, false, false);
+        out.push(Stamp {
+            is_counter: true,
+            ..counter
+        });
+        (first..end).for_each(|k| out[k].counter = Some(end));
+    } else if end - first == 2 {
+        // One is the other in a mirror.
+        (out[first].counter, out[first + 1].counter) = (Some(first + 1), Some(first));
+    }
 }
 
 /// The least distance between strokes that run beside each other from end to end, in spreads.
@@ -97,6 +155,8 @@ fn stamp(
         role: symbol.role,
         units,
         kind: (0, 0),
+        counter: None,
+        is_counter: false,
         is_red: symbol.marks.iter().any(|(_, p)| p.is_red),
         way: symbol.marks.iter().map(|(m, _)| *m).find(|m| is_way(*m)),
         is_bare: symbol.marks.iter().all(|(m, _)| is_way(*m)),
