@@ -4,10 +4,12 @@ use super::grid::{Grid, dark_at};
 use super::legend::{Legend, Role};
 use super::sheet::Ink;
 use glam::DVec2;
+pub use nib::Nib;
 use patch::Patch;
 use runs::{Habits, Line, Sum};
 use std::collections::BTreeSet;
 
+mod nib;
 mod patch;
 mod runs;
 mod stamp;
@@ -18,8 +20,8 @@ const LEAST_LEAD: f64 = 0.12;
 const LEAST_LIKENESS: f64 = 0.45;
 /// Lines of the grid by which the width of the pen is found.
 const SAMPLES: usize = 8;
-/// Pens that are tried, by the first guess.
-const PENS: [f64; 4] = [0.8, 1.0, 1.2, 1.5];
+/// Nibs that are tried, by the first guess.
+const NIBS: [f64; 4] = [0.8, 1.0, 1.2, 1.5];
 
 /// What a unit was read as.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -143,39 +145,40 @@ fn strips(ink: &Ink, all: &Ink, grid: &Grid, is_by_hand: bool) -> [Vec<Strip>; 2
     ]
 }
 
-/// The width of a line under which the symbols of a legend agree best with the fullest lines of a sheet.
-fn fitting_pen(strips: &[Vec<Strip>; 2], legend: &Legend, pen: f64) -> f64 {
+/// The nib under which the symbols of a legend agree best with the fullest lines of a sheet.
+fn fitting(strips: &[Vec<Strip>; 2], legend: &Legend, nib: Nib) -> Nib {
     let ink = |s: &Strip| s.patches.iter().filter(|p| p.is_inked).count();
     let mut fullest: Vec<&Strip> = strips.iter().flatten().collect();
     fullest.sort_by_key(|s| std::cmp::Reverse(ink(s)));
     fullest.truncate(SAMPLES);
-    let agreement = |pen: f64| {
-        let stamps = stamp::stamps(legend, pen);
+    let agreement = |nib: Nib| {
+        let stamps = stamp::stamps(legend, nib);
         let none = Habits::none(&stamps);
-        let lines = fullest.iter().map(|s| Line::of(s, &stamps, pen));
-        lines
-            .map(|line| {
-                line.best(&stamps, &none)
-                    .iter()
-                    .map(runs::Run::agreement)
-                    .sum::<f64>()
-            })
-            .sum::<f64>()
+        let sum = |strip: &&Strip| -> f64 {
+            let runs = Line::of(strip, &stamps, nib).best(&stamps, &none);
+            runs.iter().map(runs::Run::agreement).sum()
+        };
+        fullest.iter().map(sum).sum::<f64>()
     };
-    let tried = PENS.map(|factor| (pen * factor, agreement(pen * factor)));
+    let tried = NIBS.map(|factor| (nib.wider(factor), agreement(nib.wider(factor))));
     let best = tried
         .into_iter()
         .reduce(|a, b| if b.1 > a.1 { b } else { a });
-    best.map_or(pen, |b| b.0)
+    best.map_or(nib, |b| b.0)
 }
 
-/// Reads the units of a grid by a legend; `ink` is that of walls, `all` has what slants too, `pen` is about the width of the thinnest strokes, in units.
-pub fn read(ink: &Ink, all: &Ink, grid: &Grid, legend: &Legend, pen: f64) -> Units {
+/// What a sheet is drawn with.
+pub fn pen(ink: &Ink, grid: &Grid) -> Nib {
+    Nib::of(ink, grid)
+}
+
+/// Reads the units of a grid by a legend; `ink` is that of walls, `all` has what slants too, `nib` is about what it is drawn with.
+pub fn read(ink: &Ink, all: &Ink, grid: &Grid, legend: &Legend, nib: Nib) -> Units {
     let strips = strips(ink, all, grid, legend.is_by_hand);
-    let pen = fitting_pen(&strips, legend, pen);
-    let stamps = stamp::stamps(legend, pen);
+    let nib = fitting(&strips, legend, nib);
+    let stamps = stamp::stamps(legend, nib);
     let lines: [Vec<Line>; 2] =
-        strips.map(|side| side.iter().map(|s| Line::of(s, &stamps, pen)).collect());
+        strips.map(|side| side.iter().map(|s| Line::of(s, &stamps, nib)).collect());
     // One hand draws one thing in one way: what a first look finds often is likelier at the second.
     let mut habits = Habits::none(&stamps);
     for line in lines.iter().flatten() {
@@ -239,28 +242,4 @@ fn inked(ink: &Ink, grid: &Grid) -> BTreeSet<(i32, i32)> {
         }
     }
     out
-}
-
-/// The width of the thinnest common strokes, units: the most frequent length of ink across the sheet, small ones.
-pub fn pen(ink: &Ink, grid: &Grid) -> f64 {
-    let most = (grid.unit * 0.5) as usize;
-    let mut counts = vec![0_u32; most.max(3) + 1];
-    for y in (0..ink.dark.height()).step_by(2) {
-        let mut run = 0;
-        for x in 0..ink.dark.width() {
-            if ink.is(x, y) {
-                run += 1;
-            } else {
-                if run > 0 && run < counts.len() {
-                    counts[run] += 1;
-                }
-                run = 0;
-            }
-        }
-    }
-    let most = counts.iter().copied().max().unwrap_or(0);
-    let common = (1..counts.len())
-        .find(|k| counts[*k] * 4 >= most)
-        .unwrap_or(1);
-    (common as f64 / grid.unit).clamp(0.02, 0.12)
 }

@@ -3,7 +3,7 @@
 use super::super::legend::Role;
 use super::patch::Patch;
 use super::stamp::{Stamp, emptiness};
-use super::{Read, Strip};
+use super::{Nib, Read, Strip};
 
 /// What agrees less with every symbol is none: writing, hatching, things that stand in a room.
 const CLUTTER: f64 = 0.5;
@@ -16,7 +16,7 @@ const NO_POST: f64 = 0.1;
 /// The longest run of one kind that is tried, units.
 const LONGEST: usize = 8;
 /// What a way to draw costs that the sheet has nowhere else.
-const STRANGE: f64 = 0.1;
+const STRANGE: f64 = 0.2;
 /// The share of all runs of a role from which on a way to draw is a habit.
 const USUAL: f64 = 0.2;
 
@@ -116,19 +116,19 @@ pub(super) struct Line {
 }
 
 impl Line {
-    pub(super) fn of(strip: &Strip, stamps: &[Stamp], pen: f64) -> Line {
+    pub(super) fn of(strip: &Strip, stamps: &[Stamp], nib: Nib) -> Line {
         let patches = &strip.patches;
         let all = |patch: &Patch| {
             stamps
                 .iter()
-                .flat_map(|s| (0..s.units).map(|unit| s.likeness(unit, patch, pen) as f32))
+                .flat_map(|s| (0..s.units).map(|unit| s.likeness(unit, patch, nib) as f32))
                 .collect()
         };
         Line {
             posts: strip.posts.clone(),
             empty: patches
                 .iter()
-                .map(|p| emptiness(p, pen).max(CLUTTER))
+                .map(|p| emptiness(p, nib).max(CLUTTER))
                 .collect(),
             // Most of a sheet is empty, and no symbol stands there.
             likeness: patches

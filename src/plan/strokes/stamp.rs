@@ -1,6 +1,7 @@
 //! Symbols of a legend as ink, and how well the ink of a unit agrees with them.
 
 use super::super::legend::{Legend, Mark, Pen, Role, Symbol};
+use super::Nib;
 use super::patch::{ACROSS, ALONG, Patch, REACH, across, skip, soft, tone};
 
 /// Spreads of a symbol that are tried.
@@ -28,7 +29,7 @@ pub(super) struct Stamp {
     ink: [Vec<Vec<u8>>; 2],
 }
 
-pub(super) fn stamps(legend: &Legend, pen: f64) -> Vec<Stamp> {
+pub(super) fn stamps(legend: &Legend, nib: Nib) -> Vec<Stamp> {
     let mut out = Vec::new();
     for (place, symbol) in legend.symbols.iter().enumerate() {
         for (units, k) in (symbol.units[0]..=symbol.units[1])
@@ -37,28 +38,28 @@ pub(super) fn stamps(legend: &Legend, pen: f64) -> Vec<Stamp> {
             let [low, high] = symbol.spread;
             let spread = low + (high - low) * k as f64 / (SPREADS - 1) as f64;
             // Strokes that run into each other are a bar.
-            if narrowest(symbol) * spread < APART * pen {
+            if narrowest(symbol) * spread < APART * nib.width {
                 continue;
             }
             let first = out.len();
             for (turned, mirrored) in [(false, false), (true, false), (false, true), (true, true)] {
                 let stamp = Stamp {
                     kind: (place, k),
-                    ..stamp(symbol, units, spread, pen, turned, mirrored)
+                    ..stamp(symbol, units, spread, nib, turned, mirrored)
                 };
                 let alike = |s: &Stamp| s.ink == stamp.ink && s.way == stamp.way;
                 if !out[first..].iter().any(alike) {
                     out.push(stamp);
                 }
             }
-            oppose(&mut out, first, symbol, pen, spread);
+            oppose(&mut out, first, symbol, nib, spread);
         }
     }
     out
 }
 
 /// Gives each of the stamps of a symbol from one on what it must agree better than.
-fn oppose(out: &mut Vec<Stamp>, first: usize, symbol: &Symbol, pen: f64, spread: f64) {
+fn oppose(out: &mut Vec<Stamp>, first: usize, symbol: &Symbol, nib: Nib, spread: f64) {
     let shifted = |(mark, drawn): &(Mark, Pen)| match *mark {
         Mark::Ticks {
             at,
@@ -98,7 +99,7 @@ fn oppose(out: &mut Vec<Stamp>, first: usize, symbol: &Symbol, pen: f64, spread:
             marks,
             ..symbol.clone()
         };
-        let counter = stamp(&symbol, out[first].units, spread, pen, false, false);
+        let counter = stamp(&symbol, out[first].units, spread, nib, false, false);
         out.push(Stamp {
             is_counter: true,
             ..counter
@@ -125,7 +126,7 @@ fn stamp(
     symbol: &Symbol,
     units: usize,
     spread: f64,
-    pen: f64,
+    nib: Nib,
     turned: bool,
     mirrored: bool,
 ) -> Stamp {
@@ -133,7 +134,7 @@ fn stamp(
     let ink = [false, true].map(|is_red| {
         let mut ink = vec![0.0_f32; along * ACROSS];
         for (mark, drawn) in symbol.marks.iter().filter(|(_, p)| p.is_red == is_red) {
-            let Some((mut rows, mut columns)) = covered(*mark, spread, pen, units) else {
+            let Some((mut rows, mut columns)) = covered(*mark, spread, nib.width, units) else {
                 continue;
             };
             if mirrored {
@@ -146,7 +147,7 @@ fn stamp(
                 *value = value.max(rows[at / along] * columns[at % along] * drawn.ink as f32);
             }
         }
-        let ink = soft(&ink, along);
+        let ink = soft(&blurred(ink, along, nib.blur), along);
         (0..units)
             .map(|k| part(&ink, k, along))
             .collect::<Vec<Vec<u8>>>()
@@ -176,6 +177,41 @@ fn part(ink: &[f32], unit: usize, along: usize) -> Vec<u8> {
             .collect::<Vec<u8>>()
     })
     .collect()
+}
+
+/// Ink spread by a bell curve of so many units.
+fn blurred(ink: Vec<f32>, along: usize, blur: f64) -> Vec<f32> {
+    let rows = bell(blur / (2.0 * REACH) * ACROSS as f64);
+    let columns = bell(blur * ALONG as f64);
+    let mut down = vec![0.0; ink.len()];
+    for (at, value) in ink.iter().enumerate().filter(|(_, v)| **v > 0.0) {
+        let (j, i) = (at / along, at % along);
+        for (k, weight) in rows.iter().enumerate() {
+            let row = j + k;
+            if row >= rows.len() / 2 && row - rows.len() / 2 < ACROSS {
+                down[(row - rows.len() / 2) * along + i] += value * weight;
+            }
+        }
+    }
+    let mut out = vec![0.0; ink.len()];
+    for (from, to) in down.chunks_exact(along).zip(out.chunks_exact_mut(along)) {
+        for (i, value) in to.iter_mut().enumerate() {
+            // Strokes go on beyond the ends.
+            let place = |k: usize| (i + k).saturating_sub(columns.len() / 2).min(along - 1);
+            *value = (0..columns.len())
+                .map(|k| columns[k] * from[place(k)])
+                .sum();
+        }
+    }
+    out
+}
+
+/// Weights of a bell curve so many samples wide; their sum is 1.
+fn bell(spread: f64) -> Vec<f32> {
+    let reach = (spread * 2.5).ceil() as i32;
+    let weight = |k: i32| libm::exp(-0.5 * f64::from(k * k) / (spread * spread).max(1e-9));
+    let sum: f64 = (-reach..=reach).map(weight).sum();
+    (-reach..=reach).map(|k| (weight(k) / sum) as f32).collect()
 }
 
 fn is_way(mark: Mark) -> bool {
@@ -239,7 +275,7 @@ fn cells(count: usize, low: f64, high: f64) -> Vec<f32> {
 
 impl Stamp {
     /// How well a unit of it agrees with a patch, 0 to 1.
-    pub(super) fn likeness(&self, unit: usize, patch: &Patch, pen: f64) -> f64 {
+    pub(super) fn likeness(&self, unit: usize, patch: &Patch, nib: Nib) -> f64 {
         let Some(way) = self.way else {
             return self.agreement(unit, patch);
         };
@@ -250,7 +286,7 @@ impl Stamp {
             ((patch.leaf - 0.4) / 0.4).clamp(0.0, 1.0)
         };
         let sill = if self.is_bare {
-            emptiness(patch, pen)
+            emptiness(patch, nib)
         } else {
             self.agreement(unit, patch)
         };
@@ -299,7 +335,7 @@ fn common(a: &[u8], b: &[u8]) -> u32 {
 }
 
 /// How empty a patch is, beside a line of the pen through it.
-pub(super) fn emptiness(patch: &Patch, pen: f64) -> f64 {
+pub(super) fn emptiness(patch: &Patch, nib: Nib) -> f64 {
     let skip = skip();
     // What stands in a room is not on its wall.
     let near = (0..ACROSS).filter(|j| across(*j).abs() < 0.16);
@@ -308,6 +344,6 @@ pub(super) fn emptiness(patch: &Patch, pen: f64) -> f64 {
         .map(|k| f64::from(patch.black[k]) + f64::from(patch.red[k]))
         .sum::<f64>()
         / 255.0;
-    let line = (ALONG - 2 * skip) as f64 * (pen / (2.0 * REACH) * ACROSS as f64).max(1.0);
+    let line = (ALONG - 2 * skip) as f64 * (nib.width / (2.0 * REACH) * ACROSS as f64).max(1.0);
     (1.0 - sum / line).max(0.0)
 }
