@@ -11,6 +11,7 @@ use std::collections::BTreeSet;
 
 mod nib;
 mod patch;
+mod proof;
 mod runs;
 mod stamp;
 

@@ -1,8 +1,9 @@
 //! Symbols of a legend as ink, and how well the ink of a unit agrees with them.
 
-use super::super::legend::{Legend, Mark, Pen, Role, Symbol};
+use super::super::legend::{Legend, Mark, Role, Symbol};
 use super::Nib;
 use super::patch::{ACROSS, ALONG, Patch, REACH, across, skip, soft, tone};
+use super::proof::{Proof, counterpart};
 
 /// Spreads of a symbol that are tried.
 const SPREADS: usize = 7;
@@ -21,10 +22,10 @@ pub(super) struct Stamp {
     way: Option<Mark>,
     /// Whether nothing stands in the way of its leaf.
     is_bare: bool,
-    /// The same mirrored, or with its ticks between the places where they are: what is drawn so agrees less with that.
-    pub(super) counter: Option<usize>,
-    /// Whether it is there to be agreed less with only.
-    pub(super) is_counter: bool,
+    /// How far on in the list it stands mirrored.
+    pub(super) mirrored: Option<isize>,
+    /// What tells it from others.
+    pub(super) proof: Option<Proof>,
     /// Its black ink and its red ink, for each unit of it.
     ink: [Vec<Vec<u8>>; 2],
 }
@@ -52,62 +53,24 @@ pub(super) fn stamps(legend: &Legend, nib: Nib) -> Vec<Stamp> {
                     out.push(stamp);
                 }
             }
-            oppose(&mut out, first, symbol, nib, spread);
+            oppose(&mut out[first..], symbol, nib, spread);
         }
     }
     out
 }
 
-/// Gives each of the stamps of a symbol from one on what it must agree better than.
-fn oppose(out: &mut Vec<Stamp>, first: usize, symbol: &Symbol, nib: Nib, spread: f64) {
-    let shifted = |(mark, drawn): &(Mark, Pen)| match *mark {
-        Mark::Ticks {
-            at,
-            count,
-            width,
-            between_posts,
-        } if between_posts => (
-            Mark::Ticks {
-                at,
-                count: count + 1,
-                width,
-                between_posts: false,
-            },
-            *drawn,
-        ),
-        Mark::Ticks {
-            at, count, width, ..
-        } if count > 1 => (
-            Mark::Ticks {
-                at,
-                count: count - 1,
-                width,
-                between_posts: true,
-            },
-            *drawn,
-        ),
-        other => (other, *drawn),
-    };
-    let end = out.len();
-    if symbol
-        .marks
-        .iter()
-        .any(|(m, _)| matches!(m, Mark::Ticks { .. }))
-    {
-        let marks = symbol.marks.iter().map(shifted).collect();
-        let symbol = Symbol {
-            marks,
-            ..symbol.clone()
-        };
-        let counter = stamp(&symbol, out[first].units, spread, nib, false, false);
-        out.push(Stamp {
-            is_counter: true,
-            ..counter
-        });
-        (first..end).for_each(|k| out[k].counter = Some(end));
-    } else if end - first == 2 {
-        // One is the other in a mirror.
-        (out[first].counter, out[first + 1].counter) = (Some(first + 1), Some(first));
+/// Gives the stamps of a symbol what they have to prove.
+fn oppose(stamps: &mut [Stamp], symbol: &Symbol, nib: Nib, spread: f64) {
+    if let Some(counter) = counterpart(symbol) {
+        for own in stamps {
+            let counter = stamp(&counter, own.units, spread, nib, false, false);
+            own.proof = Some(Proof::of(&own.whole(), &counter.whole()));
+        }
+    } else if let [one, other] = stamps {
+        // One is the other in a mirror: the ink must be on the right sides.
+        one.proof = Some(Proof::of(&one.whole(), &other.whole()));
+        other.proof = Some(Proof::of(&other.whole(), &one.whole()));
+        (one.mirrored, other.mirrored) = (Some(1), Some(-1));
     }
 }
 
@@ -156,8 +119,8 @@ fn stamp(
         role: symbol.role,
         units,
         kind: (0, 0),
-        counter: None,
-        is_counter: false,
+        mirrored: None,
+        proof: None,
         is_red: symbol.marks.iter().any(|(_, p)| p.is_red),
         way: symbol.marks.iter().map(|(m, _)| *m).find(|m| is_way(*m)),
         is_bare: symbol.marks.iter().all(|(m, _)| is_way(*m)),
@@ -274,10 +237,24 @@ fn cells(count: usize, low: f64, high: f64) -> Vec<f32> {
 }
 
 impl Stamp {
-    /// How well a unit of it agrees with a patch, 0 to 1.
-    pub(super) fn likeness(&self, unit: usize, patch: &Patch, nib: Nib) -> f64 {
+    /// Its ink of both colours, unit by unit.
+    fn whole(&self) -> Vec<Vec<i16>> {
+        let both = |(a, b): (&u8, &u8)| (i16::from(*a) + i16::from(*b)).min(255);
+        let units = self.ink[0].iter().zip(&self.ink[1]);
+        units
+            .map(|(a, b)| a.iter().zip(b).map(both).collect())
+            .collect()
+    }
+
+    /// How well a unit of it agrees with a patch, 0 to 1, and how much of what tells it from others is there.
+    pub(super) fn likeness(&self, unit: usize, patch: &Patch, nib: Nib) -> (f64, [f32; 2]) {
         let Some(way) = self.way else {
-            return self.agreement(unit, patch);
+            let (likeness, shift) = self.agreement(unit, patch);
+            let proof = self.proof.as_ref();
+            return (
+                likeness,
+                proof.map_or([0.0; 2], |p| p.shown(unit, patch, shift)),
+            );
         };
         // A leaf stands open on a drawing: its line is beside the way, not in it.
         let seen = if way == Mark::Arc {
@@ -288,44 +265,48 @@ impl Stamp {
         let sill = if self.is_bare {
             emptiness(patch, nib)
         } else {
-            self.agreement(unit, patch)
+            self.agreement(unit, patch).0
         };
-        if seen > 0.0 {
-            0.5 * sill * seen + 0.5 * seen
-        } else {
-            0.0
-        }
+        (
+            if seen > 0.0 {
+                0.5 * sill * seen + 0.5 * seen
+            } else {
+                0.0
+            },
+            [0.0; 2],
+        )
     }
 
     /// Twice the ink that both share by all ink of both, without the ends; a hair to one side is tried too.
-    fn agreement(&self, unit: usize, patch: &Patch) -> f64 {
+    fn agreement(&self, unit: usize, patch: &Patch) -> (f64, i32) {
         let ends = usize::from(unit == 0) + 2 * usize::from(unit + 1 == self.units);
         let mut shared = [0_u32; 3];
         let mut all = 0;
+        let red = self.is_red || patch.is_red;
         for (mine, theirs, sums, is_there) in [
             (&self.ink[0], &patch.black, &patch.blacks, true),
-            (
-                &self.ink[1],
-                &patch.red,
-                &patch.reds,
-                self.is_red || patch.is_red,
-            ),
+            (&self.ink[1], &patch.red, &patch.reds, red),
         ] {
             let mine = &mine[unit];
             if is_there {
                 let end = mine.len() - ALONG;
-                shared[0] += common(mine, theirs);
-                shared[1] += common(&mine[ALONG..], &theirs[..end]);
-                shared[2] += common(&mine[..end], &theirs[ALONG..]);
+                shared[0] += common(&mine[..end], &theirs[ALONG..]);
+                shared[1] += common(mine, theirs);
+                shared[2] += common(&mine[ALONG..], &theirs[..end]);
                 all += mine.iter().map(|a| u32::from(*a)).sum::<u32>() + sums[ends];
             }
         }
-        let most = shared.into_iter().max().unwrap_or(0);
-        if all > 0 {
-            2.0 * f64::from(most) / f64::from(all)
+        // Of two that agree alike the one in the middle.
+        let best = [1, 0, 2]
+            .into_iter()
+            .reduce(|a, b| if shared[b] > shared[a] { b } else { a });
+        let best = best.unwrap_or(1);
+        let value = if all > 0 {
+            2.0 * f64::from(shared[best]) / f64::from(all)
         } else {
             0.0
-        }
+        };
+        (value, best as i32 - 1)
     }
 }
 
