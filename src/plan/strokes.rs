@@ -4,11 +4,14 @@ use super::grid::{Grid, dark_at};
 use super::legend::{Legend, Role};
 use super::sheet::Ink;
 use glam::DVec2;
+pub use nib::Nib;
 use patch::Patch;
 use runs::{Habits, Line, Sum};
 use std::collections::BTreeSet;
 
+mod nib;
 mod patch;
+mod proof;
 mod runs;
 mod stamp;
 
@@ -16,6 +19,11 @@ mod stamp;
 const LEAST_LEAD: f64 = 0.12;
 /// What agrees less is in doubt.
 const LEAST_LIKENESS: f64 = 0.45;
+/// Lines of the grid by which the width of the pen is found.
+const SAMPLES: usize = 8;
+/// Nibs that are tried, by the first guess.
+const NIBS: [f64; 4] = [0.8, 1.0, 1.2, 1.5];
+
 /// What a unit was read as.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Read {
@@ -108,57 +116,80 @@ fn look(lines: &[Vec<Read>], line: i32, at: i32) -> Read {
     unit.copied().unwrap_or(Read::EMPTY)
 }
 
-/// Reads the units of a grid by a legend; `ink` is that of walls, `all` has what slants too, `pen` is the width of the thinnest strokes, in units.
-pub fn read(ink: &Ink, all: &Ink, grid: &Grid, legend: &Legend, pen: f64) -> Units {
-    let stamps = stamp::stamps(legend, pen);
+/// The ink along a line of the grid, unit by unit, and how clearly posts stand between them.
+struct Strip {
+    patches: Vec<Patch>,
+    posts: Vec<f64>,
+}
+
+/// Level and upright lines.
+fn strips(ink: &Ink, all: &Ink, grid: &Grid, is_by_hand: bool) -> [Vec<Strip>; 2] {
     let ((u0, u1), (v0, v1)) = (grid.across, grid.down);
-    let posts: Vec<Vec<f64>> = (v0..=v1)
-        .map(|v| {
-            (u0..=u1)
-                .map(|u| patch::post(all, grid, f64::from(u), f64::from(v)))
-                .collect()
-        })
-        .collect();
-    let line = |from: (i32, i32), count: i32, upright: bool| {
-        let at = |k: i32| {
-            if upright {
-                (from.0, from.1 + k)
-            } else {
-                (from.0 + k, from.1)
-            }
+    let post = |(u, v): (i32, i32)| patch::post(all, grid, f64::from(u), f64::from(v));
+    let strip = |from: (i32, i32), count: i32, upright: bool| {
+        let at = |k: i32| match upright {
+            true => (from.0, from.1 + k),
+            false => (from.0 + k, from.1),
         };
         let patch = |k: i32| {
-            let (u, v) = at(k);
-            Patch::of(
-                (ink, all),
-                grid,
-                DVec2::new(f64::from(u), f64::from(v)),
-                upright,
-                legend.is_by_hand,
-            )
+            let from = DVec2::new(f64::from(at(k).0), f64::from(at(k).1));
+            Patch::of((ink, all), grid, from, upright, is_by_hand)
         };
-        let patches: Vec<Patch> = (0..count).map(patch).collect();
-        let posts = (0..=count)
-            .map(|k| posts[(at(k).1 - v0) as usize][(at(k).0 - u0) as usize])
-            .collect();
-        Line::of(&patches, posts, &stamps, pen)
+        Strip {
+            patches: (0..count).map(patch).collect(),
+            posts: (0..=count).map(|k| post(at(k))).collect(),
+        }
     };
-    let level: Vec<Line> = (v0..=v1).map(|v| line((u0, v), u1 - u0, false)).collect();
-    let upright: Vec<Line> = (u0..=u1).map(|u| line((u, v0), v1 - v0, true)).collect();
+    [
+        (v0..=v1).map(|v| strip((u0, v), u1 - u0, false)).collect(),
+        (u0..=u1).map(|u| strip((u, v0), v1 - v0, true)).collect(),
+    ]
+}
+
+/// The nib under which the symbols of a legend agree best with the fullest lines of a sheet.
+fn fitting(strips: &[Vec<Strip>; 2], legend: &Legend, nib: Nib) -> Nib {
+    let ink = |s: &Strip| s.patches.iter().filter(|p| p.is_inked).count();
+    let mut fullest: Vec<&Strip> = strips.iter().flatten().collect();
+    fullest.sort_by_key(|s| std::cmp::Reverse(ink(s)));
+    fullest.truncate(SAMPLES);
+    let agreement = |nib: Nib| {
+        let stamps = stamp::stamps(legend, nib);
+        let none = Habits::none(&stamps);
+        let sum = |strip: &&Strip| -> f64 {
+            let runs = Line::of(strip, &stamps, nib).best(&stamps, &none);
+            runs.iter().map(runs::Run::agreement).sum()
+        };
+        fullest.iter().map(sum).sum::<f64>()
+    };
+    let tried = NIBS.map(|factor| (nib.wider(factor), agreement(nib.wider(factor))));
+    let best = tried
+        .into_iter()
+        .reduce(|a, b| if b.1 > a.1 { b } else { a });
+    best.map_or(nib, |b| b.0)
+}
+
+/// What a sheet is drawn with.
+pub fn pen(ink: &Ink, grid: &Grid) -> Nib {
+    Nib::of(ink, grid)
+}
+
+/// Reads the units of a grid by a legend; `ink` is that of walls, `all` has what slants too, `nib` is about what it is drawn with.
+pub fn read(ink: &Ink, all: &Ink, grid: &Grid, legend: &Legend, nib: Nib) -> Units {
+    let strips = strips(ink, all, grid, legend.is_by_hand);
+    let nib = fitting(&strips, legend, nib);
+    let stamps = stamp::stamps(legend, nib);
+    let lines: [Vec<Line>; 2] =
+        strips.map(|side| side.iter().map(|s| Line::of(s, &stamps, nib)).collect());
     // One hand draws one thing in one way: what a first look finds often is likelier at the second.
     let mut habits = Habits::none(&stamps);
-    for line in level.iter().chain(&upright) {
-        line.best(&stamps, &habits)
-            .iter()
-            .for_each(|c| habits.note(c));
+    for line in lines.iter().flatten() {
+        let runs = line.best(&stamps, &habits);
+        runs.iter().for_each(|run| habits.note(run));
     }
     habits.settle(&stamps);
     let mut sum = Sum::default();
     let mut reads = |line: &Line| line.reads(&line.best(&stamps, &habits), &mut sum);
-    let mut lines = [
-        level.iter().map(&mut reads).collect(),
-        upright.iter().map(&mut reads).collect(),
-    ];
+    let mut lines = lines.map(|side| side.iter().map(&mut reads).collect());
     settle(&mut lines);
     let [level, upright] = lines;
     Units {
@@ -212,28 +243,4 @@ fn inked(ink: &Ink, grid: &Grid) -> BTreeSet<(i32, i32)> {
         }
     }
     out
-}
-
-/// The width of the thinnest common strokes, units: the most frequent length of ink across the sheet, small ones.
-pub fn pen(ink: &Ink, grid: &Grid) -> f64 {
-    let most = (grid.unit * 0.5) as usize;
-    let mut counts = vec![0_u32; most.max(3) + 1];
-    for y in (0..ink.dark.height()).step_by(2) {
-        let mut run = 0;
-        for x in 0..ink.dark.width() {
-            if ink.is(x, y) {
-                run += 1;
-            } else {
-                if run > 0 && run < counts.len() {
-                    counts[run] += 1;
-                }
-                run = 0;
-            }
-        }
-    }
-    let most = counts.iter().copied().max().unwrap_or(0);
-    let common = (1..counts.len())
-        .find(|k| counts[*k] * 4 >= most)
-        .unwrap_or(1);
-    (common as f64 / grid.unit).clamp(0.02, 0.12)
 }

@@ -22,6 +22,8 @@ const SWAY: f64 = 0.06;
 pub(super) struct Patch {
     pub(super) black: Vec<u8>,
     pub(super) red: Vec<u8>,
+    /// Ink of both colours.
+    pub(super) ink: Vec<i16>,
     /// Their sums: without nothing, without the beginning, without the end, without both.
     pub(super) blacks: [u32; 4],
     pub(super) reds: [u32; 4],
@@ -86,7 +88,9 @@ impl Patch {
         let is_inked = blacks + reds > 3.0 || arc > 0.5 || leaf > 0.5;
         let tones = |ink: &[f32]| soft(ink, ALONG).into_iter().map(tone).collect::<Vec<u8>>();
         let (black, red) = (tones(&black), tones(&red));
+        let both = |(a, b): (&u8, &u8)| i16::from(*a) + i16::from(*b);
         Patch {
+            ink: black.iter().zip(&red).map(both).collect(),
             blacks: sums(&black),
             reds: sums(&red),
             black,

@@ -1,9 +1,10 @@
 //! What runs of wall stand for: units of a line between posts are of one kind, drawn in one way.
 
 use super::super::legend::Role;
-use super::Read;
 use super::patch::Patch;
+use super::proof::Proof;
 use super::stamp::{Stamp, emptiness};
+use super::{Nib, Read, Strip};
 
 /// What agrees less with every symbol is none: writing, hatching, things that stand in a room.
 const CLUTTER: f64 = 0.5;
@@ -16,9 +17,25 @@ const NO_POST: f64 = 0.1;
 /// The longest run of one kind that is tried, units.
 const LONGEST: usize = 8;
 /// What a way to draw costs that the sheet has nowhere else.
-const STRANGE: f64 = 0.1;
+const STRANGE: f64 = 0.2;
 /// The share of all runs of a role from which on a way to draw is a habit.
-const USUAL: f64 = 0.2;
+const USUAL: f64 = 0.3;
+
+/// What it counts that a symbol agrees better than itself in a mirror.
+const CLEAR: f64 = 1.0;
+/// How much better it has to.
+const LEAST_CLEAR: f64 = 0.05;
+/// What it counts that what tells a symbol from others is there.
+const PROOF: f64 = 0.2;
+/// How much of it has to be there.
+const NEEDED: f64 = 0.4;
+
+/// What it counts: against a symbol at once, for it only where it agrees with the ink at all.
+fn proven(mean: f64, shown: f64) -> f64 {
+    let over = shown.clamp(0.0, 1.0) - NEEDED;
+    let agrees = ((mean - CLUTTER) / 0.25).clamp(0.0, 1.0);
+    PROOF * if over > 0.0 { over * agrees } else { over }
+}
 
 /// A run of units of one kind, and the next best kind beside it.
 #[derive(Clone, Copy)]
@@ -29,6 +46,16 @@ pub(super) struct Run {
     stamp: Option<usize>,
     value: f64,
     lead: f64,
+}
+
+impl Run {
+    /// How much better than clutter it agrees with the ink.
+    pub(super) fn agreement(&self) -> f64 {
+        match self.stamp {
+            Some(_) => (self.end - self.from) as f64 * (self.value - CLUTTER).max(0.0),
+            None => 0.0,
+        }
+    }
 }
 
 /// What each way to draw costs, by stamps.
@@ -48,7 +75,7 @@ impl Habits {
 
     pub(super) fn note(&mut self, run: &Run) {
         if let Some(stamp) = run.stamp {
-            self.weights[stamp] += (run.end - run.from) as f64 * (run.value - CLUTTER).max(0.0);
+            self.weights[stamp] += run.agreement();
         }
     }
 
@@ -96,23 +123,25 @@ pub(super) struct Line {
     posts: Vec<f64>,
     /// How empty they are.
     empty: Vec<f64>,
-    /// For each unit that has ink, stamp after stamp and unit after unit of it.
-    likeness: Vec<Vec<f32>>,
+    /// For each unit that has ink, stamp after stamp and unit after unit of it; with what it shows of proof.
+    likeness: Vec<Vec<(f32, [f32; 2])>>,
 }
 
 impl Line {
-    pub(super) fn of(patches: &[Patch], posts: Vec<f64>, stamps: &[Stamp], pen: f64) -> Line {
+    pub(super) fn of(strip: &Strip, stamps: &[Stamp], nib: Nib) -> Line {
+        let patches = &strip.patches;
         let all = |patch: &Patch| {
             stamps
                 .iter()
-                .flat_map(|s| (0..s.units).map(|unit| s.likeness(unit, patch, pen) as f32))
+                .flat_map(|s| (0..s.units).map(|unit| s.likeness(unit, patch, nib)))
+                .map(|(likeness, proof)| (likeness as f32, proof))
                 .collect()
         };
         Line {
-            posts,
+            posts: strip.posts.clone(),
             empty: patches
                 .iter()
-                .map(|p| emptiness(p, pen).max(CLUTTER))
+                .map(|p| emptiness(p, nib).max(CLUTTER))
                 .collect(),
             // Most of a sheet is empty, and no symbol stands there.
             likeness: patches
@@ -150,6 +179,33 @@ impl Line {
         runs
     }
 
+    /// How well each stamp agrees with a run, and the share of its proof that is there, if it is drawn over so many units.
+    fn means(&self, from: usize, end: usize, stamps: &[Stamp]) -> Vec<Option<(f64, Option<f64>)>> {
+        let mut at = 0;
+        let mean = |stamp: &Stamp| {
+            let first = at;
+            at += stamp.units;
+            if !(end - from).is_multiple_of(stamp.units) {
+                return None;
+            }
+            let unit = |k: usize| self.likeness[from + k][first + k % stamp.units];
+            let sum: f64 = (0..end - from).map(|k| f64::from(unit(k).0)).sum();
+            // Each half of each time that it is drawn.
+            let least = |p: &Proof| {
+                let times = (0..end - from).step_by(stamp.units);
+                let half = |from: usize, h: usize| {
+                    let shown = (from..from + stamp.units).map(|k| f64::from(unit(k).1[h]));
+                    shown.sum::<f64>() / p.whole[h]
+                };
+                let halves = times.flat_map(|from| [half(from, 0), half(from, 1)]);
+                halves.fold(f64::INFINITY, f64::min)
+            };
+            let share = stamp.proof.as_ref().map(least);
+            Some((sum / (end - from) as f64, share))
+        };
+        stamps.iter().map(mean).collect()
+    }
+
     /// The best way to read a run.
     fn run(&self, from: usize, end: usize, stamps: &[Stamp], habits: &Habits) -> Run {
         let length = (end - from) as f64;
@@ -159,24 +215,23 @@ impl Line {
             None,
         )];
         let bare_ends = NO_POST * (2.0 - self.posts[from] - self.posts[end]) / length;
-        let mut at = 0;
-        let is_inked = self.likeness[from..end].iter().all(|l| !l.is_empty());
-        for (k, stamp) in stamps.iter().enumerate() {
-            if is_inked && (end - from).is_multiple_of(stamp.units) {
-                let units = self.likeness[from..end].iter().enumerate();
-                let sum = units
-                    .map(|(k, l)| f64::from(l[at + k % stamp.units]))
-                    .sum::<f64>();
-                let value = sum / length
-                    - habits.costs[k]
-                    - if stamp.role.parts() { bare_ends } else { 0.0 };
+        if self.likeness[from..end].iter().all(|l| !l.is_empty()) {
+            let means = self.means(from, end, stamps);
+            for (k, stamp) in stamps.iter().enumerate() {
+                let Some((mean, shown)) = means[k] else {
+                    continue;
+                };
+                let proof = shown.map_or(0.0, |s| proven(mean, s));
+                let against = stamp.mirrored.and_then(|m| means[k.wrapping_add_signed(m)]);
+                let proof = proof + against.map_or(0.0, |a| CLEAR * (mean - a.0 - LEAST_CLEAR));
+                let bare = if stamp.role.parts() { bare_ends } else { 0.0 };
+                let value = mean + proof - habits.costs[k] - bare;
                 match best.iter_mut().find(|b| b.0 == stamp.role) {
                     Some(b) if b.1 >= value => {}
                     Some(b) => (b.1, b.2) = (value, Some(k)),
                     None => best.push((stamp.role, value, Some(k))),
                 }
             }
-            at += stamp.units;
         }
         best.sort_by(|a, b| b.1.total_cmp(&a.1));
         let lead = best[0].1 - best.get(1).map_or(0.0, |b| b.1);

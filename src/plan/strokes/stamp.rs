@@ -1,7 +1,9 @@
 //! Symbols of a legend as ink, and how well the ink of a unit agrees with them.
 
 use super::super::legend::{Legend, Mark, Role, Symbol};
+use super::Nib;
 use super::patch::{ACROSS, ALONG, Patch, REACH, across, skip, soft, tone};
+use super::proof::{Proof, counterpart};
 
 /// Spreads of a symbol that are tried.
 const SPREADS: usize = 7;
@@ -20,11 +22,15 @@ pub(super) struct Stamp {
     way: Option<Mark>,
     /// Whether nothing stands in the way of its leaf.
     is_bare: bool,
+    /// How far on in the list it stands mirrored.
+    pub(super) mirrored: Option<isize>,
+    /// What tells it from others.
+    pub(super) proof: Option<Proof>,
     /// Its black ink and its red ink, for each unit of it.
     ink: [Vec<Vec<u8>>; 2],
 }
 
-pub(super) fn stamps(legend: &Legend, pen: f64) -> Vec<Stamp> {
+pub(super) fn stamps(legend: &Legend, nib: Nib) -> Vec<Stamp> {
     let mut out = Vec::new();
     for (place, symbol) in legend.symbols.iter().enumerate() {
         for (units, k) in (symbol.units[0]..=symbol.units[1])
@@ -33,95 +39,88 @@ pub(super) fn stamps(legend: &Legend, pen: f64) -> Vec<Stamp> {
             let [low, high] = symbol.spread;
             let spread = low + (high - low) * k as f64 / (SPREADS - 1) as f64;
             // Strokes that run into each other are a bar.
-            if narrowest(symbol) * spread < APART * pen {
+            if narrowest(symbol) * spread < APART * nib.width {
                 continue;
             }
+            let first = out.len();
             for (turned, mirrored) in [(false, false), (true, false), (false, true), (true, true)] {
                 let stamp = Stamp {
                     kind: (place, k),
-                    ..stamp(symbol, units, spread, pen, turned, mirrored)
+                    ..stamp(symbol, units, spread, nib, turned, mirrored)
                 };
-                if !out.iter().any(|s: &Stamp| {
-                    s.role == stamp.role && s.ink == stamp.ink && s.way == stamp.way
-                }) {
+                let alike = |s: &Stamp| s.ink == stamp.ink && s.way == stamp.way;
+                if !out[first..].iter().any(alike) {
                     out.push(stamp);
                 }
             }
+            oppose(&mut out[first..], symbol, nib, spread);
         }
     }
     out
 }
 
-/// The least distance between strokes that run beside each other, in spreads.
+/// Gives the stamps of a symbol what they have to prove.
+fn oppose(stamps: &mut [Stamp], symbol: &Symbol, nib: Nib, spread: f64) {
+    if let Some(counter) = counterpart(symbol) {
+        for own in stamps {
+            let counter = stamp(&counter, own.units, spread, nib, false, false);
+            own.proof = Some(Proof::of(&own.whole(), &counter.whole()));
+        }
+    } else if let [one, other] = stamps {
+        // One is the other in a mirror: the ink must be on the right sides.
+        one.proof = Some(Proof::of(&one.whole(), &other.whole()));
+        other.proof = Some(Proof::of(&other.whole(), &one.whole()));
+        (one.mirrored, other.mirrored) = (Some(1), Some(-1));
+    }
+}
+
+/// The least distance between strokes that run beside each other from end to end, in spreads.
 fn narrowest(symbol: &Symbol) -> f64 {
-    let lines = || {
-        symbol.marks.iter().filter_map(|(m, _)| {
-            if let Mark::Line { at, from, to, .. } = m {
-                Some((*at, *from, *to))
-            } else {
-                None
-            }
-        })
+    let through = |mark: Mark| match mark {
+        Mark::Line { at, from, to, .. } if from <= 0.0 && to >= 1.0 => Some(at),
+        _ => None,
     };
-    let pairs = lines().flat_map(|a| lines().map(move |b| (a, b)));
-    let beside = pairs.filter(|(a, b)| a.0 < b.0 && a.1.max(b.1) + 0.2 < a.2.min(b.2));
-    beside.map(|(a, b)| b.0 - a.0).fold(f64::INFINITY, f64::min)
+    let lines = || symbol.marks.iter().filter_map(|(m, _)| through(*m));
+    let pairs = lines().flat_map(|a| lines().map(move |b| b - a));
+    pairs.filter(|d| *d > 0.0).fold(f64::INFINITY, f64::min)
 }
 
 fn stamp(
     symbol: &Symbol,
     units: usize,
     spread: f64,
-    pen: f64,
+    nib: Nib,
     turned: bool,
     mirrored: bool,
 ) -> Stamp {
     let along = ALONG * units;
-    let sub = 3;
     let ink = [false, true].map(|is_red| {
-        let marks: Vec<_> = symbol
-            .marks
-            .iter()
-            .filter(|(_, p)| p.is_red == is_red)
-            .collect();
         let mut ink = vec![0.0_f32; along * ACROSS];
-        for (at, value) in ink.iter_mut().enumerate().filter(|_| !marks.is_empty()) {
-            let (j, i) = (at / along, at % along);
-            for (a, b) in (0..sub * sub).map(|k| (k % sub, k / sub)) {
-                let t = (i as f64 + (a as f64 + 0.5) / sub as f64) / along as f64;
-                let s = ((j as f64 + (b as f64 + 0.5) / sub as f64) / ACROSS as f64 * 2.0 - 1.0)
-                    * REACH;
-                let (t, s) = (
-                    if turned { 1.0 - t } else { t },
-                    if mirrored { -s } else { s },
-                );
-                let inks = marks
-                    .iter()
-                    .filter(|(m, _)| covers(*m, t, s, spread, pen, units))
-                    .map(|(_, p)| p.ink as f32);
-                *value += inks.fold(0.0, f32::max) / (sub * sub) as f32;
+        for (mark, drawn) in symbol.marks.iter().filter(|(_, p)| p.is_red == is_red) {
+            let Some((mut rows, mut columns)) = covered(*mark, spread, nib.width, units) else {
+                continue;
+            };
+            if mirrored {
+                rows.reverse();
+            }
+            if turned {
+                columns.reverse();
+            }
+            for (at, value) in ink.iter_mut().enumerate() {
+                *value = value.max(rows[at / along] * columns[at % along] * drawn.ink as f32);
             }
         }
-        let ink = soft(&ink, along);
-        let unit = |k: usize| {
-            let within = |at: usize| at >= skip() && at + skip() < along;
-            let value = &|j: usize, i: usize| {
-                if within(k * ALONG + i) {
-                    tone(ink[j * along + k * ALONG + i])
-                } else {
-                    0
-                }
-            };
-            (0..ACROSS)
-                .flat_map(|j| (0..ALONG).map(move |i| value(j, i)))
-                .collect()
-        };
-        (0..units).map(unit).collect::<Vec<Vec<u8>>>()
+        let ink = soft(&blurred(ink, along, nib.blur), along);
+        (0..units)
+            .map(|k| part(&ink, k, along))
+            .collect::<Vec<Vec<u8>>>()
     });
     Stamp {
         role: symbol.role,
         units,
         kind: (0, 0),
+        mirrored: None,
+        proof: None,
         is_red: symbol.marks.iter().any(|(_, p)| p.is_red),
         way: symbol.marks.iter().map(|(m, _)| *m).find(|m| is_way(*m)),
         is_bare: symbol.marks.iter().all(|(m, _)| is_way(*m)),
@@ -129,49 +128,133 @@ fn stamp(
     }
 }
 
+/// The ink of one unit of a stamp, without its ends.
+fn part(ink: &[f32], unit: usize, along: usize) -> Vec<u8> {
+    let columns = unit * ALONG..(unit + 1) * ALONG;
+    let within = skip()..along - skip();
+    let rows = ink.chunks_exact(along);
+    rows.flat_map(|row| {
+        columns
+            .clone()
+            .map(|i| if within.contains(&i) { tone(row[i]) } else { 0 })
+            .collect::<Vec<u8>>()
+    })
+    .collect()
+}
+
+/// Ink spread by a bell curve of so many units.
+fn blurred(ink: Vec<f32>, along: usize, blur: f64) -> Vec<f32> {
+    let rows = bell(blur / (2.0 * REACH) * ACROSS as f64);
+    let columns = bell(blur * ALONG as f64);
+    let mut down = vec![0.0; ink.len()];
+    for (at, value) in ink.iter().enumerate().filter(|(_, v)| **v > 0.0) {
+        let (j, i) = (at / along, at % along);
+        for (k, weight) in rows.iter().enumerate() {
+            let row = j + k;
+            if row >= rows.len() / 2 && row - rows.len() / 2 < ACROSS {
+                down[(row - rows.len() / 2) * along + i] += value * weight;
+            }
+        }
+    }
+    let mut out = vec![0.0; ink.len()];
+    for (from, to) in down.chunks_exact(along).zip(out.chunks_exact_mut(along)) {
+        for (i, value) in to.iter_mut().enumerate() {
+            // Strokes go on beyond the ends.
+            let place = |k: usize| (i + k).saturating_sub(columns.len() / 2).min(along - 1);
+            *value = (0..columns.len())
+                .map(|k| columns[k] * from[place(k)])
+                .sum();
+        }
+    }
+    out
+}
+
+/// Weights of a bell curve so many samples wide; their sum is 1.
+fn bell(spread: f64) -> Vec<f32> {
+    let reach = (spread * 2.5).ceil() as i32;
+    let weight = |k: i32| libm::exp(-0.5 * f64::from(k * k) / (spread * spread).max(1e-9));
+    let sum: f64 = (-reach..=reach).map(weight).sum();
+    (-reach..=reach).map(|k| (weight(k) / sum) as f32).collect()
+}
+
 fn is_way(mark: Mark) -> bool {
     matches!(mark, Mark::Arc | Mark::Leaf)
 }
 
-/// Whether a mark covers a place.
-fn covers(mark: Mark, t: f64, s: f64, spread: f64, pen: f64, units: usize) -> bool {
-    match mark {
+/// The shares of rows, from right to left, and of columns, from end to end, that a mark covers.
+fn covered(mark: Mark, spread: f64, pen: f64, units: usize) -> Option<(Vec<f32>, Vec<f32>)> {
+    let rows =
+        |low: f64, high: f64| cells(ACROSS, low / REACH / 2.0 + 0.5, high / REACH / 2.0 + 0.5);
+    let along = ALONG * units;
+    Some(match mark {
         Mark::Line {
             at,
             from,
             to,
             width,
-        } => t >= from && t <= to && (s - at * spread).abs() <= pen * width / 2.0,
+        } => {
+            let half = pen * width / 2.0;
+            (
+                rows(at * spread - half, at * spread + half),
+                cells(along, from, to),
+            )
+        }
         Mark::Bar {
             at: [low, high],
             from,
             to,
-        } => t >= from && t <= to && s >= low * spread && s <= high * spread,
+        } => (rows(low * spread, high * spread), cells(along, from, to)),
         Mark::Ticks {
             at: [low, high],
             count,
             width,
             between_posts,
         } => {
-            // In units from an end of one.
-            let along = (t * units as f64).fract();
-            let (n, shift) = if between_posts {
+            let (spaces, shift) = if between_posts {
                 (f64::from(count) + 1.0, 0.0)
             } else {
                 (f64::from(count), 0.5)
             };
-            let off = along * n - shift - libm::round(along * n - shift);
-            s >= low * spread && s <= high * spread && off.abs() / n <= pen * width / 2.0
+            let half = pen * width / 2.0;
+            let middles = (0..=count).map(|k| (f64::from(k) + shift) / spaces);
+            let mut unit = vec![0.0_f32; ALONG];
+            for middle in middles {
+                let tick = cells(ALONG, middle - half, middle + half);
+                unit.iter_mut().zip(tick).for_each(|(a, b)| *a = a.max(b));
+            }
+            (rows(low * spread, high * spread), unit.repeat(units))
         }
-        Mark::Arc | Mark::Leaf => false,
-    }
+        Mark::Arc | Mark::Leaf => return None,
+    })
+}
+
+/// How much of each of so many equal parts of 0 to 1 lies between two places.
+fn cells(count: usize, low: f64, high: f64) -> Vec<f32> {
+    let n = count as f64;
+    let share =
+        |k: usize| ((k as f64 + 1.0).min(high * n) - (k as f64).max(low * n)).clamp(0.0, 1.0);
+    (0..count).map(|k| share(k) as f32).collect()
 }
 
 impl Stamp {
-    /// How well a unit of it agrees with a patch, 0 to 1.
-    pub(super) fn likeness(&self, unit: usize, patch: &Patch, pen: f64) -> f64 {
+    /// Its ink of both colours, unit by unit.
+    fn whole(&self) -> Vec<Vec<i16>> {
+        let both = |(a, b): (&u8, &u8)| (i16::from(*a) + i16::from(*b)).min(255);
+        let units = self.ink[0].iter().zip(&self.ink[1]);
+        units
+            .map(|(a, b)| a.iter().zip(b).map(both).collect())
+            .collect()
+    }
+
+    /// How well a unit of it agrees with a patch, 0 to 1, and how much of what tells it from others is there.
+    pub(super) fn likeness(&self, unit: usize, patch: &Patch, nib: Nib) -> (f64, [f32; 2]) {
         let Some(way) = self.way else {
-            return self.agreement(unit, patch);
+            let (likeness, shift) = self.agreement(unit, patch);
+            let proof = self.proof.as_ref();
+            return (
+                likeness,
+                proof.map_or([0.0; 2], |p| p.shown(unit, patch, shift)),
+            );
         };
         // A leaf stands open on a drawing: its line is beside the way, not in it.
         let seen = if way == Mark::Arc {
@@ -180,49 +263,60 @@ impl Stamp {
             ((patch.leaf - 0.4) / 0.4).clamp(0.0, 1.0)
         };
         let sill = if self.is_bare {
-            emptiness(patch, pen)
+            emptiness(patch, nib)
         } else {
-            self.agreement(unit, patch)
+            self.agreement(unit, patch).0
         };
-        if seen > 0.0 {
-            0.5 * sill * seen + 0.5 * seen
-        } else {
-            0.0
-        }
+        (
+            if seen > 0.0 {
+                0.5 * sill * seen + 0.5 * seen
+            } else {
+                0.0
+            },
+            [0.0; 2],
+        )
     }
 
-    /// Twice the ink that both share by all ink of both, without the ends.
-    fn agreement(&self, unit: usize, patch: &Patch) -> f64 {
+    /// Twice the ink that both share by all ink of both, without the ends; a hair to one side is tried too.
+    fn agreement(&self, unit: usize, patch: &Patch) -> (f64, i32) {
         let ends = usize::from(unit == 0) + 2 * usize::from(unit + 1 == self.units);
-        let (mut shared, mut all) = (0, 0);
+        let mut shared = [0_u32; 3];
+        let mut all = 0;
+        let red = self.is_red || patch.is_red;
         for (mine, theirs, sums, is_there) in [
             (&self.ink[0], &patch.black, &patch.blacks, true),
-            (
-                &self.ink[1],
-                &patch.red,
-                &patch.reds,
-                self.is_red || patch.is_red,
-            ),
+            (&self.ink[1], &patch.red, &patch.reds, red),
         ] {
+            let mine = &mine[unit];
             if is_there {
-                shared += mine[unit]
-                    .iter()
-                    .zip(theirs)
-                    .map(|(a, b)| u32::from(*a.min(b)))
-                    .sum::<u32>();
-                all += mine[unit].iter().map(|a| u32::from(*a)).sum::<u32>() + sums[ends];
+                let end = mine.len() - ALONG;
+                shared[0] += common(&mine[..end], &theirs[ALONG..]);
+                shared[1] += common(mine, theirs);
+                shared[2] += common(&mine[ALONG..], &theirs[..end]);
+                all += mine.iter().map(|a| u32::from(*a)).sum::<u32>() + sums[ends];
             }
         }
-        if all > 0 {
-            2.0 * f64::from(shared) / f64::from(all)
+        // Of two that agree alike the one in the middle.
+        let best = [1, 0, 2]
+            .into_iter()
+            .reduce(|a, b| if shared[b] > shared[a] { b } else { a });
+        let best = best.unwrap_or(1);
+        let value = if all > 0 {
+            2.0 * f64::from(shared[best]) / f64::from(all)
         } else {
             0.0
-        }
+        };
+        (value, best as i32 - 1)
     }
 }
 
+/// The ink that two have in common.
+fn common(a: &[u8], b: &[u8]) -> u32 {
+    a.iter().zip(b).map(|(a, b)| u32::from(*a.min(b))).sum()
+}
+
 /// How empty a patch is, beside a line of the pen through it.
-pub(super) fn emptiness(patch: &Patch, pen: f64) -> f64 {
+pub(super) fn emptiness(patch: &Patch, nib: Nib) -> f64 {
     let skip = skip();
     // What stands in a room is not on its wall.
     let near = (0..ACROSS).filter(|j| across(*j).abs() < 0.16);
@@ -231,6 +325,6 @@ pub(super) fn emptiness(patch: &Patch, pen: f64) -> f64 {
         .map(|k| f64::from(patch.black[k]) + f64::from(patch.red[k]))
         .sum::<f64>()
         / 255.0;
-    let line = (ALONG - 2 * skip) as f64 * (pen / (2.0 * REACH) * ACROSS as f64).max(1.0);
+    let line = (ALONG - 2 * skip) as f64 * (nib.width / (2.0 * REACH) * ACROSS as f64).max(1.0);
     (1.0 - sum / line).max(0.0)
 }
