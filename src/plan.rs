@@ -58,9 +58,11 @@ const PHOTOGRAPHED: f64 = 0.16;
 const LEAST_INK: f64 = 0.001;
 /// The least agreement of strokes with a grid.
 const LEAST_FIT: f64 = 0.3;
-/// The least agreement of strokes with a grid, with twice the share of the drawing that is house: pictures of streets reach
-/// 0.74, the smallest house on the largest sheet 0.87.
+/// The least agreement of strokes with a grid, or of walls seen round the house, with twice the share of the drawing that
+/// is house: pictures of streets reach 0.75, the smallest house on the largest sheet 0.87.
 const LEAST_TRUST: f64 = 0.8;
+/// With less agreement than that half of the outer walls have to be seen, not joined.
+const CLEAR_FIT: f64 = 0.8;
 /// The fewest cells of a room, in the middle of all: ruled paper has one to each.
 const LEAST_ROOM: f64 = 1.3;
 /// What is smaller in both directions is writing, units.
@@ -199,11 +201,12 @@ pub fn find(picture: &Picture, legends: &[Legend], options: &Options) -> Result<
 fn is_house(shape: &Shape, grid: &Grid) -> bool {
     let cells = shape.cells.len() as f64;
     let drawn = f64::from((grid.across.1 - grid.across.0) * (grid.down.1 - grid.down.0));
-    // Where few strokes keep to the grid the house has to fill the drawing, and the other way round.
-    let trust = grid.fit + 2.0 * cells / drawn;
-    shape.cells.len() >= LEAST_CELLS
-        && trust >= LEAST_TRUST
-        && cells >= LEAST_ROOM * shape.rooms.len() as f64
+    let seen = shape.outer.iter().filter(|w| !w.is_joined && w.read.role.parts()).count();
+    let seen = seen as f64 / shape.outer.len().max(1) as f64;
+    // Where few strokes keep to the grid, or few walls are seen, the house has to fill the drawing.
+    let trust = grid.fit.max(0.15 + seen / 2.0) + 2.0 * cells / drawn;
+    let is_seen = seen >= 0.5 || grid.fit >= CLEAR_FIT;
+    is_seen && shape.cells.len() >= LEAST_CELLS && trust >= LEAST_TRUST && cells >= LEAST_ROOM * shape.rooms.len() as f64
 }
 
 /// Turns a sheet so that the street is at its lower edge.

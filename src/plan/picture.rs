@@ -7,8 +7,8 @@ use std::io::Cursor;
 
 /// The most pixels of a picture.
 const MOST: u64 = 100_000_000;
-/// The longer side of the picture that is read, pixels: a plan of 30 units still has 80 pixels a unit.
-const LONGEST: u32 = 2600;
+/// The longer side of the picture that is read, pixels: a plan of 30 units still has 70 pixels a unit.
+const LONGEST: u32 = 2200;
 
 /// A picture, upright, on white where it is clear, small enough to be read quickly.
 #[derive(Clone, Debug)]

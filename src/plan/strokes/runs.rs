@@ -2,7 +2,7 @@
 
 use super::super::legend::Role;
 use super::patch::Patch;
-use super::proof::Proof;
+use super::proof::{NOISE, Proof};
 use super::stamp::{Stamp, emptiness};
 use super::{Nib, Read, Strip};
 
@@ -32,7 +32,7 @@ const NEEDED: f64 = 0.4;
 
 /// What it counts: against a symbol at once, for it only where it agrees with the ink at all.
 fn proven(mean: f64, shown: f64) -> f64 {
-    let over = shown.clamp(0.0, 1.0) - NEEDED;
+    let over = shown.clamp(-NEEDED, 1.0 - NEEDED);
     let agrees = ((mean - CLUTTER) / 0.25).clamp(0.0, 1.0);
     PROOF * if over > 0.0 { over * agrees } else { over }
 }
@@ -195,7 +195,7 @@ impl Line {
                 let times = (0..end - from).step_by(stamp.units);
                 let half = |from: usize, h: usize| {
                     let shown = (from..from + stamp.units).map(|k| f64::from(unit(k).1[h]));
-                    shown.sum::<f64>() / p.whole[h]
+                    (shown.sum::<f64>() - NEEDED * p.whole[h]) / (p.whole[h] + NOISE)
                 };
                 let halves = times.flat_map(|from| [half(from, 0), half(from, 1)]);
                 halves.fold(f64::INFINITY, f64::min)

@@ -3,7 +3,7 @@
 use super::super::legend::{Legend, Mark, Role, Symbol};
 use super::Nib;
 use super::patch::{ACROSS, ALONG, Patch, REACH, across, skip, soft, tone};
-use super::proof::{Proof, counterpart};
+use super::proof::{Proof, opposites};
 
 /// Spreads of a symbol that are tried.
 const SPREADS: usize = 7;
@@ -61,10 +61,10 @@ pub(super) fn stamps(legend: &Legend, nib: Nib) -> Vec<Stamp> {
 
 /// Gives the stamps of a symbol what they have to prove.
 fn oppose(stamps: &mut [Stamp], symbol: &Symbol, nib: Nib, spread: f64) {
-    if let Some(counter) = counterpart(symbol) {
+    if let Some(pair) = opposites(symbol) {
         for own in stamps {
-            let counter = stamp(&counter, own.units, spread, nib, false, false);
-            own.proof = Some(Proof::of(&own.whole(), &counter.whole()));
+            let ink = |s: &Symbol| stamp(s, own.units, spread, nib, false, false).whole();
+            own.proof = Some(Proof::of(&ink(&pair[0]), &ink(&pair[1])));
         }
     } else if let [one, other] = stamps {
         // One is the other in a mirror: the ink must be on the right sides.
