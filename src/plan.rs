@@ -1,8 +1,10 @@
-//! `hsd plan`: reads the picture of a floor plan and writes the house that it shows (`spec/plans.md`, sections 1 and 2).
+//! `hsd plan`: reads the picture or drawing of a floor plan and writes the house that it shows (`spec/plans.md`, sections 1 and 2).
 //!
 //! | step | file | result |
 //! |---|---|---|
-//! | bytes are decoded and turned upright | `picture` | [`Picture`] |
+//! | bytes are told apart by their content | [`drawing`] | [`drawing::Content`] |
+//! | bytes of a picture are decoded and turned upright | `picture` | [`Picture`] |
+//! | drawings in lines | [`vector`] | the same as of a picture |
 //! | perspective and skew are taken away | [`flatten`] | [`flatten::Flat`] |
 //! | ink is parted from paper | [`sheet`] | [`sheet::Ink`] |
 //! | the grid of half ken is found | [`grid`] | [`grid::Grid`] |
@@ -17,6 +19,7 @@
 //! same bytes. Lengths are pixels of the sheet or units of the grid (half a ken), places run to the right and down.
 
 pub mod again;
+pub mod drawing;
 pub mod flatten;
 pub mod grid;
 pub mod house;

@@ -152,6 +152,8 @@ impl Legend {
                 self.is_by_hand = values.text("hand") == Some("free");
             }
             "Symbol" => self.symbols.push(symbol(values)?),
+            // Of drawings in lines (`vector::roles`).
+            "Layer" | "Block" | "LineType" | "Colour" => {}
             _ => {
                 let mark = mark(name, values)?;
                 let symbol = self

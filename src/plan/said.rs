@@ -2,11 +2,13 @@
 
 use super::legend::Role;
 use super::text::Doubt;
-use super::{Refused, Unreadable};
+use super::drawing::Unopened;
+use super::{Refused, Unreadable, vector};
 use crate::diagnostic::messages::plan::drawn as say;
 use crate::diagnostic::{Diagnostic, Noun, noun};
-use crate::source::Span;
+use crate::source::{Source, Span};
 use glam::DVec2;
+use std::ops::Range;
 
 /// Says that a picture has no plan; `span` is the picture.
 pub fn refused(span: Span, refused: Refused) -> Diagnostic {
@@ -25,6 +27,50 @@ pub fn unreadable(span: Span, why: &Unreadable) -> Diagnostic {
         Unreadable::TooLarge => say::too_large(span),
         Unreadable::Damaged(why) => say::damaged(span, why),
     }
+}
+
+/// Says that a file cannot be opened as a plan, at its place if it is text.
+pub fn unopened(file: &Source, why: &Unopened) -> Diagnostic {
+    match why {
+        Unopened::Picture(why) => unreadable(file.span(0..0), why),
+        Unopened::Drawing(why) => drawing(file, why),
+    }
+}
+
+/// Says why a drawing has no plan, at its place in the file.
+pub fn drawing(file: &Source, why: &vector::Refused) -> Diagnostic {
+    let whole = || file.span(0..0);
+    let line = |n: usize| file.span(line(file.text(), n));
+    match why {
+        vector::Refused::NotXml { at, what } => {
+            let at = (*at as usize).min(file.text().len());
+            say::no_svg(file.span(at..at), what)
+        }
+        vector::Refused::NotDxf { line: n, what } => say::no_dxf(line(*n), what),
+        vector::Refused::Truncated { line: n } => say::dxf_ends(line(*n), *n),
+        vector::Refused::TooLarge { what, most } => say::large_drawing(whole(), what, *most),
+        vector::Refused::NotPdf(what) => say::no_pdf(whole(), what),
+        vector::Refused::NoPage { asked, pages } => say::no_page(whole(), *asked, *pages),
+        vector::Refused::Picture(why) => unreadable(whole(), why),
+        vector::Refused::Legend { at, what } => say::legend(file.span(at.clone()), what),
+        vector::Refused::Unclear(what) => say::unclear(whole(), what),
+        vector::Refused::Blank => say::nothing_drawn(whole()),
+        vector::Refused::NoRoles(names) => say::no_roles(whole(), names),
+        vector::Refused::NoGrid(strokes) => say::drawn_off_grid(whole(), *strokes),
+        vector::Refused::NoHouse => say::drawn_open(whole()),
+    }
+}
+
+/// The bytes of a line, counted from 1.
+fn line(text: &str, n: usize) -> Range<usize> {
+    let mut start = 0;
+    for (k, line) in text.split_inclusive('\n').enumerate() {
+        if k + 1 == n {
+            return start..start + line.trim_end().len();
+        }
+        start += line.len();
+    }
+    start..start
 }
 
 /// Says that a wall is in doubt; `at` is its middle in the picture `sheet`, pixels.

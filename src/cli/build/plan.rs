@@ -8,12 +8,10 @@ use crate::diagnostic::messages::plan::drawn as say;
 use crate::diagnostic::{Diagnostics, Language, noun};
 use crate::driver;
 use crate::fs::FolderWorld;
-use crate::plan::flatten::{Given, project};
 use crate::plan::house::{self, House, Wanted};
-use crate::plan::legend::Legend;
 use crate::plan::record::{self, Record};
 use crate::plan::text::{Doubt, Era, Written};
-use crate::plan::{self, Found, LEGENDS, Options, Picture, again, marks, said};
+use crate::plan::{again, marks, said};
 use crate::report::{Format, Report};
 use crate::source::{FileId, Source};
 use crate::text;
@@ -23,17 +21,21 @@ use image::{ImageFormat, RgbImage};
 use std::io::{self, Cursor, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use sheets::{Read, Sheet};
 use values::{EraArg, Ken, Same, Side};
 
+mod sheets;
 mod values;
 
 /// Metres in a shaku.
 const SHAKU: f64 = 10.0 / 33.0;
+/// Shaku in half a ken where nothing else is said.
+const EDO_MA: f64 = 3.0;
 
-/// Turn pictures of floor plans into a house file.
+/// Turn pictures and drawings of floor plans into a house file.
 ///
-/// Reads survey drawings, Edo sashizu and carpenters' board plans that were photographed or scanned: one picture a storey, from
-/// the ground up. What is not certain is named in the text at its wall, ringed in OUT.review.png and reported. OUT.plan.json and
+/// Reads survey drawings, Edo sashizu and carpenters' board plans that were photographed or scanned, and drawings in SVG, DXF or
+/// PDF: one file a storey, from the ground up. What is not certain is named in the text at its wall, ringed in OUT.review.png and reported. OUT.plan.json and
 /// OUT.sheet-1.jpg beside it are for `hsd view`, which shows the plan under the house. An OUT that was read before and changed
 /// by hand keeps its changes.
 #[derive(Debug, Args)]
@@ -42,9 +44,10 @@ Examples:
   hsd plan scan.jpg -o house.hsd                                      read the plan of one storey
   hsd plan ground.png upper.png -o house.hsd --unit kyo-ma            read two storeys; half a ken is 3.25 shaku
   hsd plan photo.jpg -o house.hsd --corners \"80,60 900,70 880,1240 90,1220\"
+  hsd plan plan.dxf -o house.hsd                                      read a drawing by its layers and blocks
   hsd plan scan.jpg -o house.hsd --steps steps/                       also draw what each step has found")]
 pub(in crate::cli) struct Plan {
-    /// Pictures of plans, one a storey, from the ground up: PNG, JPEG, TIFF or WebP.
+    /// Plans, one a storey, from the ground up: PNG, JPEG, TIFF, WebP, SVG, DXF or PDF.
     #[arg(required = true, value_name = "IN")]
     inputs: Vec<PathBuf>,
 
@@ -52,7 +55,7 @@ pub(in crate::cli) struct Plan {
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
 
-    /// Read by this legend: survey, sashizu, itazu, or a file; repeatable [default: the one that agrees best].
+    /// Read by this legend: survey, sashizu, itazu, cad, or a file; repeatable [default: the one that agrees best].
     #[arg(long = "legend", value_name = "NAME|FILE")]
     legends: Vec<String>,
 
@@ -63,6 +66,10 @@ pub(in crate::cli) struct Plan {
     /// Set the scale by two points of the picture and the ken between them.
     #[arg(long, value_name = "\"X,Y X,Y N\"", value_parser = values::ken)]
     ken: Option<Ken>,
+
+    /// Read this page of a PDF; once for each PDF [default: 1].
+    #[arg(long = "page", value_name = "N", value_parser = values::page)]
+    pages: Vec<usize>,
 
     /// Set the corners of the sheet in the picture, pixels, clockwise from the upper left.
     #[arg(long, value_name = "\"X,Y X,Y X,Y X,Y\"", value_parser = values::corners)]
@@ -85,9 +92,9 @@ pub(in crate::cli) struct Plan {
     #[arg(long, value_enum, value_name = "ERA", default_value = "edo")]
     era: EraArg,
 
-    /// Set the length of half a ken: edo-ma (3 shaku), kyo-ma (3.25), or a number of shaku.
-    #[arg(long, value_name = "UNIT", default_value = "edo-ma", value_parser = values::unit)]
-    unit: f64,
+    /// Set the length of half a ken: edo-ma (3 shaku), kyo-ma (3.25), or a number of shaku [default: as a drawing says, else edo-ma].
+    #[arg(long, value_name = "UNIT", value_parser = values::unit)]
+    unit: Option<f64>,
 
     /// Set the height of a storey in shaku; once for each storey, from the ground up.
     #[arg(long = "height", value_name = "SHAKU", value_parser = values::height)]
@@ -106,25 +113,21 @@ pub(in crate::cli) struct Plan {
     quiet: bool,
 }
 
-/// A sheet that was read.
-struct Sheet {
-    file: String,
-    found: Found,
-    /// Pixels of the file in one of the picture that was read.
-    shrink: f64,
-}
-
 impl Plan {
     pub(in crate::cli) fn run(&self, language: Language) -> Outcome {
         let before = self.before()?;
         let mut out = Diagnostics::new();
         let mut sources = vec![];
         let legends = self.legends(&mut sources, &mut out)?;
-        let sheets = self.sheets(&legends, &mut sources, &mut out)?;
-        let read = sheets.and_then(|sheets| Some((self.house(&sheets)?, sheets)));
         let mut told = None;
-        if let Some((house, sheets)) = read {
-            told = Some(self.write(&house, &sheets, before, &mut sources, &mut out)?);
+        match self.sheets(legends.as_ref(), &mut sources, &mut out)? {
+            Some(Read::Sheets(sheets)) => {
+                if let Some(house) = self.house(&sheets) {
+                    told = Some(self.write(&house, &sheets, before, &mut sources, &mut out)?);
+                }
+            }
+            Some(Read::House(text)) => told = Some(self.write_drawn(text, &mut sources, &mut out)?),
+            None => {}
         }
         let failed = out.has_errors();
         let list = out.into_sorted();
@@ -159,92 +162,6 @@ impl Plan {
         }
     }
 
-    /// The legends that were asked for, or all.
-    fn legends(
-        &self,
-        sources: &mut Vec<Source>,
-        out: &mut Diagnostics,
-    ) -> Result<Vec<Legend>, Failure> {
-        let known = |name: &str| LEGENDS.iter().find(|legend| legend.0 == name);
-        let mut texts: Vec<(String, Vec<u8>)> = vec![];
-        for name in &self.legends {
-            let text = match known(name) {
-                Some((_, text)) => text.as_bytes().to_vec(),
-                None => std::fs::read(name).map_err(|e| Failure::at(name, e))?,
-            };
-            texts.push((name.clone(), text));
-        }
-        if texts.is_empty() {
-            texts = LEGENDS
-                .iter()
-                .map(|(name, text)| ((*name).to_owned(), text.as_bytes().to_vec()))
-                .collect();
-        }
-        let mut legends = vec![];
-        for (name, text) in texts {
-            let source = Source::new(FileId(sources.len() as u32), name, &text);
-            match Legend::read(source.text()) {
-                Ok(legend) => legends.push(legend),
-                Err(wrong) => out.push(say::legend(source.span(wrong.at.clone()), &wrong.what)),
-            }
-            sources.push(source);
-        }
-        Ok(legends)
-    }
-
-    /// Reads all pictures; `None` if one of them has no plan.
-    fn sheets(
-        &self,
-        legends: &[Legend],
-        sources: &mut Vec<Source>,
-        out: &mut Diagnostics,
-    ) -> Result<Option<Vec<Sheet>>, Failure> {
-        let mut sheets = vec![];
-        for path in &self.inputs {
-            let bytes = std::fs::read(path).map_err(|e| Failure::at(path.display(), e))?;
-            let source = Source::new(
-                FileId(sources.len() as u32),
-                path.display().to_string(),
-                b"",
-            );
-            let at = source.span(0..0);
-            sources.push(source);
-            let picture = match Picture::decode(&bytes) {
-                Ok(picture) => picture,
-                Err(why) => {
-                    out.push(said::unreadable(at, &why));
-                    continue;
-                }
-            };
-            if legends.is_empty() {
-                continue;
-            }
-            let shrink = picture.shrink;
-            match plan::find(&picture, legends, &self.options(shrink)) {
-                Ok(found) => sheets.push(Sheet {
-                    file: name_of(path),
-                    found,
-                    shrink,
-                }),
-                Err(refused) => out.push(said::refused(at, refused)),
-            }
-        }
-        Ok((sheets.len() == self.inputs.len()).then_some(sheets))
-    }
-
-    /// What is known of a picture that was made so much smaller.
-    fn options(&self, shrink: f64) -> Options {
-        let unit = self.unit_px.or(self.ken.map(|ken| ken.unit));
-        Options {
-            given: Given {
-                corners: self.corners.map(|c| c.map(|p| p / shrink)),
-                turn: self.turn,
-            },
-            unit: unit.map(|u| u / shrink),
-            front: self.front.into(),
-        }
-    }
-
     /// The house of some sheets.
     fn house(&self, sheets: &[Sheet]) -> Option<House> {
         let shapes: Vec<_> = sheets.iter().map(|s| &s.found.shape).collect();
@@ -268,17 +185,17 @@ impl Plan {
                 .into_owned(),
             era: Era::named(self.era.name())?,
             heights: self.heights.clone(),
-            unit: (self.unit != 3.0).then_some(self.unit),
+            unit: Some(self.shaku(sheets)).filter(|unit| *unit != EDO_MA),
             shifts: shifts.collect(),
         };
-        let told = sheets.iter().map(|sheet| {
-            let (unit, legend) = (sheet.found.grid.unit * sheet.shrink, &sheet.found.legend);
-            format!(
-                "Read by hsd plan from {}: legend {legend}, half a ken is {unit:.1} pixels",
-                sheet.file
-            )
-        });
-        house::write(&shapes, &told.collect::<Vec<_>>(), &wanted)
+        let told: Vec<String> = sheets.iter().map(Sheet::told).collect();
+        house::write(&shapes, &told, &wanted)
+    }
+
+    /// Shaku in half a ken.
+    fn shaku(&self, sheets: &[Sheet]) -> f64 {
+        let told = || sheets.iter().find_map(|sheet| sheet.shaku);
+        self.unit.or_else(told).unwrap_or(EDO_MA)
     }
 
     /// Writes the house and what is beside it; says what was written.
@@ -321,6 +238,26 @@ impl Plan {
         Ok(text!([name, rooms, doubts]
             "{name}: {rooms}, {doubts}; `hsd view {name}` shows it over the plan, `hsd build {name} -o OUT.glb` builds it",
             "{name}: {rooms}、{doubts}。`hsd view {name}` で図面に重ねて確かめ、`hsd build {name} -o OUT.glb` で作れます"
+        ))
+    }
+
+    /// Writes the house of a drawing of `hsd draw` as it was; says what was written.
+    fn write_drawn(
+        &self,
+        text: String,
+        sources: &mut Vec<Source>,
+        out: &mut Diagnostics,
+    ) -> Result<crate::diagnostic::Text, Failure> {
+        let name = self.output.display();
+        let id = FileId(sources.len() as u32);
+        let source = Source::new(id, name.to_string(), text.as_bytes());
+        let (world, options) = (FolderWorld::new(vec![], 0), driver::Options::default());
+        driver::check(&[&source], &world, &options, out);
+        sources.push(source);
+        output::write_all(vec![(self.output.clone(), text.into_bytes())])?;
+        Ok(text!([name]
+            "{name}: the house as `hsd draw` had drawn it; `hsd build {name} -o OUT.glb` builds it",
+            "{name}: `hsd draw` が描いた家に戻しました。`hsd build {name} -o OUT.glb` で作れます"
         ))
     }
 
@@ -372,7 +309,7 @@ impl Plan {
     ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
         let mut files = vec![];
         let mut kept = vec![];
-        let metres = self.unit * SHAKU;
+        let metres = self.shaku(sheets) * SHAKU;
         for (k, (sheet, shift)) in sheets.iter().zip(&house.shifts).enumerate() {
             let (origin, storey) = (house.written.origin, k + 1);
             let (flat, to_house) = record::flat(
@@ -423,16 +360,6 @@ impl Plan {
     /// A file beside the house: its name with another ending.
     fn beside(&self, ending: &str) -> PathBuf {
         self.output.with_extension(ending)
-    }
-}
-
-impl Sheet {
-    /// Units of a pixel of the file.
-    fn units_of(&self, pixel: DVec2) -> DVec2 {
-        self.found.grid.units_of(project(
-            self.found.flat.to_picture.inverse(),
-            pixel / self.shrink,
-        ))
     }
 }
 

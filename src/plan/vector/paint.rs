@@ -3,7 +3,7 @@
 use super::fit::sides;
 use super::lines::{Lines, Stroke};
 use crate::plan::Picture;
-use glam::DVec2;
+use glam::{DMat3, DVec2};
 use image::{Rgb, RgbImage};
 use tiny_skia::{Color, FillRule, LineCap, Paint, PathBuilder, Pixmap, Transform};
 
@@ -16,8 +16,17 @@ const PEN: f64 = 1.6;
 /// Places that are far from the others are left out: what lies beyond so many times the extent of most.
 const BEYOND: f64 = 2.0;
 
+/// A drawing that was painted.
+#[derive(Clone, Debug)]
+pub struct Painted {
+    /// The picture.
+    pub picture: Picture,
+    /// Takes its pixels to places of the drawing.
+    pub to_drawing: DMat3,
+}
+
 /// Draws all strokes but texts on white; none if there is nothing to draw.
-pub fn picture(lines: &Lines) -> Option<Picture> {
+pub fn paint(lines: &Lines) -> Option<Painted> {
     let drawn: Vec<&Stroke> = lines
         .strokes
         .iter()
@@ -40,9 +49,15 @@ pub fn picture(lines: &Lines) -> Option<Picture> {
         map.pixel(x, y)
             .map_or(Rgb([255; 3]), |p| Rgb([p.red(), p.green(), p.blue()]))
     });
-    Some(Picture {
-        pixels,
-        shrink: 1.0,
+    let to_drawing = DMat3::from_translation(low)
+        * DMat3::from_scale(DVec2::splat(1.0 / scale))
+        * DMat3::from_translation(DVec2::splat(-MARGIN));
+    Some(Painted {
+        picture: Picture {
+            pixels,
+            shrink: 1.0,
+        },
+        to_drawing,
     })
 }
 

@@ -1,6 +1,7 @@
 //! Why a drawing has no plan.
 
 use crate::plan::Unreadable;
+use std::ops::Range;
 
 /// Why a drawing has no plan: what was looked for, and what was found.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,8 +20,8 @@ pub enum Refused {
     NoPage { asked: usize, pages: usize },
     /// A PDF with one picture that cannot be read.
     Picture(Unreadable),
-    /// A legend that is none.
-    Legend(String),
+    /// A legend that is none: at which bytes, and why.
+    Legend { at: Range<usize>, what: String },
     /// Drawn by `hsd draw` and changed so that it cannot be read: what is not as it should be.
     Unclear(String),
     /// Nothing that is drawn.

@@ -86,7 +86,10 @@ impl Roles {
     pub fn read(text: &str) -> Result<Roles, Refused> {
         let mut roles = Roles::default();
         walk(text, &mut |element: &Element<'_>| {
-            let wrong = |what: String| Refused::Legend(what);
+            let wrong = |what: String| Refused::Legend {
+                at: element.at.clone(),
+                what,
+            };
             if !matches!(element.name(), "Layer" | "Block" | "LineType" | "Colour") {
                 return Ok(());
             }

@@ -3,6 +3,7 @@
 use super::refused::Refused;
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, XmlVersion};
+use std::ops::Range;
 
 /// The most groups within groups.
 const DEEPEST: usize = 200;
@@ -37,6 +38,8 @@ impl Attributes {
 /// An element as it is met, with what is open round it.
 pub(super) struct Element<'o> {
     open: &'o [(String, Attributes)],
+    /// The bytes of its tag.
+    pub(super) at: Range<usize>,
     /// The characters in it, for a `<style>`.
     pub(super) text: &'o str,
 }
@@ -91,7 +94,9 @@ pub(super) fn walk(
     loop {
         let at = reader.buffer_position();
         let wrong = |what: String| Refused::NotXml { at, what };
-        match reader.read_event().map_err(|e| wrong(e.to_string()))? {
+        let event = reader.read_event().map_err(|e| wrong(e.to_string()))?;
+        let place = at as usize..reader.buffer_position() as usize;
+        match event {
             Event::Eof if open.is_empty() => return Ok(()),
             Event::Eof => return Err(wrong(format!("<{}> is not closed", open[open.len() - 1].0))),
             Event::Start(tag) => {
@@ -102,6 +107,7 @@ pub(super) fn walk(
                 match open[open.len() - 1].0 == "style" {
                     true => style = Some(String::new()),
                     false => meet(&Element {
+                        at: place,
                         open: &open,
                         text: "",
                     })?,
@@ -110,6 +116,7 @@ pub(super) fn walk(
             Event::Empty(tag) => {
                 open.push((tag.local_name().as_ref().to_owned(), Attributes::of(&tag)));
                 meet(&Element {
+                    at: place,
                     open: &open,
                     text: "",
                 })?;
@@ -118,6 +125,7 @@ pub(super) fn walk(
             Event::End(_) => {
                 if let Some(text) = style.take() {
                     meet(&Element {
+                        at: place,
                         open: &open,
                         text: &text,
                     })?;

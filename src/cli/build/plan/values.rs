@@ -118,6 +118,12 @@ pub(super) fn corners(text: &str) -> Result<[DVec2; 4], String> {
     }
 }
 
+/// A page, counted from 1.
+pub(super) fn page(text: &str) -> Result<usize, String> {
+    let page = text.parse().ok().filter(|page| *page > 0);
+    page.ok_or_else(|| "expected the number of a page, counted from 1".to_owned())
+}
+
 /// Two points and the ken between them.
 pub(super) fn ken(text: &str) -> Result<Ken, String> {
     let words: Vec<&str> = text.split_whitespace().collect();

@@ -101,8 +101,8 @@ pub fn no_picture(span: Span) -> Diagnostic {
     unreadable(
         span,
         text!(
-            "this is no picture that can be read: not PNG, JPEG, TIFF or WebP",
-            "読める画像ではありません（PNG、JPEG、TIFF、WebP のどれでもない）"
+            "this is no plan that can be read: not PNG, JPEG, TIFF, WebP, SVG, DXF or PDF",
+            "読める図面ではありません（PNG、JPEG、TIFF、WebP、SVG、DXF、PDF のどれでもない）"
         ),
     )
 }
@@ -127,6 +127,174 @@ pub fn damaged(span: Span, why: &str) -> Diagnostic {
         span,
         text!([why] "this picture is damaged: {why}", "この画像は壊れています: {why}"),
     )
+}
+
+/// A drawing that cannot be read, and how it can be made so that it can.
+#[cold]
+fn unreadable_drawing(span: Span, message: Text) -> Diagnostic {
+    Diagnostic::error(1204, span, message).help(text!(
+        "open it in the program that made it and save it again, as SVG, DXF (R12 to 2018) or PDF",
+        "作ったソフトで開き、SVG、DXF（R12から2018）、PDF のどれかで保存し直してください"
+    ))
+}
+
+/// A file that begins like an SVG and is damaged; `what` is in English, from the reader of XML.
+#[cold]
+pub fn no_svg(span: Span, what: &str) -> Diagnostic {
+    unreadable_drawing(
+        span,
+        text!([what] "this SVG is damaged: {what}", "この SVG は壊れています: {what}"),
+    )
+}
+
+/// A file that is no DXF at a line; `what` is in English, as it names parts of the format.
+#[cold]
+pub fn no_dxf(span: Span, what: &str) -> Diagnostic {
+    unreadable_drawing(
+        span,
+        text!([what] "this is no DXF that can be read: {what}", "DXF として読めません: {what}"),
+    )
+}
+
+/// A DXF that ends too early, after so many lines.
+#[cold]
+pub fn dxf_ends(span: Span, lines: usize) -> Diagnostic {
+    unreadable_drawing(
+        span,
+        text!([lines]
+            "this DXF ends too early, after line {lines}: `EOF` is missing",
+            "この DXF は {lines} 行目で途切れています（`EOF` がありません）"
+        ),
+    )
+}
+
+/// A file that begins like a PDF and cannot be read; `what` is in English, from the reader of PDFs.
+#[cold]
+pub fn no_pdf(span: Span, what: &str) -> Diagnostic {
+    unreadable_drawing(
+        span,
+        text!([what] "this PDF cannot be read: {what}", "この PDF は読めません: {what}"),
+    )
+}
+
+/// A drawing with more than `most` of something; `what` is in English.
+#[cold]
+pub fn large_drawing(span: Span, what: &str, most: usize) -> Diagnostic {
+    let message = text!([what, most]
+        "this drawing has more than {most} {what}",
+        "この図面は大きすぎます（{most} を超えるもの: {what}）"
+    );
+    Diagnostic::error(1204, span, message).help(text!(
+        "save the plan alone, without other sheets, hatching and furniture",
+        "ほかの図、ハッチング、家具を除き、平面図だけを保存してください"
+    ))
+}
+
+/// A PDF without the page that is asked for.
+#[cold]
+pub fn no_page(span: Span, asked: usize, pages: usize) -> Diagnostic {
+    let message = text!([asked, pages]
+        "this PDF has no page {asked}; it has {pages}",
+        "この PDF に {asked} ページ目はありません（全 {pages} ページ）"
+    );
+    Diagnostic::error(1204, span, message).help(text!(
+        "give the page of the plan with --page, counted from 1",
+        "平面図のページを --page で、1から数えて指定してください"
+    ))
+}
+
+/// A plan of `hsd draw` that was changed so that it cannot be read; `what` is in English.
+#[cold]
+pub fn unclear(span: Span, what: &str) -> Diagnostic {
+    let message = text!([what]
+        "`hsd draw` made this plan, and it was changed so that the house cannot be told: {what}",
+        "`hsd draw` の図面ですが、変更されたため家を読めません: {what}"
+    );
+    Diagnostic::error(1204, span, message).help(text!(
+        "draw it again with `hsd draw`, or save it without its groups, so that it is read like any other drawing",
+        "`hsd draw` で描き直すか、グループを解除して保存し、ほかの図面と同じように読ませてください"
+    ))
+}
+
+/// A drawing of whole houses among the sheets of storeys.
+#[cold]
+pub fn whole_house(span: Span) -> Diagnostic {
+    Diagnostic::error(1204, span, text!(
+        "`hsd draw` made this plan; it holds all storeys of its house, so it is no sheet of one storey",
+        "`hsd draw` の図面です。家のすべての階を含むので、一つの階の図面にはなりません"
+    ))
+    .help(text!(
+        "read it alone: `hsd plan PLAN.svg -o OUT.hsd`",
+        "この図面だけを読ませてください: `hsd plan PLAN.svg -o OUT.hsd`"
+    ))
+}
+
+/// A drawing without a plan that can be read, for a reason.
+#[cold]
+fn no_plan_drawn(span: Span, why: Text) -> Diagnostic {
+    let message =
+        text!([why] "there is no plan in this drawing: {why}", "この図面から平面図を読めません。{why}");
+    Diagnostic::error(1203, span, message)
+}
+
+/// A drawing in which nothing is drawn.
+#[cold]
+pub fn nothing_drawn(span: Span) -> Diagnostic {
+    no_plan_drawn(span, text!("it has no lines", "線がありません")).help(text!(
+        "switch on the layers of the plan and save it again",
+        "平面図のレイヤを表示して保存し直してください"
+    ))
+}
+
+/// Layers or groups of a message, the most.
+const LAYERS: usize = 12;
+
+/// A drawing of which nothing says what walls are; `names` are those of its layers, blocks and groups.
+#[cold]
+pub fn no_roles(span: Span, names: &[String]) -> Diagnostic {
+    let quoted = names.iter().filter(|n| !n.is_empty()).take(LAYERS);
+    let names: Vec<String> = quoted.map(|n| format!("`{n}`")).collect();
+    let names = names.join(", ");
+    let why = match names.is_empty() {
+        true => text!(
+            "its lines are on no layers, and look like the walls of no known legend",
+            "線がレイヤに分かれておらず、どの凡例の壁にも似ていません"
+        ),
+        false => text!([names]
+            "no legend says which of its layers and blocks are walls ({names}), and its lines look like those of no known legend",
+            "どのレイヤやブロックが壁かわかりません（{names}）。線もどの凡例の壁にも似ていません"
+        ),
+    };
+    no_plan_drawn(span, why).help(text!(
+        "write a legend with lines like `<Layer name=\"A-WALL\" role=\"wall\"/>` and give it with --legend; grammar/legend-cad.xml is one to copy",
+        "`<Layer name=\"A-WALL\" role=\"wall\"/>` のような行の凡例を書き、--legend で指定してください。`grammar/legend-cad.xml` を写して書き換えられます"
+    ))
+}
+
+/// A drawing whose walls keep to no grid; they have so many strokes.
+#[cold]
+pub fn drawn_off_grid(span: Span, strokes: usize) -> Diagnostic {
+    let why = text!([strokes]
+        "its walls ({strokes} strokes) keep to no grid of half ken",
+        "壁（線 {strokes} 本）が半間の格子に合いません"
+    );
+    no_plan_drawn(span, why).help(text!(
+        "give the length of half a ken with --unit, in shaku",
+        "半間の長さを --unit で、尺で指定してください"
+    ))
+}
+
+/// A drawing whose walls enclose nothing.
+#[cold]
+pub fn drawn_open(span: Span) -> Diagnostic {
+    no_plan_drawn(
+        span,
+        text!("its walls enclose no house", "壁が家を囲んでいません"),
+    )
+    .help(text!(
+        "close the outline where walls, doors or windows are missing, or name the layers that they are on in a legend",
+        "欠けている壁、戸、窓を描いて外周を閉じるか、それらのレイヤを凡例に加えてください"
+    ))
 }
 
 /// A legend that cannot be read; `what` is in English, as it names elements and attributes.

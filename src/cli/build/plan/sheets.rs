@@ -1,0 +1,214 @@
+//! The sheets of `hsd plan`: legends and plans, as they are opened and read.
+
+use super::{Plan, SHAKU, name_of};
+use crate::cli::Failure;
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::plan::drawn as say;
+use crate::plan::drawing::{self, Content, Unopened};
+use crate::plan::flatten::{Given, project};
+use crate::plan::legend::Legend;
+use crate::plan::vector::{self, lines::Lines, roles::Roles};
+use crate::plan::{self, Found, LEGENDS, Options, Picture, said};
+use crate::source::{FileId, Source};
+use glam::DVec2;
+
+/// Names in the comment of a house, the most.
+const NAMED: usize = 12;
+
+/// A sheet that was read.
+pub(super) struct Sheet {
+    /// The name of its file.
+    pub(super) file: String,
+    /// What was found on it.
+    pub(super) found: Found,
+    /// Pixels of the file in one of the picture that was read.
+    pub(super) shrink: f64,
+    /// Shaku in a unit of its grid, if it says so.
+    pub(super) shaku: Option<f64>,
+    /// Layers that stand for nothing.
+    unknown: Vec<String>,
+}
+
+impl Sheet {
+    /// Units of a pixel, or of a place in a drawing.
+    pub(super) fn units_of(&self, place: DVec2) -> DVec2 {
+        let back = self.found.flat.to_picture.inverse();
+        let pixel = project(back, place / self.shrink);
+        self.found.grid.units_of(pixel)
+    }
+
+    /// Where it comes from, for the comment of the house.
+    pub(super) fn told(&self) -> String {
+        let legend = &self.found.legend;
+        let scale = self.found.flat.to_picture.transform_vector2(DVec2::X);
+        let (unit, of) = match legend.as_str() {
+            "cad" => (self.found.grid.unit * scale.length(), "units of the drawing"),
+            _ => (self.found.grid.unit * self.shrink, "pixels"),
+        };
+        let file = &self.file;
+        let read =
+            format!("Read by hsd plan from {file}: legend {legend}, half a ken is {unit:.1} {of}");
+        // A comment must not end early.
+        let names = self.unknown.iter().map(|name| name.replace("--", "- -"));
+        let names: Vec<String> = names.take(NAMED).collect();
+        match names.is_empty() {
+            true => read,
+            false => format!("{read}; of no meaning to it: {}", names.join(", ")),
+        }
+    }
+}
+
+/// What is read.
+pub(super) enum Read {
+    /// Plans, one a storey.
+    Sheets(Vec<Sheet>),
+    /// A house that `hsd draw` had drawn: its text.
+    House(String),
+}
+
+/// Legends of pictures, and of drawings.
+pub(super) struct Legends {
+    symbols: Vec<Legend>,
+    roles: Roles,
+}
+
+impl Plan {
+    /// The legends that were asked for, or all; drawings are read by those of CAD too.
+    pub(super) fn legends(
+        &self,
+        sources: &mut Vec<Source>,
+        out: &mut Diagnostics,
+    ) -> Result<Option<Legends>, Failure> {
+        let known = |name: &str| LEGENDS.iter().find(|legend| legend.0 == name);
+        let mut texts: Vec<(String, Vec<u8>)> = vec![];
+        for name in self.legends.iter().filter(|name| *name != "cad") {
+            let text = match known(name) {
+                Some((_, text)) => text.as_bytes().to_vec(),
+                None => std::fs::read(name).map_err(|e| Failure::at(name, e))?,
+            };
+            texts.push((name.clone(), text));
+        }
+        let mut legends = Legends {
+            symbols: vec![],
+            roles: Roles::default(),
+        };
+        for (name, text) in texts {
+            let source = Source::new(FileId(sources.len() as u32), name, &text);
+            match Legend::read(source.text()) {
+                Ok(legend) => legends.symbols.push(legend),
+                Err(wrong) => out.push(say::legend(source.span(wrong.at.clone()), &wrong.what)),
+            }
+            match Roles::read(source.text()) {
+                Ok(roles) => legends.roles = std::mem::take(&mut legends.roles).or(roles),
+                // That is told already.
+                Err(vector::Refused::NotXml { .. }) => {}
+                Err(wrong) => out.push(said::drawing(&source, &wrong)),
+            }
+            sources.push(source);
+        }
+        // A legend may name layers alone.
+        legends.symbols.retain(|legend| !legend.symbols.is_empty());
+        if legends.symbols.is_empty() {
+            let all = LEGENDS.iter().filter_map(|(_, text)| Legend::read(text).ok());
+            legends.symbols = all.collect();
+        }
+        if let Ok(cad) = Roles::read(vector::CAD) {
+            legends.roles = legends.roles.or(cad);
+        }
+        Ok((!out.has_errors()).then_some(legends))
+    }
+
+    /// Reads all files; `None` if one of them has no plan.
+    pub(super) fn sheets(
+        &self,
+        legends: Option<&Legends>,
+        sources: &mut Vec<Source>,
+        out: &mut Diagnostics,
+    ) -> Result<Option<Read>, Failure> {
+        let mut sheets = vec![];
+        let mut pages = self.pages.iter().copied().chain(std::iter::repeat(1));
+        for path in &self.inputs {
+            let bytes = std::fs::read(path).map_err(|e| Failure::at(path.display(), e))?;
+            let page = match bytes.starts_with(b"%PDF-") {
+                true => pages.next().unwrap_or(1),
+                false => 1,
+            };
+            let opened = drawing::open(&bytes, page);
+            // What is told of a picture has no place in its bytes.
+            let is_text = matches!(opened, Ok(Content::Lines(_)) | Err(Unopened::Drawing(_)));
+            let text = if is_text { &bytes[..] } else { b"" };
+            let name = path.display().to_string();
+            let source = Source::new(FileId(sources.len() as u32), name, text);
+            let file = name_of(path);
+            match (opened, legends) {
+                (Err(why), _) => out.push(said::unopened(&source, &why)),
+                (Ok(_), None) => {}
+                (Ok(Content::House(text)), _) if self.inputs.len() == 1 => {
+                    return Ok(Some(Read::House(text)));
+                }
+                (Ok(Content::House(_)), _) => out.push(say::whole_house(source.span(0..0))),
+                (Ok(Content::Picture(picture)), Some(legends)) => {
+                    match self.picture(&picture, file, legends) {
+                        Ok(sheet) => sheets.push(sheet),
+                        Err(refused) => out.push(said::refused(source.span(0..0), refused)),
+                    }
+                }
+                (Ok(Content::Lines(lines)), Some(legends)) => {
+                    match self.drawing(lines, file, legends) {
+                        Ok(sheet) => sheets.push(sheet),
+                        Err(refused) => out.push(said::drawing(&source, &refused)),
+                    }
+                }
+            }
+            sources.push(source);
+        }
+        Ok((sheets.len() == self.inputs.len()).then_some(Read::Sheets(sheets)))
+    }
+
+    fn picture(
+        &self,
+        picture: &Picture,
+        file: String,
+        legends: &Legends,
+    ) -> Result<Sheet, plan::Refused> {
+        let shrink = picture.shrink;
+        Ok(Sheet {
+            found: plan::find(picture, &legends.symbols, &self.options(shrink))?,
+            file,
+            shrink,
+            shaku: None,
+            unknown: vec![],
+        })
+    }
+
+    fn drawing(
+        &self,
+        lines: Lines,
+        file: String,
+        legends: &Legends,
+    ) -> Result<Sheet, vector::Refused> {
+        let unit_mm = self.unit.map(|shaku| shaku * SHAKU * 1000.0);
+        let front = self.front.into();
+        let drawn = drawing::find(lines, &legends.roles, unit_mm, &legends.symbols, front)?;
+        Ok(Sheet {
+            found: drawn.found,
+            file,
+            shrink: 1.0,
+            shaku: drawn.shaku,
+            unknown: drawn.unknown,
+        })
+    }
+
+    /// What is known of a picture that was made so much smaller.
+    fn options(&self, shrink: f64) -> Options {
+        let unit = self.unit_px.or(self.ken.map(|ken| ken.unit));
+        Options {
+            given: Given {
+                corners: self.corners.map(|c| c.map(|p| p / shrink)),
+                turn: self.turn,
+            },
+            unit: unit.map(|u| u / shrink),
+            front: self.front.into(),
+        }
+    }
+}

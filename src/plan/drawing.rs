@@ -1,0 +1,191 @@
+//! What a file of a plan holds, told by its content and not by its name: a picture, or a drawing in lines; and the house in such
+//! a drawing, so that it is written and reviewed like one in a picture.
+
+use super::legend::Legend;
+use super::vector::{self, dxf, lines::Lines, own, paint, pdf, roles::Roles, svg};
+use super::{Flat, Found, Front, Grid, Ink, Options, Picture, Unreadable};
+use glam::{DMat3, DVec2, dvec2};
+
+/// Bytes at the start of a file that tell what it is.
+const HEAD: usize = 4096;
+
+/// What a file holds.
+#[derive(Clone, Debug)]
+pub enum Content {
+    /// A picture.
+    Picture(Picture),
+    /// A drawing in lines.
+    Lines(Lines),
+    /// A house that `hsd draw` has drawn: its text.
+    House(String),
+}
+
+/// Why a file holds no plan.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Unopened {
+    /// As a picture.
+    Picture(Unreadable),
+    /// As a drawing.
+    Drawing(vector::Refused),
+}
+
+/// Formats of drawings.
+enum Format {
+    Svg,
+    Dxf,
+    Pdf,
+}
+
+/// Opens a file; of a PDF the page that is asked for, counted from 1.
+///
+/// # Errors
+/// If it is damaged, too large, or of another format.
+pub fn open(bytes: &[u8], page: usize) -> Result<Content, Unopened> {
+    let opened = match format(bytes) {
+        Some(Format::Svg) => open_svg(bytes),
+        Some(Format::Dxf) => dxf::read(bytes).map(Content::Lines),
+        Some(Format::Pdf) => pdf::read(bytes, page).map(|page| match page {
+            pdf::Page::Lines(lines) => Content::Lines(lines),
+            pdf::Page::Picture(picture) => Content::Picture(picture),
+        }),
+        None => {
+            return Picture::decode(bytes)
+                .map(Content::Picture)
+                .map_err(Unopened::Picture);
+        }
+    };
+    opened.map_err(Unopened::Drawing)
+}
+
+fn format(bytes: &[u8]) -> Option<Format> {
+    let head = &bytes[..bytes.len().min(HEAD)];
+    let has = |what: &[u8]| head.windows(what.len()).any(|w| w == what);
+    if has(b"%PDF-") {
+        return Some(Format::Pdf);
+    }
+    if head.starts_with(b"AutoCAD Binary DXF") || head.starts_with(b"AC10") {
+        return Some(Format::Dxf);
+    }
+    let text = String::from_utf8_lossy(head);
+    let text = text.trim_start_matches('\u{feff}').trim_start();
+    if text.starts_with('<') && text.contains("<svg") {
+        return Some(Format::Svg);
+    }
+    // A DXF begins with a group code: a section, or a remark.
+    let first = text.lines().next().unwrap_or_default().trim();
+    matches!(first, "0" | "999").then_some(Format::Dxf)
+}
+
+fn open_svg(bytes: &[u8]) -> Result<Content, vector::Refused> {
+    let text = std::str::from_utf8(bytes).map_err(|e| vector::Refused::NotXml {
+        at: e.valid_up_to() as u64,
+        what: "not UTF-8".to_owned(),
+    })?;
+    match own::read(text)? {
+        Some(house) => Ok(Content::House(house)),
+        None => svg::read(text).map(Content::Lines),
+    }
+}
+
+/// What was found in a drawing.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// As it would be found in a picture of the drawing; `to_picture` takes its pixels to places of the drawing.
+    pub found: Found,
+    /// Shaku in a unit of the grid, if the drawing says how large the house is.
+    pub shaku: Option<f64>,
+    /// Layers and groups of which nothing says what they stand for, those with most strokes first.
+    pub unknown: Vec<String>,
+}
+
+/// Finds the house in the lines of a drawing: by what its layers, blocks and colours stand for, otherwise as in a picture, by the
+/// legend that agrees best. `unit_mm` are the millimetres of half a ken, if known.
+///
+/// # Errors
+/// If there is none.
+pub fn find(
+    mut lines: Lines,
+    roles: &Roles,
+    unit_mm: Option<f64>,
+    legends: &[Legend],
+    front: Front,
+) -> Result<Drawn, vector::Refused> {
+    let back = turn(&mut lines, front);
+    let Some(painted) = paint::paint(&lines) else {
+        return Err(vector::Refused::Blank);
+    };
+    let to_drawing = back * painted.to_drawing;
+    match vector::find(lines, roles, unit_mm) {
+        Ok(found) => Ok(Drawn {
+            shaku: found.shaku(),
+            unknown: unknown(&found),
+            found: as_picture(found, &painted, to_drawing),
+        }),
+        Err(vector::Refused::NoRoles(names)) => {
+            let mut found = super::find(&painted.picture, legends, &Options::default())
+                .map_err(|_| vector::Refused::NoRoles(names))?;
+            found.flat.to_picture = to_drawing * found.flat.to_picture;
+            Ok(Drawn {
+                found,
+                shaku: None,
+                unknown: vec![],
+            })
+        }
+        Err(refused) => Err(refused),
+    }
+}
+
+fn unknown(found: &vector::Found) -> Vec<String> {
+    let mut unknown: Vec<(&str, usize)> = found.unknown().into_iter().collect();
+    unknown.sort_by_key(|(name, count)| (usize::MAX - count, *name));
+    let named = unknown.into_iter().map(|(name, _)| name.to_owned());
+    named.filter(|name| !name.is_empty()).collect()
+}
+
+fn as_picture(found: vector::Found, painted: &paint::Painted, to_drawing: DMat3) -> Found {
+    let sheet = painted.picture.pixels.clone();
+    let grid = found.grid;
+    let to_sheet = painted.to_drawing.inverse()
+        * DMat3::from_translation(grid.origin)
+        * DMat3::from_scale(DVec2::splat(grid.unit));
+    let unit = to_sheet.transform_vector2(DVec2::X).x;
+    Found {
+        ink: Ink::of(&sheet),
+        flat: Flat {
+            sheet,
+            to_picture: to_drawing,
+            corners: None,
+            skew: 0.0,
+        },
+        grid: Grid {
+            to_sheet,
+            across: found.units.across,
+            down: found.units.down,
+            fit: grid.fit,
+            unit,
+            residual: 0.0,
+        },
+        units: found.units,
+        shape: found.shape,
+        legend: "cad".to_owned(),
+    }
+}
+
+/// Turns a drawing so that the street is at its lower edge; returns what turns places back.
+fn turn(lines: &mut Lines, front: Front) -> DMat3 {
+    let turned = |p: DVec2| match front {
+        Front::Bottom => p,
+        Front::Top => -p,
+        Front::Left => dvec2(p.y, -p.x),
+        Front::Right => dvec2(-p.y, p.x),
+    };
+    for point in lines.strokes.iter_mut().flat_map(|s| &mut s.points) {
+        *point = turned(*point);
+    }
+    let to = DMat3::from_cols(
+        turned(DVec2::X).extend(0.0),
+        turned(DVec2::Y).extend(0.0),
+        glam::DVec3::Z,
+    );
+    to.inverse()
+}
