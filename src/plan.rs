@@ -204,12 +204,19 @@ pub fn find(picture: &Picture, legends: &[Legend], options: &Options) -> Result<
 fn is_house(shape: &Shape, grid: &Grid) -> bool {
     let cells = shape.cells.len() as f64;
     let drawn = f64::from((grid.across.1 - grid.across.0) * (grid.down.1 - grid.down.0));
-    let seen = shape.outer.iter().filter(|w| !w.is_joined && w.read.role.parts()).count();
+    let seen = shape
+        .outer
+        .iter()
+        .filter(|w| !w.is_joined && w.read.role.parts())
+        .count();
     let seen = seen as f64 / shape.outer.len().max(1) as f64;
     // Where few strokes keep to the grid, or few walls are seen, the house has to fill the drawing.
     let trust = grid.fit.max(0.15 + seen / 2.0) + 2.0 * cells / drawn;
     let is_seen = seen >= 0.5 || grid.fit >= CLEAR_FIT;
-    is_seen && shape.cells.len() >= LEAST_CELLS && trust >= LEAST_TRUST && cells >= LEAST_ROOM * shape.rooms.len() as f64
+    is_seen
+        && shape.cells.len() >= LEAST_CELLS
+        && trust >= LEAST_TRUST
+        && cells >= LEAST_ROOM * shape.rooms.len() as f64
 }
 
 /// Turns a sheet so that the street is at its lower edge.

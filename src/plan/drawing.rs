@@ -2,6 +2,7 @@
 //! a drawing, so that it is written and reviewed like one in a picture.
 
 use super::legend::Legend;
+use super::text::is_doubtful;
 use super::vector::{self, dxf, lines::Lines, own, paint, pdf, roles::Roles, svg};
 use super::{Flat, Found, Front, Grid, Ink, Options, Picture, Unreadable};
 use glam::{DMat3, DVec2, dvec2};
@@ -122,8 +123,10 @@ pub fn find(
             found: as_picture(found, &painted, to_drawing),
         }),
         Err(vector::Refused::NoRoles(names)) => {
-            let mut found = super::find(&painted.picture, legends, &Options::default())
-                .map_err(|_| vector::Refused::NoRoles(names))?;
+            let found = super::find(&painted.picture, legends, &Options::default());
+            let Some(mut found) = found.ok().filter(is_clear) else {
+                return Err(vector::Refused::NoRoles(names));
+            };
             found.flat.to_picture = to_drawing * found.flat.to_picture;
             Ok(Drawn {
                 found,
@@ -133,6 +136,13 @@ pub fn find(
         }
         Err(refused) => Err(refused),
     }
+}
+
+/// Whether the walls round a house are clear: a clean drawing has few in doubt, and other drawings that close by chance many.
+fn is_clear(found: &Found) -> bool {
+    let outer = &found.shape.outer;
+    let doubts = outer.iter().filter(|wall| is_doubtful(wall)).count();
+    doubts * 3 < outer.len()
 }
 
 fn unknown(found: &vector::Found) -> Vec<String> {

@@ -1,8 +1,8 @@
 //! What is said of a plan: refusals, and walls in doubt.
 
+use super::drawing::Unopened;
 use super::legend::Role;
 use super::text::Doubt;
-use super::drawing::Unopened;
 use super::{Refused, Unreadable, vector};
 use crate::diagnostic::messages::plan::drawn as say;
 use crate::diagnostic::{Diagnostic, Noun, noun};

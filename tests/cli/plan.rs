@@ -1,7 +1,7 @@
 //! `hsd plan`.
 
 use super::{code, hsd, names, stderr};
-use crate::plan_drawings::{self as drawings, Convention, Degradation, Variant};
+use crate::plan_drawings::{self as drawings, Cad, Convention, Degradation, Variant};
 use std::fs;
 use std::path::Path;
 
@@ -12,7 +12,7 @@ fn draw(folder: &Path, name: &str, seed: u64, way: Degradation) {
         seed,
         unseen: false,
     };
-    let drawn = drawings::draw(&plan, Convention::Survey, variant, 40.0);
+    let drawn = drawings::draw(&plan, Convention::Sashizu, variant, 40.0);
     let (picture, _) = drawings::degrade(drawn.picture, way, seed);
     picture.save(folder.join(name)).unwrap();
 }
@@ -20,7 +20,7 @@ fn draw(folder: &Path, name: &str, seed: u64, way: Degradation) {
 #[test]
 fn a_scan_becomes_a_house_that_stands() {
     let folder = tempfile::tempdir().unwrap();
-    draw(folder.path(), "scan.png", 1, Degradation::Scanned);
+    draw(folder.path(), "scan.png", 2, Degradation::Scanned);
     let output = hsd(
         folder.path(),
         &["plan", "scan.png", "-o", "house.hsd", "--steps", "steps"],
@@ -42,7 +42,7 @@ fn a_scan_becomes_a_house_that_stands() {
     assert_eq!(code(&output), 0, "{}", stderr(&output));
     // What is in doubt is said of the text and of the picture, as often as rings are drawn.
     let text = fs::read_to_string(folder.path().join("house.hsd")).unwrap();
-    assert!(text.contains("Read by hsd plan from scan.png: legend survey"));
+    assert!(text.contains("Read by hsd plan from scan.png: legend sashizu"));
     assert!(text.contains("heights of storeys: 10 shaku"));
 }
 
@@ -50,7 +50,7 @@ fn a_scan_becomes_a_house_that_stands() {
 fn a_second_reading_keeps_what_was_changed_by_hand() {
     let folder = tempfile::tempdir().unwrap();
     let house = folder.path().join("house.hsd");
-    draw(folder.path(), "scan.png", 1, Degradation::Scanned);
+    draw(folder.path(), "scan.png", 2, Degradation::Scanned);
     let read = |arguments: &[&str]| {
         let plan = ["plan", "scan.png", "-o", "house.hsd", "-q"];
         let output = hsd(folder.path(), &[&plan, arguments].concat());
@@ -79,8 +79,8 @@ fn a_second_reading_keeps_what_was_changed_by_hand() {
 #[test]
 fn two_storeys_lie_over_each_other() {
     let folder = tempfile::tempdir().unwrap();
-    draw(folder.path(), "ground.png", 1, Degradation::Clean);
-    draw(folder.path(), "upper.png", 1, Degradation::Scanned);
+    draw(folder.path(), "ground.png", 2, Degradation::Clean);
+    draw(folder.path(), "upper.png", 2, Degradation::Scanned);
     let plan = ["plan", "ground.png", "upper.png", "-o", "house.hsd"];
     let output = hsd(folder.path(), &plan);
     assert_eq!(code(&output), 0, "{}", stderr(&output));
@@ -102,7 +102,7 @@ fn what_cannot_be_read_is_told_and_nothing_is_written() {
         "<Legend name=\"mine\">\n  <Symbol role=\"door\"/>\n</Legend>\n",
     )
     .unwrap();
-    draw(folder.path(), "scan.png", 1, Degradation::Clean);
+    draw(folder.path(), "scan.png", 2, Degradation::Clean);
     for (arguments, status, said) in [
         (&["notes.txt"][..], 1, "HSD1204"),
         (&["blank.png"], 1, "HSD1203"),
@@ -128,4 +128,131 @@ fn what_cannot_be_read_is_told_and_nothing_is_written() {
     let output = hsd(folder.path(), &["plan", "scan.png", "-o", "house.hsd"]);
     assert_eq!(code(&output), 2);
     assert!(stderr(&output).contains("--force"));
+}
+
+/// Puts the DXF of a plan into a folder, its layers with a prefix.
+fn draft(folder: &Path, name: &str, seed: u64, prefix: &str) {
+    let variant = Variant {
+        seed,
+        unseen: false,
+    };
+    let text = drawings::dxf(&drawings::plan(seed), Cad::Lines, variant);
+    let layers = ["WALL", "SLIDE", "HINGED", "WINDOW", "LATTICE", "POST"];
+    let text = layers.iter().fold(text, |text, layer| {
+        text.replace(&format!("\n{layer}\n"), &format!("\n{prefix}{layer}\n"))
+    });
+    fs::write(folder.join(name), text).unwrap();
+}
+
+#[test]
+fn a_drawing_is_read_by_its_layers_and_reviewed_like_a_scan() {
+    let folder = tempfile::tempdir().unwrap();
+    // The ending says nothing.
+    draft(folder.path(), "plan.dwg", 1, "");
+    let output = hsd(folder.path(), &["plan", "plan.dwg", "-o", "house.hsd"]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let beside = ["house.plan.json", "house.review.png", "house.sheet-1.jpg"];
+    let there = names(folder.path());
+    assert!(beside.iter().all(|name| there.iter().any(|n| n == name)));
+    let text = fs::read_to_string(folder.path().join("house.hsd")).unwrap();
+    assert!(text.contains("Read by hsd plan from plan.dwg: legend cad"));
+    let output = hsd(folder.path(), &["build", "house.hsd", "-o", "house.glb"]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    // From the other side the same walls, and the street at the other end.
+    let turned = ["plan", "plan.dwg", "-o", "turned.hsd", "--front", "top"];
+    let output = hsd(folder.path(), &turned);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let turned = fs::read_to_string(folder.path().join("turned.hsd")).unwrap();
+    let parts = |text: &str, part: &str| text.matches(part).count();
+    for part in ["KTU", "TSH", "GSI"] {
+        assert_eq!(parts(&text, part), parts(&turned, part), "{part}");
+    }
+    assert_ne!(text.replace("house", ""), turned.replace("turned", ""));
+}
+
+#[test]
+fn layers_of_other_names_are_told_and_a_legend_gives_them_roles() {
+    let folder = tempfile::tempdir().unwrap();
+    let dxf = "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n下書き\n10\n0\n20\n0\n11\n90\n21\n40\n0\nLINE\n8\n下書き\n10\n3\n20\n7\n11\n50\n21\n2\n0\nENDSEC\n0\nEOF\n";
+    fs::write(folder.path().join("sketch.dxf"), dxf).unwrap();
+    let output = hsd(folder.path(), &["plan", "sketch.dxf", "-o", "house.hsd"]);
+    assert_eq!(code(&output), 1);
+    let said = stderr(&output);
+    assert!(
+        said.contains("HSD1203") && said.contains("`下書き`"),
+        "{said}"
+    );
+    // Roles of a legend hold before the usual ones.
+    draft(folder.path(), "plan.dxf", 1, "");
+    let none = "<Legend name=\"none\">\n  <Layer name=\"*\" role=\"ignore\"/>\n</Legend>\n";
+    fs::write(folder.path().join("none.xml"), none).unwrap();
+    let read = |legend: &str| {
+        let plan = ["plan", "plan.dxf", "-o", "house.hsd", "--legend", legend];
+        let output = hsd(folder.path(), &plan);
+        (code(&output), stderr(&output))
+    };
+    assert_eq!(read("none.xml").0, 1);
+    let wrong = "<Legend name=\"mine\">\n  <Layer name=\"A\" role=\"kamoi\"/>\n</Legend>\n";
+    fs::write(folder.path().join("wrong.xml"), wrong).unwrap();
+    let (status, said) = read("wrong.xml");
+    assert_eq!(status, 1);
+    assert!(
+        said.contains("HSD1205") && said.contains("wrong.xml:2:3"),
+        "{said}"
+    );
+}
+
+#[test]
+fn damaged_drawings_are_refused_at_their_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str, text: &[u8]| fs::write(folder.path().join(name), text).unwrap();
+    file("cut.dxf", b"0\nSECTION\n2\nENTITIES\n0\nLINE\n");
+    file("odd.dxf", b"0\nSECTION\nENTITIES\n");
+    file(
+        "open.svg",
+        b"<svg xmlns=\"http://www.w3.org/2000/svg\">\n<g>\n",
+    );
+    file(
+        "empty.svg",
+        b"<svg xmlns=\"http://www.w3.org/2000/svg\"/>\n",
+    );
+    file("plan.pdf", b"%PDF-1.4\nnothing\n");
+    file("plan.dwg", b"AC1032\0\0\0\0");
+    for (name, code_said, said) in [
+        ("cut.dxf", "HSD1204", "`EOF` is missing"),
+        ("odd.dxf", "HSD1204", "odd.dxf:3:1"),
+        ("open.svg", "HSD1204", "open.svg:3:1"),
+        ("empty.svg", "HSD1203", "no lines"),
+        ("plan.pdf", "HSD1204", "PDF"),
+        ("plan.dwg", "HSD1204", "save it as DXF"),
+    ] {
+        let output = hsd(folder.path(), &["plan", name, "-o", "house.hsd"]);
+        let words = stderr(&output);
+        assert_eq!(code(&output), 1, "{name}: {words}");
+        assert!(words.contains(code_said) && words.contains(said), "{words}");
+        assert!(!folder.path().join("house.hsd").exists(), "{name}");
+    }
+}
+
+#[test]
+fn a_plan_of_hsd_draw_comes_back_as_its_house() {
+    let folder = tempfile::tempdir().unwrap();
+    let rooms = crate::support::root().join("examples/rooms.hsd");
+    let rooms = rooms.to_str().unwrap();
+    let run = |arguments: &[&str]| {
+        let output = hsd(folder.path(), arguments);
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+    };
+    run(&["draw", rooms, "--view", "plan-1", "-o", "plan.svg"]);
+    run(&["plan", "plan.svg", "-o", "again.hsd"]);
+    run(&["draw", "again.hsd", "--view", "plan-1", "-o", "again.svg"]);
+    run(&["plan", "again.svg", "-o", "third.hsd"]);
+    let text = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+    assert_eq!(text("again.hsd"), text("third.hsd"));
+    assert!(text("again.hsd").contains("座敷"));
+    // It is a whole house, not a sheet among others.
+    let both = ["plan", "plan.svg", "again.svg", "-o", "both.hsd"];
+    let output = hsd(folder.path(), &both);
+    assert_eq!(code(&output), 1);
+    assert!(stderr(&output).contains("read it alone"));
 }

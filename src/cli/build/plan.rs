@@ -18,10 +18,10 @@ use crate::text;
 use clap::Args;
 use glam::DVec2;
 use image::{ImageFormat, RgbImage};
+use sheets::{Read, Sheet};
 use std::io::{self, Cursor, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use sheets::{Read, Sheet};
 use values::{EraArg, Ken, Same, Side};
 
 mod sheets;
@@ -126,7 +126,9 @@ impl Plan {
                     told = Some(self.write(&house, &sheets, before, &mut sources, &mut out)?);
                 }
             }
-            Some(Read::House(text)) => told = Some(self.write_drawn(text, &mut sources, &mut out)?),
+            Some(Read::House(text)) => {
+                told = Some(self.write_drawn(text, &mut sources, &mut out)?)
+            }
             None => {}
         }
         let failed = out.has_errors();

@@ -50,26 +50,7 @@ impl Patch {
             false => grid.at(from.x + along, from.y + across),
             true => grid.at(from.x + across, from.y + along),
         };
-        let mut black = vec![0.0; ALONG * ACROSS];
-        let mut red = vec![0.0; ALONG * ACROSS];
-        let full = f64::from(ink.threshold) * 1.7;
-        for j in 0..ACROSS {
-            for i in 0..ALONG {
-                let (mut dark, mut colour) = (0.0, 0.0);
-                for (a, b) in [(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)] {
-                    let at = place(
-                        (i as f64 + a) / ALONG as f64,
-                        ((j as f64 + b) / ACROSS as f64 * 2.0 - 1.0) * REACH,
-                    );
-                    dark += f64::from(dark_at(ink, at)) / 4.0;
-                    colour += f64::from(red_at(ink, at)) / 4.0;
-                }
-                let share = ((dark - f64::from(ink.threshold) * 0.35) / full).clamp(0.0, 1.0);
-                let of_red = (colour / full * 2.0).clamp(0.0, 1.0).min(share);
-                black[j * ALONG + i] = (share - of_red) as f32;
-                red[j * ALONG + i] = of_red as f32;
-            }
-        }
+        let (mut black, mut red) = sampled(ink, &place);
         if is_by_hand {
             straighten(&mut black, &mut red);
         }
@@ -101,6 +82,29 @@ impl Patch {
             is_inked,
         }
     }
+}
+
+/// Black and red ink on a unit, four samples to a place.
+fn sampled(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> (Vec<f32>, Vec<f32>) {
+    let mut black = vec![0.0; ALONG * ACROSS];
+    let mut red = vec![0.0; ALONG * ACROSS];
+    let full = f64::from(ink.threshold) * 1.7;
+    for (j, i) in (0..ACROSS).flat_map(|j| (0..ALONG).map(move |i| (j, i))) {
+        let (mut dark, mut colour) = (0.0, 0.0);
+        for (a, b) in [(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)] {
+            let at = place(
+                (i as f64 + a) / ALONG as f64,
+                ((j as f64 + b) / ACROSS as f64 * 2.0 - 1.0) * REACH,
+            );
+            dark += f64::from(dark_at(ink, at)) / 4.0;
+            colour += f64::from(red_at(ink, at)) / 4.0;
+        }
+        let share = ((dark - f64::from(ink.threshold) * 0.35) / full).clamp(0.0, 1.0);
+        let of_red = (colour / full * 2.0).clamp(0.0, 1.0).min(share);
+        black[j * ALONG + i] = (share - of_red) as f32;
+        red[j * ALONG + i] = of_red as f32;
+    }
+    (black, red)
 }
 
 /// A share of ink as a number of 0 to 255.

@@ -217,7 +217,7 @@ fn covered(mark: Mark, spread: f64, pen: f64, units: usize) -> Option<(Vec<f32>,
             };
             let half = pen * width / 2.0;
             let middles = (0..=count).map(|k| (f64::from(k) + shift) / spaces);
-            let mut unit = vec![0.0_f32; ALONG];
+            let mut unit = [0.0_f32; ALONG];
             for middle in middles {
                 let tick = cells(ALONG, middle - half, middle + half);
                 unit.iter_mut().zip(tick).for_each(|(a, b)| *a = a.max(b));

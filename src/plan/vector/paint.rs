@@ -107,7 +107,7 @@ fn bounds(strokes: &[&Stroke]) -> Option<(DVec2, DVec2)> {
             .collect();
         all.sort_by(f64::total_cmp);
         let part = |share: f64| {
-            all.get(((all.len().max(1) - 1) as f64 * share) as usize)
+            all.get((all.len().saturating_sub(1) as f64 * share).round() as usize)
                 .copied()
         };
         let (low, high) = (part(0.02)?, part(0.98)?);

@@ -42,7 +42,10 @@ impl Sheet {
         let legend = &self.found.legend;
         let scale = self.found.flat.to_picture.transform_vector2(DVec2::X);
         let (unit, of) = match legend.as_str() {
-            "cad" => (self.found.grid.unit * scale.length(), "units of the drawing"),
+            "cad" => (
+                self.found.grid.unit * scale.length(),
+                "units of the drawing",
+            ),
             _ => (self.found.grid.unit * self.shrink, "pixels"),
         };
         let file = &self.file;
@@ -109,7 +112,9 @@ impl Plan {
         // A legend may name layers alone.
         legends.symbols.retain(|legend| !legend.symbols.is_empty());
         if legends.symbols.is_empty() {
-            let all = LEGENDS.iter().filter_map(|(_, text)| Legend::read(text).ok());
+            let all = LEGENDS
+                .iter()
+                .filter_map(|(_, text)| Legend::read(text).ok());
             legends.symbols = all.collect();
         }
         if let Ok(cad) = Roles::read(vector::CAD) {

@@ -232,8 +232,7 @@ pub fn whole_house(span: Span) -> Diagnostic {
 /// A drawing without a plan that can be read, for a reason.
 #[cold]
 fn no_plan_drawn(span: Span, why: Text) -> Diagnostic {
-    let message =
-        text!([why] "there is no plan in this drawing: {why}", "この図面から平面図を読めません。{why}");
+    let message = text!([why] "there is no plan in this drawing: {why}", "この図面から平面図を読めません。{why}");
     Diagnostic::error(1203, span, message)
 }
 
