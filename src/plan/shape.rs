@@ -147,6 +147,14 @@ impl Shape {
         Shape::found(units, false)
     }
 
+    /// How thick the ink of a wall of the outline is, in the middle of all, units.
+    pub fn thickness(&self) -> f64 {
+        let walls = self.outer.iter().filter(|w| w.read.role == Role::Wall);
+        let mut all: Vec<f64> = walls.map(|w| w.read.ink).collect();
+        all.sort_by(f64::total_cmp);
+        all.get(all.len() / 2).copied().unwrap_or(0.0)
+    }
+
     /// Finds the house in the units of a drawing whose strokes are all known: nothing but its outline is closed where nothing is
     /// drawn.
     pub fn drawn(units: &Units) -> Shape {

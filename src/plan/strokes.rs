@@ -15,10 +15,6 @@ mod proof;
 mod runs;
 mod stamp;
 
-/// What leads by less is in doubt.
-const LEAST_LEAD: f64 = 0.12;
-/// What agrees less is in doubt.
-const LEAST_LIKENESS: f64 = 0.45;
 /// Lines of the grid by which the width of the pen is found.
 const SAMPLES: usize = 8;
 /// Nibs that are tried, by the first guess.
@@ -33,6 +29,8 @@ pub struct Read {
     pub likeness: f64,
     /// How much better than with the best symbol of another role.
     pub lead: f64,
+    /// How thick its ink is, units.
+    pub ink: f64,
 }
 
 impl Read {
@@ -41,12 +39,8 @@ impl Read {
         role: Role::Empty,
         likeness: 1.0,
         lead: 1.0,
+        ink: 0.0,
     };
-
-    /// Whether another role is nearly as likely, or the ink agrees badly with this one.
-    pub fn is_doubtful(self) -> bool {
-        self.lead < LEAST_LEAD || self.likeness < LEAST_LIKENESS
-    }
 }
 
 /// All units of a grid.
@@ -92,6 +86,16 @@ impl Units {
             inked: inked(ink, grid),
             ..self
         }
+    }
+
+    /// Takes walls of less ink for edges of mats.
+    #[must_use]
+    pub fn without_thin_walls(mut self, least: f64) -> Units {
+        let all = self.level.iter_mut().chain(&mut self.upright).flatten();
+        for read in all.filter(|read| read.role == Role::Wall && read.ink < least) {
+            read.role = Role::Mat;
+        }
+        self
     }
 
     /// Whether there is ink in the middle of the cell below and to the right of a crossing.

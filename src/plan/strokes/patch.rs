@@ -84,6 +84,15 @@ impl Patch {
     }
 }
 
+impl Patch {
+    /// How thick a stroke along all of it would have so much ink, units.
+    pub(super) fn thickness(&self) -> f64 {
+        let ink = f64::from(self.blacks[3] + self.reds[3]) / 255.0;
+        let (columns, step) = (ALONG - 2 * skip(), 2.0 * REACH / ACROSS as f64);
+        ink / columns as f64 * step
+    }
+}
+
 /// Black and red ink on a unit, four samples to a place.
 fn sampled(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> (Vec<f32>, Vec<f32>) {
     let mut black = vec![0.0; ALONG * ACROSS];

@@ -123,6 +123,8 @@ pub(super) struct Line {
     posts: Vec<f64>,
     /// How empty they are.
     empty: Vec<f64>,
+    /// How thick the ink on them is, units.
+    ink: Vec<f64>,
     /// For each unit that has ink, stamp after stamp and unit after unit of it; with what it shows of proof.
     likeness: Vec<Vec<(f32, [f32; 2])>>,
 }
@@ -139,6 +141,7 @@ impl Line {
         };
         Line {
             posts: strip.posts.clone(),
+            ink: patches.iter().map(Patch::thickness).collect(),
             empty: patches
                 .iter()
                 .map(|p| emptiness(p, nib).max(CLUTTER))
@@ -250,11 +253,14 @@ impl Line {
     pub(super) fn reads(&self, runs: &[Run], sum: &mut Sum) -> Vec<Read> {
         let mut out = vec![Read::EMPTY; self.empty.len()];
         for run in runs {
-            out[run.from..run.end].fill(Read {
-                role: run.role,
-                likeness: run.value.clamp(0.0, 1.0),
-                lead: run.lead,
-            });
+            for k in run.from..run.end {
+                out[k] = Read {
+                    role: run.role,
+                    likeness: run.value.clamp(0.0, 1.0),
+                    lead: run.lead,
+                    ink: self.ink[k],
+                };
+            }
             // What is empty agrees with any legend.
             let inked = (run.from..run.end)
                 .filter(|k| !self.likeness[*k].is_empty() && self.empty[*k] < 0.6);

@@ -100,6 +100,7 @@ impl Cover {
             role,
             likeness,
             lead: 1.0,
+            ink: 0.0,
         };
         match self.opening() {
             Some((role, share)) => read(role, share),
@@ -386,6 +387,7 @@ impl Covers {
                 role: Role::Hinged,
                 likeness: 1.0,
                 lead: if unit.is_unsure { 0.0 } else { 1.0 },
+                ink: 0.0,
             },
             Some(unit) => unit.read(),
             None => Read::EMPTY,
