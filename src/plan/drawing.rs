@@ -58,12 +58,17 @@ pub fn open(bytes: &[u8], page: usize) -> Result<Content, Unopened> {
     opened.map_err(Unopened::Drawing)
 }
 
-fn format(bytes: &[u8]) -> Option<Format> {
+/// Whether a file is a PDF, so that one of its pages has to be chosen.
+pub fn is_pdf(bytes: &[u8]) -> bool {
     let head = &bytes[..bytes.len().min(HEAD)];
-    let has = |what: &[u8]| head.windows(what.len()).any(|w| w == what);
-    if has(b"%PDF-") {
+    head.windows(5).any(|w| w == b"%PDF-")
+}
+
+fn format(bytes: &[u8]) -> Option<Format> {
+    if is_pdf(bytes) {
         return Some(Format::Pdf);
     }
+    let head = &bytes[..bytes.len().min(HEAD)];
     if head.starts_with(b"AutoCAD Binary DXF") || head.starts_with(b"AC10") {
         return Some(Format::Dxf);
     }

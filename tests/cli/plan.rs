@@ -158,6 +158,10 @@ fn a_drawing_is_read_by_its_layers_and_reviewed_like_a_scan() {
     assert!(text.contains("Read by hsd plan from plan.dwg: legend cad"));
     let output = hsd(folder.path(), &["build", "house.hsd", "-o", "house.glb"]);
     assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let given = ["plan", "plan.dwg", "-o", "turned.hsd", "--turn", "2"];
+    let output = hsd(folder.path(), &given);
+    assert_eq!(code(&output), 2);
+    assert!(stderr(&output).contains("plan.dwg is a drawing"));
     // From the other side the same walls, and the street at the other end.
     let turned = ["plan", "plan.dwg", "-o", "turned.hsd", "--front", "top"];
     let output = hsd(folder.path(), &turned);

@@ -10,6 +10,7 @@ use crate::plan::legend::Legend;
 use crate::plan::vector::{self, lines::Lines, roles::Roles};
 use crate::plan::{self, Found, LEGENDS, Options, Picture, said};
 use crate::source::{FileId, Source};
+use crate::text;
 use glam::DVec2;
 
 /// Names in the comment of a house, the most.
@@ -23,6 +24,8 @@ pub(super) struct Sheet {
     pub(super) found: Found,
     /// Pixels of the file in one of the picture that was read.
     pub(super) shrink: f64,
+    /// Whether it is a drawing, not a picture.
+    is_drawing: bool,
     /// Shaku in a unit of its grid, if it says so.
     pub(super) shaku: Option<f64>,
     /// Layers that stand for nothing.
@@ -41,12 +44,12 @@ impl Sheet {
     pub(super) fn told(&self) -> String {
         let legend = &self.found.legend;
         let scale = self.found.flat.to_picture.transform_vector2(DVec2::X);
-        let (unit, of) = match legend.as_str() {
-            "cad" => (
+        let (unit, of) = match self.is_drawing {
+            true => (
                 self.found.grid.unit * scale.length(),
                 "units of the drawing",
             ),
-            _ => (self.found.grid.unit * self.shrink, "pixels"),
+            false => (self.found.grid.unit * self.shrink, "pixels"),
         };
         let file = &self.file;
         let read =
@@ -134,7 +137,7 @@ impl Plan {
         let mut pages = self.pages.iter().copied().chain(std::iter::repeat(1));
         for path in &self.inputs {
             let bytes = std::fs::read(path).map_err(|e| Failure::at(path.display(), e))?;
-            let page = match bytes.starts_with(b"%PDF-") {
+            let page = match drawing::is_pdf(&bytes) {
                 true => pages.next().unwrap_or(1),
                 false => 1,
             };
@@ -159,6 +162,7 @@ impl Plan {
                     }
                 }
                 (Ok(Content::Lines(lines)), Some(legends)) => {
+                    self.is_for_drawings(&file)?;
                     match self.drawing(lines, file, legends) {
                         Ok(sheet) => sheets.push(sheet),
                         Err(refused) => out.push(said::drawing(&source, &refused)),
@@ -181,9 +185,27 @@ impl Plan {
             found: plan::find(picture, &legends.symbols, &self.options(shrink))?,
             file,
             shrink,
+            is_drawing: false,
             shaku: None,
             unknown: vec![],
         })
+    }
+
+    /// Fails if something was given that only pictures have.
+    fn is_for_drawings(&self, file: &str) -> Result<(), Failure> {
+        let given = [
+            ("--unit-px", self.unit_px.is_some()),
+            ("--ken", self.ken.is_some()),
+            ("--corners", self.corners.is_some()),
+            ("--turn", self.turn.is_some()),
+        ];
+        let Some((option, _)) = given.into_iter().find(|(_, is_given)| *is_given) else {
+            return Ok(());
+        };
+        Err(Failure::Usage(text!([file, option]
+            "`{option}` is for pictures, and {file} is a drawing; `--unit` sets the length of half a ken",
+            "`{option}` は画像用で、{file} は線の図面です。半間の長さは `--unit` で指定してください"
+        )))
     }
 
     fn drawing(
@@ -199,6 +221,7 @@ impl Plan {
             found: drawn.found,
             file,
             shrink: 1.0,
+            is_drawing: true,
             shaku: drawn.shaku,
             unknown: drawn.unknown,
         })
