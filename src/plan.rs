@@ -143,27 +143,96 @@ pub enum Refused {
     NoHouse,
 }
 
+/// What the steps had found when one of them found too little.
+#[derive(Clone, Debug)]
+pub struct Stopped {
+    /// Why there is no plan.
+    pub why: Refused,
+    /// The flat sheet.
+    pub flat: Flat,
+    /// Its ink.
+    pub ink: Ink,
+    /// The grid that fits best.
+    pub grid: Option<Grid>,
+    /// What strokes would stand for.
+    pub units: Option<Units>,
+    /// What walls enclose.
+    pub shape: Option<Shape>,
+}
+
+impl Stopped {
+    fn at(self, why: Refused) -> Box<Stopped> {
+        Box::new(Stopped { why, ..self })
+    }
+}
+
 /// Finds the house in a picture, by the legend that agrees best.
 ///
 /// # Errors
-/// If there is none.
-pub fn find(picture: &Picture, legends: &[Legend], options: &Options) -> Result<Found, Refused> {
+/// If there is none; with what the steps had found.
+pub fn find(
+    picture: &Picture,
+    legends: &[Legend],
+    options: &Options,
+) -> Result<Found, Box<Stopped>> {
     let mut flat = flatten::flatten(&picture.pixels, &options.given);
     turn(&mut flat, options.front);
     let ink = Ink::of(&flat.sheet);
     let share = ink.share();
-    if share < LEAST_INK {
-        return Err(Refused::Blank(share));
-    }
     let aspect = match flat.corners {
         Some(_) => PHOTOGRAPHED,
         None => SCANNED,
     };
-    let grid = Grid::find(&ink, options.unit, aspect).ok_or(Refused::NoGrid(0.0))?;
-    if grid.fit < LEAST_FIT {
-        return Err(Refused::NoGrid(grid.fit));
+    let mut seen = Stopped {
+        why: Refused::NoHouse,
+        flat,
+        ink,
+        grid: None,
+        units: None,
+        shape: None,
+    };
+    if share < LEAST_INK {
+        return Err(seen.at(Refused::Blank(share)));
     }
-    let pen = strokes::pen(&ink, &grid);
+    let Some(grid) = Grid::find(&seen.ink, options.unit, aspect) else {
+        return Err(seen.at(Refused::NoGrid(0.0)));
+    };
+    seen.grid = Some(grid);
+    if grid.fit < LEAST_FIT {
+        return Err(seen.at(Refused::NoGrid(grid.fit)));
+    }
+    let Some((units, legend)) = by_best_legend(&seen.ink, &grid, legends) else {
+        return Err(seen.at(Refused::NoSymbols(0.0)));
+    };
+    if units.likeness < LEAST_LIKENESS {
+        let why = Refused::NoSymbols(units.likeness);
+        seen.units = Some(units);
+        return Err(seen.at(why));
+    }
+    let thinnest = THIN * Shape::of(&units).thickness();
+    let units = units.without_thin_walls(thinnest);
+    let shape = Shape::of(&units);
+    if !is_house(&shape, &grid) {
+        (seen.units, seen.shape) = (Some(units), Some(shape));
+        return Err(seen.at(Refused::NoHouse));
+    }
+    Ok(Found {
+        flat: seen.flat,
+        ink: seen.ink,
+        grid,
+        units,
+        shape,
+        legend: legend.name.clone(),
+    })
+}
+
+/// Reads the units of a grid by each legend; returns those that agree best, of two that agree equally the first.
+fn by_best_legend<'l>(
+    ink: &Ink,
+    grid: &Grid,
+    legends: &'l [Legend],
+) -> Option<(Units, &'l Legend)> {
+    let pen = strokes::pen(ink, grid);
     let straight = ink.without_slanting();
     let walls = straight.without_writing(WRITING * grid.unit, |middle, size| {
         // Posts and the bars of lattices are small too, but stand on lines of the grid.
@@ -173,35 +242,16 @@ pub fn find(picture: &Picture, legends: &[Legend], options: &Options) -> Result<
         thin && off.x < ON_LINE || flat && off.y < ON_LINE
     });
     let read = |legend| {
-        (
-            strokes::read(&walls, &ink, &grid, legend, pen).with_cells(&straight, &grid),
-            legend,
-        )
+        let units = strokes::read(&walls, ink, grid, legend, pen);
+        (units.with_cells(&straight, grid), legend)
     };
     let read: Vec<(Units, &Legend)> = legends.par_iter().map(read).collect();
-    // Of two that agree equally the first.
-    let best = read
-        .into_iter()
-        .reduce(|a, b| if b.0.likeness > a.0.likeness { b } else { a });
-    let (units, legend) = best.ok_or(Refused::NoSymbols(0.0))?;
-    if units.likeness < LEAST_LIKENESS {
-        return Err(Refused::NoSymbols(units.likeness));
-    }
-    let least = THIN * Shape::of(&units).thickness();
-    let units = units.without_thin_walls(least);
-    let shape = Shape::of(&units);
-    if !is_house(&shape, &grid) {
-        return Err(Refused::NoHouse);
-    }
-    let legend = legend.name.clone();
-    Ok(Found {
-        flat,
-        ink,
-        grid,
-        units,
-        shape,
-        legend,
-    })
+    let better = |a: (Units, &'l Legend), b: (Units, &'l Legend)| match b.0.likeness > a.0.likeness
+    {
+        true => b,
+        false => a,
+    };
+    read.into_iter().reduce(better)
 }
 
 /// Whether what was found is a house: not a few strokes of something else that happen to close, nor ruled paper.

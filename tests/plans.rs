@@ -39,7 +39,8 @@ fn drawing(seed: u64, convention: Convention, way: Degradation, px: f32) -> imag
 }
 
 fn find(pixels: image::RgbImage) -> Result<Found, Refused> {
-    plan::find(&picture(pixels), &legends(), &plan::Options::default())
+    let found = plan::find(&picture(pixels), &legends(), &plan::Options::default());
+    found.map_err(|stopped| stopped.why)
 }
 
 #[test]

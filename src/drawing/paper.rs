@@ -179,7 +179,7 @@ pub struct Mark {
     pub role: Role,
     /// The code of the part that it shows, if it shows one.
     pub code: Option<String>,
-    /// What a reader of the drawing is told of it besides, in SVG.
+    /// Further attributes of its group in SVG, from which `hsd plan` reads the house again.
     pub facts: Option<Arc<Facts>>,
     /// Its shape.
     pub shape: Shape,
@@ -207,7 +207,7 @@ impl Mark {
         }
     }
 
-    /// Returns it with what a reader is told of it.
+    /// Returns it with attributes for its group.
     pub fn telling(self, facts: &Arc<Facts>) -> Mark {
         Mark {
             facts: Some(facts.clone()),

@@ -1,8 +1,12 @@
 //! Pictures of what each step found, for people who look where a plan went wrong.
 
-use super::Found;
+use super::flatten::Flat;
+use super::grid::Grid;
 use super::legend::Role;
-use super::shape::Wall;
+use super::shape::{Shape, Wall};
+use super::sheet::Ink;
+use super::strokes::Units;
+use super::{Found, Stopped};
 use glam::{DVec2, dvec2};
 use image::{GrayImage, Luma, Rgb, RgbImage};
 
@@ -11,20 +15,60 @@ const GRID: [u8; 3] = [90, 150, 255];
 /// The colour of what is in doubt.
 const DOUBT: [u8; 3] = [230, 0, 0];
 
-/// The pictures of all steps, with the names of their files.
-pub fn steps(found: &Found) -> Vec<(&'static str, RgbImage)> {
-    vec![
-        ("1-flat.png", found.flat.sheet.clone()),
-        ("2-ink.png", ink(found)),
-        ("3-grid.png", grid(found)),
-        ("4-strokes.png", strokes(found)),
-        ("5-house.png", house(found)),
-    ]
+/// What the steps have found, or had found when one of them found too little.
+#[derive(Clone, Copy)]
+pub struct Seen<'s> {
+    flat: &'s Flat,
+    ink: &'s Ink,
+    grid: Option<&'s Grid>,
+    units: Option<&'s Units>,
+    shape: Option<&'s Shape>,
+}
+
+impl<'s> From<&'s Found> for Seen<'s> {
+    fn from(found: &'s Found) -> Seen<'s> {
+        Seen {
+            flat: &found.flat,
+            ink: &found.ink,
+            grid: Some(&found.grid),
+            units: Some(&found.units),
+            shape: Some(&found.shape),
+        }
+    }
+}
+
+impl<'s> From<&'s Stopped> for Seen<'s> {
+    fn from(stopped: &'s Stopped) -> Seen<'s> {
+        Seen {
+            flat: &stopped.flat,
+            ink: &stopped.ink,
+            grid: stopped.grid.as_ref(),
+            units: stopped.units.as_ref(),
+            shape: stopped.shape.as_ref(),
+        }
+    }
+}
+
+/// The pictures of all steps that were taken, with the names of their files.
+pub fn steps(seen: Seen<'_>) -> Vec<(&'static str, RgbImage)> {
+    let mut out = vec![
+        ("1-flat.png", seen.flat.sheet.clone()),
+        ("2-ink.png", ink(seen.ink)),
+    ];
+    let Some(found) = seen.grid else { return out };
+    out.push(("3-grid.png", grid(seen.flat, found)));
+    if let Some(units) = seen.units {
+        out.push(("4-strokes.png", strokes(seen.flat, found, units)));
+    }
+    if let Some(shape) = seen.shape {
+        out.push(("5-house.png", house(seen.flat, found, shape)));
+    }
+    out
 }
 
 /// The sheet, pale, with the house that was found on it; what is in doubt is red.
 pub fn review(found: &Found, doubts: &[DVec2]) -> RgbImage {
-    let mut out = house(found);
+    let mut out = house(&found.flat, &found.grid, &found.shape);
     let reach = found.grid.unit * 0.32;
     for at in doubts {
         let middle = found.grid.at(at.x, at.y);
@@ -39,18 +83,17 @@ pub fn review(found: &Found, doubts: &[DVec2]) -> RgbImage {
     out
 }
 
-fn ink(found: &Found) -> RgbImage {
-    let ink = &found.ink;
+fn ink(ink: &Ink) -> RgbImage {
     let black = GrayImage::from_fn(ink.dark.width(), ink.dark.height(), |x, y| {
         Luma([if ink.is(x, y) { 0 } else { 255 }])
     });
     image::DynamicImage::ImageLuma8(black).to_rgb8()
 }
 
-fn grid(found: &Found) -> RgbImage {
-    let mut out = pale(&found.flat.sheet);
-    let (across, down) = (found.grid.across, found.grid.down);
-    let at = |u: i32, v: i32| found.grid.at(f64::from(u), f64::from(v));
+fn grid(flat: &Flat, grid: &Grid) -> RgbImage {
+    let mut out = pale(&flat.sheet);
+    let (across, down) = (grid.across, grid.down);
+    let at = |u: i32, v: i32| grid.at(f64::from(u), f64::from(v));
     for u in across.0..=across.1 {
         line(&mut out, at(u, down.0), at(u, down.1), GRID, 0);
     }
@@ -60,26 +103,26 @@ fn grid(found: &Found) -> RgbImage {
     out
 }
 
-fn strokes(found: &Found) -> RgbImage {
-    let mut out = pale(&found.flat.sheet);
-    let (across, down) = (found.grid.across, found.grid.down);
+fn strokes(flat: &Flat, grid: &Grid, units: &Units) -> RgbImage {
+    let mut out = pale(&flat.sheet);
+    let (across, down) = (grid.across, grid.down);
     for v in down.0..=down.1 {
         for u in across.0..=across.1 {
             for (read, to) in [
-                (found.units.level(u, v), (u + 1, v)),
-                (found.units.upright(u, v), (u, v + 1)),
+                (units.level(u, v), (u + 1, v)),
+                (units.upright(u, v), (u, v + 1)),
             ] {
-                unit(&mut out, found, (u, v), to, read.role);
+                unit(&mut out, grid, (u, v), to, read.role);
             }
         }
     }
     out
 }
 
-fn house(found: &Found) -> RgbImage {
-    let mut out = pale(&found.flat.sheet);
-    for cell in &found.shape.cells {
-        let at = |a: f64, b: f64| found.grid.at(f64::from(cell.0) + a, f64::from(cell.1) + b);
+fn house(flat: &Flat, grid: &Grid, shape: &Shape) -> RgbImage {
+    let mut out = pale(&flat.sheet);
+    for cell in &shape.cells {
+        let at = |a: f64, b: f64| grid.at(f64::from(cell.0) + a, f64::from(cell.1) + b);
         line(&mut out, at(0.42, 0.5), at(0.58, 0.5), [170, 200, 170], 1);
     }
     for Wall {
@@ -87,18 +130,18 @@ fn house(found: &Found) -> RgbImage {
         to,
         read,
         is_joined,
-    } in found.shape.outer.iter().chain(&found.shape.inner)
+    } in shape.outer.iter().chain(&shape.inner)
     {
         let role = if *is_joined { Role::Open } else { read.role };
-        unit(&mut out, found, *from, *to, role);
+        unit(&mut out, grid, *from, *to, role);
     }
     out
 }
 
 /// Draws the colour of a role along a unit.
-fn unit(out: &mut RgbImage, found: &Found, from: (i32, i32), to: (i32, i32), role: Role) {
+fn unit(out: &mut RgbImage, grid: &Grid, from: (i32, i32), to: (i32, i32), role: Role) {
     let Some(colour) = colour(role) else { return };
-    let at = |p: (i32, i32)| found.grid.at(f64::from(p.0), f64::from(p.1));
+    let at = |p: (i32, i32)| grid.at(f64::from(p.0), f64::from(p.1));
     let (a, b) = (at(from), at(to));
     line(out, a.lerp(b, 0.1), a.lerp(b, 0.9), colour, 1);
 }

@@ -3,6 +3,7 @@
 use super::legend::Role;
 use super::shape::{Shape, Wall};
 use glam::DVec2;
+use quick_xml::escape::escape;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
@@ -161,7 +162,7 @@ pub fn write(levels: &[Level<'_>], head: &Head, era: Era) -> Option<Written> {
         .unit
         .map(|u| format!(" unit=\"{u}\""))
         .unwrap_or_default();
-    let _ = writeln!(out.text, "<House name=\"{}\"{unit}>", escaped(&head.name));
+    let _ = writeln!(out.text, "<House name=\"{}\"{unit}>", escape(&head.name));
     let mut origin: Option<Place> = None;
     for (storey, level) in levels.iter().enumerate() {
         let place = |(u, v): (i32, i32)| (right - u - level.shift.0, front - v - level.shift.1);
@@ -250,12 +251,6 @@ struct Writing {
     origin: Place,
     is_inner: bool,
     indent: usize,
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('"', "&quot;")
 }
 
 fn relative(place: Place, origin: Place) -> Place {

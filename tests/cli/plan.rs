@@ -123,6 +123,11 @@ fn what_cannot_be_read_is_told_and_nothing_is_written() {
         assert!(stderr(&output).contains(said), "{}", stderr(&output));
         assert!(!folder.path().join("house.hsd").exists(), "{arguments:?}");
     }
+    // Where nothing was found, one sees how far the steps came.
+    let steps = ["plan", "blank.png", "-o", "house.hsd", "--steps", "steps"];
+    assert_eq!(code(&hsd(folder.path(), &steps)), 1);
+    let drawn = names(&folder.path().join("steps"));
+    assert_eq!(drawn, ["1-flat.png", "2-ink.png"]);
     // A house of another hand is not replaced.
     fs::write(folder.path().join("house.hsd"), "mine").unwrap();
     let output = hsd(folder.path(), &["plan", "scan.png", "-o", "house.hsd"]);

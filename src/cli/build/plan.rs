@@ -341,22 +341,34 @@ impl Plan {
                 self.beside(&review),
                 bytes(&marks::review(&sheet.found, &doubts), ImageFormat::Png)?,
             ));
-            if let Some(folder) = &self.steps {
-                std::fs::create_dir_all(folder).map_err(|e| Failure::at(folder.display(), e))?;
-                for (name, picture) in marks::steps(&sheet.found) {
-                    let name = if sheets.len() == 1 {
-                        name.to_owned()
-                    } else {
-                        format!("{storey}-{name}")
-                    };
-                    files.push((folder.join(name), bytes(&picture, ImageFormat::Png)?));
-                }
-            }
+            files.extend(self.steps(k, (&sheet.found).into())?);
         }
         let record = Record::new(kept, house.written.text.clone());
         files.push((self.beside("plan.json"), record.json().into_bytes()));
         files.push((self.output.clone(), text.into_bytes()));
         Ok(files)
+    }
+
+    /// Pictures of what the steps have found on a sheet, where they are asked for, with their paths.
+    fn steps(
+        &self,
+        sheet: usize,
+        seen: marks::Seen<'_>,
+    ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+        let Some(folder) = &self.steps else {
+            return Ok(vec![]);
+        };
+        std::fs::create_dir_all(folder).map_err(|e| Failure::at(folder.display(), e))?;
+        let named = |name: &str| match self.inputs.len() {
+            1 => name.to_owned(),
+            _ => format!("{}-{name}", sheet + 1),
+        };
+        let pictures = marks::steps(seen).into_iter();
+        pictures
+            .map(|(name, picture)| {
+                Ok((folder.join(named(name)), bytes(&picture, ImageFormat::Png)?))
+            })
+            .collect()
     }
 
     /// A file beside the house: its name with another ending.

@@ -67,7 +67,7 @@ fn along(
     wall.units.iter().map(bay).collect()
 }
 
-/// What is told of a walk: what it goes round, and where it starts.
+/// The attributes of a walk: what it goes round, and where it starts.
 fn walk(ring: &Ring, first: &Wall) -> Facts {
     let kind = match (ring.inner, ring.hole, ring.closed) {
         (true, ..) => "inner",
@@ -79,7 +79,7 @@ fn walk(ring: &Ring, first: &Wall) -> Facts {
     vec![("walk", kind.to_owned()), ("start", start)]
 }
 
-/// What is told of a house and a storey: name, unit in shaku, its place in metres east, north and up with the azimuth of its
+/// The attributes of a house and a storey: name, unit in shaku, its place in metres east, north and up with the azimuth of its
 /// front, the height of the storey in shaku.
 fn home(built: &Built, storey: &Storey) -> Facts {
     let house = &built.house;

@@ -60,7 +60,7 @@ pub(super) fn rooms(subject: &Subject<'_>, number: u32, settings: &Settings) -> 
     marks
 }
 
-/// What a reader of the drawing is told of a room.
+/// The attributes of a room: its house, level, name, point (units) and floor.
 fn told(house: usize, room: &Room) -> Facts {
     let floor = Flooring::ALL.iter().find(|(_, f)| *f == room.floor);
     vec![

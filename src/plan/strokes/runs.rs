@@ -253,12 +253,13 @@ impl Line {
     pub(super) fn reads(&self, runs: &[Run], sum: &mut Sum) -> Vec<Read> {
         let mut out = vec![Read::EMPTY; self.empty.len()];
         for run in runs {
-            for k in run.from..run.end {
-                out[k] = Read {
+            let units = out[run.from..run.end].iter_mut();
+            for (read, ink) in units.zip(&self.ink[run.from..run.end]) {
+                *read = Read {
                     role: run.role,
                     likeness: run.value.clamp(0.0, 1.0),
                     lead: run.lead,
-                    ink: self.ink[k],
+                    ink: *ink,
                 };
             }
             // What is empty agrees with any legend.

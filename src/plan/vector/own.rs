@@ -6,6 +6,7 @@
 use super::refused::Refused;
 use super::told::{self, Bay, Drawing, Frame, House, Level, Line, Walk};
 use glam::{DVec2, dvec2};
+use quick_xml::escape::escape;
 use std::fmt::Write as _;
 
 /// Degrees to which walls at odd angles are told where the paper leaves it open.
@@ -385,10 +386,7 @@ fn short(value: f64) -> String {
     }
 }
 
+/// A text in an attribute of a house, where braces would be formulas.
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('"', "&quot;")
-        .replace('{', "&#123;")
-        .replace('}', "&#125;")
+    escape(text).replace('{', "&#123;").replace('}', "&#125;")
 }

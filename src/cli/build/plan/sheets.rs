@@ -2,13 +2,14 @@
 
 use super::{Plan, SHAKU, name_of};
 use crate::cli::Failure;
+use crate::cli::files::output;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::plan::drawn as say;
 use crate::plan::drawing::{self, Content, Unopened};
 use crate::plan::flatten::{Given, project};
 use crate::plan::legend::Legend;
 use crate::plan::vector::{self, lines::Lines, roles::Roles};
-use crate::plan::{self, Found, LEGENDS, Options, Picture, said};
+use crate::plan::{self, Found, LEGENDS, Options, Picture, Stopped, said};
 use crate::source::{FileId, Source};
 use crate::text;
 use glam::DVec2;
@@ -20,7 +21,7 @@ const NAMED: usize = 12;
 pub(super) struct Sheet {
     /// The name of its file.
     pub(super) file: String,
-    /// What was found on it.
+    /// The plan on it.
     pub(super) found: Found,
     /// Pixels of the file in one of the picture that was read.
     pub(super) shrink: f64,
@@ -54,9 +55,12 @@ impl Sheet {
         let file = &self.file;
         let read =
             format!("Read by hsd plan from {file}: legend {legend}, half a ken is {unit:.1} {of}");
-        // A comment must not end early.
-        let names = self.unknown.iter().map(|name| name.replace("--", "- -"));
-        let names: Vec<String> = names.take(NAMED).collect();
+        let names: Vec<&str> = self
+            .unknown
+            .iter()
+            .take(NAMED)
+            .map(String::as_str)
+            .collect();
         match names.is_empty() {
             true => read,
             false => format!("{read}; of no meaning to it: {}", names.join(", ")),
@@ -64,7 +68,7 @@ impl Sheet {
     }
 }
 
-/// What is read.
+/// What the input files hold.
 pub(super) enum Read {
     /// Plans, one a storey.
     Sheets(Vec<Sheet>),
@@ -135,7 +139,7 @@ impl Plan {
     ) -> Result<Option<Read>, Failure> {
         let mut sheets = vec![];
         let mut pages = self.pages.iter().copied().chain(std::iter::repeat(1));
-        for path in &self.inputs {
+        for (k, path) in self.inputs.iter().enumerate() {
             let bytes = std::fs::read(path).map_err(|e| Failure::at(path.display(), e))?;
             let page = match drawing::is_pdf(&bytes) {
                 true => pages.next().unwrap_or(1),
@@ -158,7 +162,10 @@ impl Plan {
                 (Ok(Content::Picture(picture)), Some(legends)) => {
                     match self.picture(&picture, file, legends) {
                         Ok(sheet) => sheets.push(sheet),
-                        Err(refused) => out.push(said::refused(source.span(0..0), refused)),
+                        Err(stopped) => {
+                            output::write_all(self.steps(k, (&*stopped).into())?)?;
+                            out.push(said::refused(source.span(0..0), stopped.why));
+                        }
                     }
                 }
                 (Ok(Content::Lines(lines)), Some(legends)) => {
@@ -179,7 +186,7 @@ impl Plan {
         picture: &Picture,
         file: String,
         legends: &Legends,
-    ) -> Result<Sheet, plan::Refused> {
+    ) -> Result<Sheet, Box<Stopped>> {
         let shrink = picture.shrink;
         Ok(Sheet {
             found: plan::find(picture, &legends.symbols, &self.options(shrink))?,
@@ -227,7 +234,7 @@ impl Plan {
         })
     }
 
-    /// What is known of a picture that was made so much smaller.
+    /// The options for a picture, in pixels of the reduced picture: `shrink` is how many pixels of the file one of its pixels covers.
     fn options(&self, shrink: f64) -> Options {
         let unit = self.unit_px.or(self.ken.map(|ken| ken.unit));
         Options {

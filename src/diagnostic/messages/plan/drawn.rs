@@ -156,7 +156,7 @@ pub fn no_dxf(span: Span, what: &str) -> Diagnostic {
     )
 }
 
-/// A DXF that ends too early, after so many lines.
+/// A DXF that ends without its `EOF`; `lines` is how many lines it has.
 #[cold]
 pub fn dxf_ends(span: Span, lines: usize) -> Diagnostic {
     unreadable_drawing(
@@ -270,7 +270,7 @@ pub fn no_roles(span: Span, names: &[String]) -> Diagnostic {
     ))
 }
 
-/// A drawing whose walls keep to no grid; they have so many strokes.
+/// A drawing whose walls keep to no grid; `strokes` is the number of strokes in its walls.
 #[cold]
 pub fn drawn_off_grid(span: Span, strokes: usize) -> Diagnostic {
     let why = text!([strokes]
