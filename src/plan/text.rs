@@ -320,7 +320,9 @@ fn loops(shape: &Shape, place: &dyn Fn((i32, i32)) -> Place) -> Option<Vec<Vec<U
         walk.rotate_left(start);
     }
     walks.sort_by_key(|w| std::cmp::Reverse(w.len()));
-    let outline = walks.iter().position(|w| w.iter().any(|u| u.from.1 == 0))?;
+    // Nothing of a court is as near to the street as the outline round it.
+    let front = |k: &usize| walks[*k].iter().map(|u| u.from.1).min();
+    let outline = (0..walks.len()).min_by_key(front)?;
     walks.swap(0, outline);
     Some(walks)
 }

@@ -92,6 +92,26 @@ fn two_storeys_lie_over_each_other() {
 }
 
 #[test]
+fn an_upper_storey_may_stand_back_from_the_street() {
+    let folder = tempfile::tempdir().unwrap();
+    let depth = |seed: &u64| drawings::plan(*seed).depth;
+    let (shallow, deep) = (
+        (1..40).min_by_key(depth).unwrap(),
+        (1..40).max_by_key(depth).unwrap(),
+    );
+    draft(folder.path(), "ground.dxf", deep, "");
+    draft(folder.path(), "upper.dxf", shallow, "");
+    // About ten units behind the street.
+    let plan = ["plan", "ground.dxf", "upper.dxf", "-o", "house.hsd"];
+    let back = ["--register", "0,-9000=0,0"];
+    let output = hsd(folder.path(), &[&plan[..], &back].concat());
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let text = fs::read_to_string(folder.path().join("house.hsd")).unwrap();
+    assert_eq!(text.matches("<Storey").count(), 2);
+    assert!(text.contains("<Storey height=\"9\" start="), "{text}");
+}
+
+#[test]
 fn what_cannot_be_read_is_told_and_nothing_is_written() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("notes.txt"), "a note").unwrap();

@@ -121,11 +121,15 @@ impl Plan {
         let legends = self.legends(&mut sources, &mut out)?;
         let mut told = None;
         match self.sheets(legends.as_ref(), &mut sources, &mut out)? {
-            Some(Read::Sheets(sheets)) => {
-                if let Some(house) = self.house(&sheets) {
+            Some(Read::Sheets(sheets)) => match self.house(&sheets) {
+                Some(house) => {
                     told = Some(self.write(&house, &sheets, before, &mut sources, &mut out)?);
                 }
-            }
+                None => {
+                    let sheet = sources.last().map(|source| source.span(0..0));
+                    sheet.into_iter().for_each(|at| out.push(say::no_house(at)));
+                }
+            },
             Some(Read::House(text)) => {
                 told = Some(self.write_drawn(text, &mut sources, &mut out)?)
             }
