@@ -138,6 +138,9 @@ pub mod tiles;
 #[cfg(feature = "plans")]
 #[doc(hidden)]
 pub mod plan;
+#[cfg(any(feature = "plans", feature = "view"))]
+#[doc(hidden)]
+pub mod plan_file;
 #[cfg(feature = "drawings")]
 #[doc(hidden)]
 pub mod drawing;

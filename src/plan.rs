@@ -12,7 +12,7 @@
 //! | outline and rooms follow | [`shape`] | [`shape::Shape`] |
 //! | storeys are laid over each other | [`register`] | a move in units |
 //! | the source file is written | [`house`], [`text`] | [`house::House`] |
-//! | what the review needs is kept | [`record`] | [`record::Record`] |
+//! | the sheet is drawn for the review | [`underlay`] | a picture, and a map to the house |
 //! | over an edited one | [`again`] | [`again::Merged`] |
 //!
 //! Each step is a function from one typed thing to the next; [`marks`] draws what each has found. The same picture gives the
@@ -26,13 +26,13 @@ pub mod house;
 pub mod legend;
 pub mod marks;
 mod picture;
-pub mod record;
 pub mod register;
 pub mod said;
 pub mod shape;
 pub mod sheet;
 pub mod strokes;
 pub mod text;
+pub mod underlay;
 pub mod vector;
 
 pub use picture::{Picture, Unreadable};

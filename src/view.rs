@@ -40,7 +40,6 @@ mod workspace;
 pub use editor_host::EditorHost;
 pub use notify_debouncer_full::notify::RecursiveMode;
 pub use page::{how_to_build, is_built};
-pub use scan::{PlanFile, PlanSheet};
 pub use screenshots::Screenshot;
 pub use town::map_folders;
 

@@ -3,50 +3,20 @@
 use super::fingerprint::fingerprint;
 use crate::backend::images;
 use crate::diagnostic::{Language, Text};
+use crate::plan_file::{PlanFile, PlanSheet, VERSION};
 use crate::text;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::fs::{self, File};
 use std::hash::Hash;
 use std::io::{BufReader, Read};
 use std::path::{Component, Path, PathBuf};
 
-/// The only version of the file.
-const VERSION: u32 = 1;
 /// The largest file, bytes, and number of sheets in it.
 const LONGEST: u64 = 16 << 20;
 const SHEETS: usize = 64;
 /// The largest picture, bytes and pixels.
 const HEAVIEST: u64 = 128 << 20;
 const PIXELS: u64 = 100_000_000;
-
-/// What `hsd plan` tells of the pictures that a house was read from.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PlanFile {
-    /// The version of the file, 1.
-    pub plan: u32,
-    /// One for each storey that was read.
-    pub sheets: Vec<PlanSheet>,
-}
-
-/// A flattened picture of one storey.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PlanSheet {
-    /// The number of its storey, from 1, as in the text.
-    pub storey: u32,
-    /// The name of the picture, a PNG or JPEG in the folder of the file.
-    pub picture: String,
-    /// Takes pixels of the picture to metres in the frame of the house, as `matrix(a, b, c, d, e, f)` of SVG:
-    /// `left = a x + c y + e`, `back = b x + d y + f`.
-    ///
-    /// `x` runs to the right and `y` down from the upper left corner of the picture; the middle of its first pixel is at
-    /// 0.5, 0.5. `left` runs along the front, to the left as seen from the street, and `back` away from the street. Both
-    /// count from the origin of the house: the right end of its front, where the first `Storey` begins. That is the frame
-    /// in which authors count `start` and `at`, times the metres of a unit (`unit_m` of the plan).
-    ///
-    /// An upright sheet whose front lies at the bottom, of `s` metres a pixel, with the right end of the front at pixel
-    /// `x0, y0`, has `[-s, 0, 0, -s, s x0, s y0]`.
-    pub to_house: [f64; 6],
-}
 
 /// The scans of a house, for the page: `Scan` in `view/src/server/api.ts`.
 #[derive(Clone, Debug, Serialize)]

@@ -9,9 +9,9 @@ use crate::diagnostic::{Diagnostics, Language, noun};
 use crate::driver;
 use crate::fs::FolderWorld;
 use crate::plan::house::{self, House, Wanted};
-use crate::plan::record::{self, Record};
 use crate::plan::text::{Doubt, Era, Written};
-use crate::plan::{again, marks, said};
+use crate::plan::{again, marks, said, underlay};
+use crate::plan_file::{PlanFile, PlanSheet};
 use crate::report::{Format, Report};
 use crate::source::{FileId, Source};
 use crate::text;
@@ -147,22 +147,22 @@ impl Plan {
         Ok(if failed { Exit::Errors } else { Exit::Done })
     }
 
-    /// The text that is there, and what it was when it was read; fails if it was not read from a plan.
-    fn before(&self) -> Result<Option<(String, Record)>, Failure> {
+    /// The text that is there, and what it was when it was read; fails if nothing says so.
+    fn before(&self) -> Result<Option<(String, String)>, Failure> {
         if self.force || !self.output.exists() {
             return Ok(None);
         }
         let text = std::fs::read_to_string(&self.output).ok();
-        let record = std::fs::read_to_string(self.beside("plan.json"))
+        let read = std::fs::read_to_string(self.beside("plan.json"))
             .ok()
-            .and_then(|json| Record::read(&json));
-        match text.zip(record) {
+            .and_then(|json| PlanFile::parse(&json)?.read);
+        match text.zip(read) {
             Some(before) => Ok(Some(before)),
             None => {
                 let name = self.output.display();
                 Err(Failure::Usage(text!([name]
-                    "{name} exists and was not read from a plan; `--force` replaces it",
-                    "{name} はすでにあり、図面から読んだものではありません。置き換えるなら `--force` を付けてください"
+                    "{name} exists, and no plan.json beside it says what was read; `--force` replaces it",
+                    "{name} はすでにあり、読んだときの記録 (plan.json) がありません。置き換えるなら `--force` を付けてください"
                 )))
             }
         }
@@ -209,13 +209,12 @@ impl Plan {
         &self,
         house: &House,
         sheets: &[Sheet],
-        before: Option<(String, Record)>,
+        before: Option<(String, String)>,
         sources: &mut Vec<Source>,
         out: &mut Diagnostics,
     ) -> Result<crate::diagnostic::Text, Failure> {
         let read = &house.written;
-        let merged =
-            before.map(|(edited, record)| again::merged(&record.read, &edited, &read.text));
+        let merged = before.map(|(edited, before)| again::merged(&before, &edited, &read.text));
         let kept = merged.as_ref().map(|m| m.kept.clone()).unwrap_or_default();
         let text = merged.map_or_else(|| read.text.clone(), |m| m.text);
         let source = Source::new(
@@ -318,13 +317,13 @@ impl Plan {
         let metres = self.shaku(sheets) * SHAKU;
         for (k, (sheet, shift)) in sheets.iter().zip(&house.shifts).enumerate() {
             let (origin, storey) = (house.written.origin, k + 1);
-            let (flat, to_house) = record::flat(
+            let (flat, to_house) = underlay::draw(
                 &sheet.found,
                 (origin.0 - shift.0, origin.1 - shift.1),
                 metres,
             );
             let path = self.beside(&format!("sheet-{storey}.jpg"));
-            kept.push(record::Sheet {
+            kept.push(PlanSheet {
                 storey: storey as u32,
                 picture: name_of(&path),
                 to_house,
@@ -347,8 +346,8 @@ impl Plan {
             ));
             files.extend(self.steps(k, (&sheet.found).into())?);
         }
-        let record = Record::new(kept, house.written.text.clone());
-        files.push((self.beside("plan.json"), record.json().into_bytes()));
+        let file = PlanFile::new(kept, house.written.text.clone());
+        files.push((self.beside("plan.json"), file.json().into_bytes()));
         files.push((self.output.clone(), text.into_bytes()));
         Ok(files)
     }
