@@ -22,7 +22,7 @@ mod view;
 
 pub use era::Era;
 pub use fittings::{
-    Brackets, Finial, FinialKind, Fittings, Order, Paint, Platform, Posts, Rail, Side, Veranda,
+    Brackets, Finial, FinialKind, Fittings, Order, Paint, Platform, Posts, Put, Rail, Side, Veranda,
 };
 pub use fixtures::{Fixture, FixtureKind};
 pub use frame::{Anchor, Frame, PlacedBy, Placement};
@@ -33,7 +33,7 @@ pub use pieces::{CodeText, Half, Part, Piece, Split};
 pub use purpose::Purpose;
 pub use rare::{Rare, Usual};
 pub use roofs::{
-    RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
+    GableWall, RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
 };
 pub use rooms::{Flooring, MatOrder, Room, RoomCeiling};
 pub use value::{Parameter, Value};

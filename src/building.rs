@@ -27,7 +27,7 @@ use crate::ast::{
 use crate::building::fittings::Fitting;
 use crate::geometry::Heading;
 use crate::geometry::plan::Cell;
-use crate::program::{Age, Picture, Roofs, Unit};
+use crate::program::{Age, Picture, Put, Roofs, Unit};
 use crate::source::Span;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use serde::{Serialize, Serializer};
@@ -107,6 +107,9 @@ pub struct House {
     pub platform: Option<Platform>,
     /// The finials of its roofs.
     pub finials: Vec<Finial>,
+    /// What stands beside it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub puts: Vec<Put>,
     /// Its age; `None` = not weathered.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub age: Option<Age>,

@@ -28,6 +28,7 @@ mod lists;
 mod monuments;
 mod images;
 mod outline;
+mod puts;
 mod repeat;
 mod roofs;
 mod rows;
@@ -234,6 +235,7 @@ impl<'a, 'c> Pass<'a, 'c> {
             storeys,
             platform: house.fittings.platform.clone(),
             finials: house.fittings.finials.clone(),
+            puts: self.puts(&house.fittings.puts),
             age: self.age(settings, place),
             roofs: roofs::roofs(&house.roofs).into(),
         };

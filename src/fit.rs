@@ -1,6 +1,7 @@
 //! Fittings of a house: platform, veranda, tie beams, bracket complexes, finials, rooms. They need the finished roofs: purlins
 //! end under them, finials stand on them.
 //!
+//! - [`mod@put`]: what stands by itself beside the house;
 //! - [`around`]: outlines at a margin outside the walls;
 //! - [`platform`], [`plinth`], [`veranda`], [`brackets`], [`beams`], [`finial`]: one kind of fitting each;
 //! - [`mod@rooms`]: the areas between walls ([`areas`], [`plan`]), the mats in them ([`mats`], [`names`]), what is built into
@@ -18,6 +19,7 @@ mod names;
 mod plan;
 mod platform;
 mod plinth;
+mod put;
 mod rooms;
 mod undersides;
 mod veranda;
@@ -90,6 +92,7 @@ pub fn house(
             None => out.push(say::no_roof_below(finial.span)),
         }
     }
+    made.extend(house.puts.iter().map(|put| put::put(house, put, out)));
     made
 }
 

@@ -16,6 +16,9 @@ pub use tolerance::SAME;
 
 use glam::{DVec2, dvec2};
 
+/// Height of the ground sill above the ground, metres: that of the foundation stones of a house without a platform or a
+/// veranda.
+pub const FOUNDATION: f64 = 0.285;
 /// One shaku in metres (law of 1891).
 pub const SHAKU: f64 = 10.0 / 33.0;
 

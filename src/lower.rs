@@ -85,6 +85,7 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
         plinth: house.plinth,
         platform: house.platform,
         finials: house.finials,
+        puts: house.puts,
         roofs,
     }
 }

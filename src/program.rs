@@ -7,6 +7,7 @@ use crate::ast::{
 };
 use crate::catalog::PartId;
 use crate::source::{Span, Spanned};
+use glam::DVec2;
 use serde::Serialize;
 use std::sync::LazyLock;
 
@@ -70,6 +71,9 @@ pub struct House {
     pub platform: Option<Platform>,
     /// The finial of its roofs.
     pub finials: Vec<Finial>,
+    /// What stands beside it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub puts: Vec<Put>,
     /// Its age; `None` = no weathering.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub age: Option<Age>,
@@ -83,6 +87,23 @@ fn is_zero(length: &f64) -> bool {
 
 fn is_corner(anchor: &Anchor) -> bool {
     *anchor == Anchor::Corner
+}
+
+/// A part that stands by itself on the ground beside a house.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Put {
+    /// The element.
+    pub span: Span,
+    /// The part.
+    pub part: PartId,
+    /// Its middle in the author frame, U.
+    pub at: DVec2,
+    /// By how much it is turned clockwise from facing the front of the house, degrees.
+    pub turn: f64,
+    /// Its width, U.
+    pub width: f64,
+    /// Its height, shaku.
+    pub height: f64,
 }
 
 /// The age of a house.

@@ -271,6 +271,12 @@ fn materials_are_physical() {
     );
     assert_eq!(glass["extras"]["reflection"], 0.5);
     assert_eq!(glass["extensions"]["KHR_materials_ior"]["ior"], 1.5);
+    let specular = &glass["extensions"]["KHR_materials_specular"];
+    // Half of the light: 12.5 times what glass reflects straight on.
+    assert_eq!(
+        specular["specularColorFactor"],
+        serde_json::json!([12.5, 12.5, 12.5])
+    );
     let used = ["KHR_materials_ior", "KHR_materials_specular"];
     assert_eq!(json["extensionsUsed"], serde_json::json!(used));
     let texture = |m: &serde_json::Value| {

@@ -2,6 +2,7 @@
 //! Omitted values are those of [`Default`], or `None` if they follow from the house; `docs/evidence.md` 4.8 and 7.10
 //! describe monuments.
 
+use crate::ast::CodeText;
 use crate::source::{Span, Spanned};
 use serde::Serialize;
 
@@ -188,6 +189,24 @@ pub struct Finial {
     pub at: Option<Spanned<(f64, f64)>>,
 }
 
+/// `<Put code="OTO" at="3 -4"/>`: a part that stands by itself on the ground beside the house, such as a lantern, a tree or a
+/// bench.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Put {
+    /// The element.
+    pub span: Span,
+    /// The part.
+    pub code: Spanned<CodeText>,
+    /// Its middle (a, b) in U, author frame.
+    pub at: Spanned<(f64, f64)>,
+    /// By how much it is turned clockwise from facing the front of the house, degrees.
+    pub turn: f64,
+    /// Its width in U; `None` = that of its code.
+    pub width: Option<f64>,
+    /// Its height in shaku; `None` = that of its part.
+    pub height: Option<f64>,
+}
+
 /// The fittings of a whole house.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Fittings {
@@ -199,6 +218,8 @@ pub struct Fittings {
     pub brackets: Option<Brackets>,
     /// Finials of its roofs.
     pub finials: Vec<Finial>,
+    /// What stands beside it.
+    pub puts: Vec<Put>,
 }
 
 /// The posts, veranda and brackets of one storey.

@@ -77,8 +77,12 @@ pub struct Pagoda {
     pub width: Given,
     /// Number of bays of a side.
     pub bays: Option<Spanned<u64>>,
+    /// Number of bays of a side of the last storey.
+    pub top_bays: Option<Spanned<u64>>,
     /// Width of the last storey as a share of the first.
     pub taper: Given,
+    /// Overhang of the last roof as a share of the first one's.
+    pub eaves_taper: Given,
     /// Height from eaves plate to eaves plate, as a share of the upper one's width.
     pub rise: Given,
     /// Height of the sorin; 0 = none.

@@ -1,5 +1,6 @@
 //! The roof section of a house (`docs/evidence.md` 6).
 
+use crate::ast::Paint;
 use crate::source::{Span, Spanned};
 use serde::Serialize;
 
@@ -203,6 +204,21 @@ pub enum RoofDirection {
     Right,
 }
 
+/// What the gable walls of an irimoya are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum GableWall {
+    /// What the wall below is.
+    Wall,
+    /// Boards behind a square lattice, kitsune-goshi 狐格子.
+    Lattice,
+}
+
+impl GableWall {
+    /// Every kind with its word in XML.
+    pub const ALL: [(&'static str, GableWall); 2] =
+        [("wall", GableWall::Wall), ("lattice", GableWall::Lattice)];
+}
+
 /// Options of a roof; `None` = by kind, shape and span.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct RoofStyle {
@@ -228,6 +244,10 @@ pub struct RoofStyle {
     pub ratio: Option<Spanned<f64>>,
     /// O: plain ridge ends, without onigawara.
     pub plain_ridge: Option<Spanned<bool>>,
+    /// What the gable walls of an irimoya are; XML only.
+    pub gable_wall: Option<Spanned<GableWall>>,
+    /// Wood or paint of rafters, soffits and boards; XML only.
+    pub paint: Option<Spanned<Paint>>,
 }
 
 /// One roof line, or one `Roof` element.

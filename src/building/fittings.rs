@@ -2,6 +2,7 @@
 //! `tessellate` draws them by detail. House frame, metres.
 
 use crate::ast::{FinialKind, Rail};
+use crate::catalog::PartId;
 use crate::material::SurfaceId;
 use crate::source::Span;
 use glam::{DVec2, DVec3};
@@ -33,6 +34,21 @@ pub enum FittingKind {
     Finial(Finial),
     /// The base of a house on a slope.
     Plinth(Plinth),
+    /// A part on the ground beside the house.
+    Put(Put),
+}
+
+/// A part that stands by itself.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Put {
+    /// The part.
+    pub part: PartId,
+    /// The middle of its foot.
+    pub at: DVec3,
+    /// Direction to its right as seen from before it, unit length.
+    pub right: DVec2,
+    /// Width and height.
+    pub size: DVec2,
 }
 
 /// A stone platform.

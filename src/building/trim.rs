@@ -2,6 +2,7 @@
 //! from the solids.
 
 use crate::ast::RoofKind;
+use crate::material::SurfaceId;
 use serde::Serialize;
 
 /// The trim of one roof, metres.
@@ -19,6 +20,11 @@ pub struct Trim {
     pub crowned: bool,
     /// True if a pendant (gegyo) hangs under the apex of its gables.
     pub pendant: bool,
+    /// True if its gable walls are boards behind a lattice (kitsune-goshi).
+    pub lattice: bool,
+    /// Rafters, soffits and boards; `None` = bare cedar.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub timber: Option<SurfaceId>,
     /// Number of visible rows of rafters under the eaves: one on houses, two on temples.
     pub rafters: u8,
 }

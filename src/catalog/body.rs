@@ -5,7 +5,7 @@
 //! `front` counts outwards from the wall's centre line, `thick` inwards from there.
 
 use super::nearest::near;
-use super::value::{Area, Joints, Level, Mm, Run, Sides, Value};
+use super::value::{Area, Joints, Level, Mm, Profile, Run, Sides, Value};
 use crate::ast::{WrittenAttribute, WrittenBody, attribute_value};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::catalog as say;
@@ -369,6 +369,11 @@ attributes! {
         /// True if it looks like the small walls around the opening.
         around: bool = false,
     }
+    /// A bell-shaped opening (kato-mado): the wall outside of its curve, and a rim along it.
+    Bell {
+        /// Width of the rim.
+        rim: Mm = Mm(0.050),
+    }
     /// A round bar in the middle of its place.
     Pole {
         /// Its direction.
@@ -394,6 +399,17 @@ attributes! {
     Post {
         /// Its side.
         size: Mm = Mm(0.121),
+    }
+    /// A body of revolution around the upright axis in the middle of its place.
+    Turned {
+        /// Height and radius of each corner from the foot up, mm or shares of the place: `0 150, 40% 90, 100% 0`.
+        profile: Profile = Profile::default(),
+        /// Number of its sides; 0 = round, by the detail.
+        sides: u32 = 0,
+        /// How far its middle is before the centre line.
+        out: Mm = Mm(0.0),
+        /// Turn of its first corner, degrees.
+        turn: f64 = 0.0,
     }
     /// A panel whose front shows the texture of its part.
     Shown {}
@@ -426,10 +442,12 @@ shapes! {
     "jambs" Jambs over Opening,
     "open" Open over Opening,
     "corners" Corners over Opening,
+    "bell" Bell over Opening,
     "pole" Pole over Opening,
     "slats" Slats over Opening,
     "grid" Grid over Opening,
     "post" Post over Bay,
     "dado" Dado over Bay,
+    "turned" Turned over Opening,
     "picture" Shown over Opening,
 }

@@ -95,6 +95,26 @@ impl Sides {
     };
 }
 
+/// The outline of a body of revolution: height and radius of each corner, from the foot up.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Profile(pub(crate) Vec<(Level, Level)>);
+
+impl Value for Profile {
+    const FORM: Noun = noun(
+        "heights and radii from the foot up, such as `0 150, 40% 90, 100% 0`",
+        "下から順の高さと半径。`0 150, 40% 90, 100% 0` など",
+    );
+    fn read(text: &str) -> Option<Profile> {
+        let corner = |pair: &str| {
+            let mut words = pair.split_whitespace();
+            let corner = (Level::read(words.next()?)?, Level::read(words.next()?)?);
+            words.next().is_none().then_some(corner)
+        };
+        let corners: Vec<_> = text.split(',').map(corner).collect::<Option<_>>()?;
+        (corners.len() > 1).then_some(Profile(corners))
+    }
+}
+
 /// Parses a finite number.
 fn number(text: &str) -> Option<f64> {
     text.parse().ok().filter(|n: &f64| n.is_finite())

@@ -136,6 +136,8 @@ fn overlaid(over: &RoofStyle, under: &RoofStyle) -> RoofStyle {
         gable: over.gable.or(under.gable),
         ratio: over.ratio.or(under.ratio),
         plain_ridge: over.plain_ridge.or(under.plain_ridge),
+        gable_wall: over.gable_wall.or(under.gable_wall),
+        paint: over.paint.or(under.paint),
     }
 }
 

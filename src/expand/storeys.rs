@@ -12,7 +12,7 @@ use crate::rng::Place;
 use crate::source::Spanned;
 
 /// Default storey height in shaku.
-const HEIGHT: f64 = 9.0;
+pub(super) const HEIGHT: f64 = 9.0;
 
 /// Levels of lists in the keys of random choices; the depth of repetitions is added to them.
 const ROWS: u64 = 0x100;

@@ -215,6 +215,14 @@ const BELOWS: &Table = &[
 ];
 const UPPER: &Table = &[("*", noun("the top of the walls there", "そこの壁の上端"))];
 
+const GABLE_WALLS: &Table = &[
+    ("wall", noun("as the wall below", "下の壁と同じ")),
+    (
+        "lattice",
+        noun("boards behind a square lattice (kitsune-goshi)", "狐格子"),
+    ),
+];
+
 /// Returns the words of an attribute, or of a key of the legacy header (`element` is empty then).
 pub(super) fn table(element: &str, attribute: &str) -> &'static Table {
     match (element, attribute) {
@@ -224,6 +232,7 @@ pub(super) fn table(element: &str, attribute: &str) -> &'static Table {
         (_, "kind") => COVERINGS,
         (_, "shape") => ROOF_SHAPES,
         (_, "ridge") => DIRECTIONS,
+        (_, "gable_wall") => GABLE_WALLS,
         ("Roof", "height") => UPPER,
         (_, "mode" | "roofs") => MODES,
         (_, "method") => METHODS,

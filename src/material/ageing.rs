@@ -190,6 +190,9 @@ materials! {
     // Ground.
     STONE = even Ground [at(0, "stone"), at(40, "stone_mossy")];
     GRAVEL = even Ground [at(0, "gravel")];
+    // Plants.
+    FOLIAGE = even Ground [at(0, "foliage")];
+    DARK_FOLIAGE = even Ground [at(0, "foliage_dark")];
     EARTH = even Ground [at(0, "earth")];
     DOMA = even Ground [at(0, "doma"), at(20, "doma_old")];
 }

@@ -129,6 +129,8 @@ pub(super) static TABLE: &[Surface] = &[
     worn("doma_old", &DOMA, 1),
     worn("gravel", &GRAVEL, 0),
     worn("pebbles", &GRAVEL, 0),
+    worn("foliage", &FOLIAGE, 0),
+    worn("foliage_dark", &DARK_FOLIAGE, 0),
     worn("stone", &STONE, 0),
     worn("stone_mossy", &STONE, 1),
     // Tiles.

@@ -274,6 +274,14 @@ impl LegacyWriter<'_> {
         if automatic && let Some(span) = style_span(&roofs.style) {
             self.refuse(span, say::roof_style(span));
         }
+        let styles = roofs.lines.iter().map(|line| &line.style);
+        for style in styles.chain([&roofs.style]) {
+            let wall = style.gable_wall.map(|s| s.span);
+            let paint = style.paint.map(|s| s.span);
+            for span in wall.into_iter().chain(paint) {
+                self.refuse(span, say::eaves_look(span));
+            }
+        }
         let lines: Vec<String> = roofs
             .lines
             .iter()

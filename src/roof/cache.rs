@@ -229,6 +229,8 @@ fn style_spans(style: &RoofStyle, spans: &mut Vec<Span>) {
     spans.extend(numbers.into_iter().flatten().map(|n| n.span));
     spans.extend(style.noshi.map(|n| n.span));
     spans.extend(style.plain_ridge.map(|p| p.span));
+    spans.extend(style.gable_wall.map(|w| w.span));
+    spans.extend(style.paint.map(|p| p.span));
 }
 
 /// Returns the place in one house of each place in another; `None` if one place corresponds to two.
@@ -259,6 +261,7 @@ impl Key {
             plinth: _,
             platform: _,
             finials: _,
+            puts: _,
             roofs,
         } = house;
         let Roofs {
@@ -319,6 +322,8 @@ impl Words {
             gable,
             ratio,
             plain_ridge,
+            gable_wall,
+            paint,
         } = style;
         self.wish(kind, |kind| kind as u64);
         self.wish(shape, |shape| shape as u64);
@@ -327,6 +332,8 @@ impl Words {
         }
         self.wish(noshi, u64::from);
         self.wish(plain_ridge, u64::from);
+        self.wish(gable_wall, |wall| wall as u64);
+        self.wish(paint, |paint| paint as u64);
     }
 
     fn line(&mut self, line: &RoofLine) {

@@ -12,9 +12,12 @@ mod veranda;
 use super::Walker;
 use super::hasher::NumberHasher;
 use super::mesh::Bodies;
+use super::part;
 use super::store::look::Share;
+use super::store::{PartKey, tenths};
 use super::weather::Weather;
-use crate::building::fittings::{Beam, Brackets, Fitting, FittingKind, Head};
+use crate::building::fittings::{Beam, Brackets, Fitting, FittingKind, Head, Put};
+use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, MeshId, NodeId};
 use compact_str::{CompactString, format_compact};
@@ -52,6 +55,7 @@ impl Hash for FittingKey<'_> {
             FittingKind::Beams(it, _) => it.iter().for_each(|b| point(b.ends[0])),
             FittingKind::Finial(it) => it.ridge.iter().for_each(|p| point(*p)),
             FittingKind::Plinth(it) => it.outlines[0].iter().for_each(|p| point(p.extend(it.z.0))),
+            FittingKind::Put(it) => point(it.at),
         }
     }
 }
@@ -67,6 +71,7 @@ impl<'a> Walker<'a> {
             FittingKind::Beams(..) => Kind::Member,
             FittingKind::Brackets(_) => Kind::Bracket,
             FittingKind::Finial(_) => Kind::Finial,
+            FittingKind::Put(it) => return self.put(root, it, fitting, n),
         };
         let name = format_compact!("{} {n}", kind.word());
         let alike = FittingKey(n, &fitting.what, self.store.weather);
@@ -82,6 +87,31 @@ impl<'a> Walker<'a> {
         {
             self.heads(root, it, fitting);
         }
+    }
+
+    /// Adds a part that stands by itself.
+    fn put(&mut self, root: NodeId, it: &Put, fitting: &Fitting, n: usize) {
+        let part = self.catalog.part(it.part);
+        let [width, height] = it.size.to_array();
+        let foot = part.from.map_or(0.0, |from| (from * SHAKU).min(height));
+        let key = PartKey {
+            part: it.part.0,
+            around: part.finish.unwrap_or(SurfaceId::named("cedar")),
+            share: Share::default(),
+            size: [width, height, foot, height].map(tenths),
+            post: 0,
+            room: part::passage(part).map_or(0, tenths),
+            picture: 0,
+        };
+        let mesh = self.store.part(it.part, part, key);
+        let code = part.code();
+        let name = format_compact!("{} {n}", code.trim_end());
+        self.placed(root, Kind::Part, name, Some(mesh), fitting);
+        let node = self.nodes.last_mut().expect("just placed");
+        // The frame of a part begins at its left end.
+        node.at = it.at - (it.right * (width / 2.0)).extend(0.0);
+        node.turn = it.right;
+        node.code = Some(code.into());
     }
 
     /// Adds bracket complexes; equal ones share a mesh.
@@ -137,6 +167,8 @@ fn bodies(fitting: &FittingKind, detail: Detail) -> Bodies {
         FittingKind::Brackets(it) => brackets::beams(it, detail),
         FittingKind::Finial(it) => finial::bodies(it, detail),
         FittingKind::Plinth(it) => platform::plinth(it),
+        // Its mesh is that of the part.
+        FittingKind::Put(_) => Bodies::default(),
     }
 }
 

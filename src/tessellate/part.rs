@@ -133,10 +133,12 @@ pub(super) fn one(bay: &mut Bay<'_>, element: &Element, rect: Rect) {
         Shape::Jambs(j) => kura::jambs(bay, j, place, rect),
         Shape::Open(o) => kura::open(bay, o, place, rect),
         Shape::Corners(c) => round::corners(bay, c, place, rect),
+        Shape::Bell(b) => round::bell(bay, b, place, rect),
         Shape::Pole(p) => round::pole(bay, p.run, place, rect),
         Shape::Slats(s) => round::slats(bay, s, place, rect),
         Shape::Grid(g) => grid(bay, g, element, rect),
         Shape::Post(p) => post(bay, p.size.0, place),
+        Shape::Turned(t) => round::turned(bay, t, place, rect),
         Shape::Shown(_) => shown(bay, place, rect),
     }
 }

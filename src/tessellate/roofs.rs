@@ -2,6 +2,7 @@
 
 use crate::ast::RoofKind;
 use crate::building::{Built, Face, House, Roof, Solid};
+use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, NodeId};
 use crate::tessellate::Walker;
 use crate::tessellate::roof::bulk::Walls;
@@ -56,8 +57,12 @@ impl<'a> Walker<'a> {
         let solids = || shown.iter().flat_map(|r| &r.solids);
         // Numbers rise, and a parapet follows the storey whose number it shares.
         let below = house.storeys.partition_point(|s| s.number < roof.storey);
+        let timber = roof.trim.timber;
         let Some(storey) = house.storeys.get(below) else {
-            return Walls::default();
+            return Walls {
+                timber,
+                ..Walls::default()
+            };
         };
         let tiled = matches!(roof.kind, RoofKind::Tiles | RoofKind::CoverTiles);
         let plastered = tiled && crate::tessellate::wall::index::is_plastered(self.catalog, storey);
@@ -65,15 +70,22 @@ impl<'a> Walker<'a> {
             return Walls {
                 gables: vec![],
                 plastered,
+                timber,
             };
         }
         let standing = standing[below].get_or_init(|| WallIndex::of(storey));
+        let boards = SurfaceId::named("boards_dark");
         let of = |solid: &Solid| match is_fill(solid) {
+            true if roof.trim.lattice => Infill::plain(boards),
             true => standing.gable(self.catalog, house, Place { solid, storey }),
             false => Infill::plain(plaster()),
         };
         let gables = solids().map(of).collect();
-        Walls { gables, plastered }
+        Walls {
+            gables,
+            plastered,
+            timber,
+        }
     }
 
     fn roof(&mut self, root: NodeId, roof: &'a Roof, alike: MeshKey<'a>, number: usize) {

@@ -7,7 +7,7 @@
 //! | detail | shows |
 //! |---|---|
 //! | 0 | nothing: the roof is its surface |
-//! | 1 | ridges and hips as plain blocks, finials, end tiles and barge boards |
+//! | 1 | ridges, hips and descending ridges as plain blocks, finials, end tiles and barge boards |
 //! | 2 | silhouettes: ridge courses as a picture under a round cap, end tiles, pendants, thick eaves, fascias, plain eaves and verge tiles, flashings, valley gutters |
 //! | 3 | ridge courses and cap tiles one by one, rafters, the fronts of eaves tiles, rows of round tiles, battens and stones, standing seams |
 //!
@@ -83,7 +83,11 @@ pub(super) fn build(roof: &Roof, beyond: &Beyond, plastered: bool, detail: Detai
     let seams = surface.seams(beyond);
     for seam in &seams {
         context.seam(seam, &fields, &mut worn.bodies);
+        if seam.kind == Kind::Verge {
+            ridge::descending::beside(&context, seam, &seams, &mut worn.bodies);
+        }
     }
+    edge::lattice::lattices(&context, &seams, &mut worn.bodies);
     crate::tessellate::trim::ridge::finial::finials(&context, &seams, &mut worn.bodies);
     for rim in crate::tessellate::trim::edge::rim::rims(&surface) {
         crate::tessellate::trim::ridge::stack::edge(&context, &rim, &mut worn.bodies);
@@ -142,6 +146,11 @@ impl TrimContext<'_> {
                 crate::tessellate::trim::edge::flashing::wall(self, seam, bodies)
             }
         }
+    }
+
+    /// Returns the surface of its timber.
+    fn timber(&self) -> SurfaceId {
+        self.roof.trim.timber.unwrap_or(SurfaceId::named("cedar"))
     }
 
     /// Adds the trim on the slope itself.

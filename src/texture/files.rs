@@ -116,6 +116,7 @@ static EMBEDDED: &[(&str, &[u8])] = embed! {
     "sheet": "sheet" "sheet_rusty";
     "stone": "stone" "stone_mossy";
     "gravel": "gravel";
+    "foliage": "foliage" "foliage_dark";
     "earth": "earth";
     "doma": "doma" "doma_old";
 };

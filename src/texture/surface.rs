@@ -7,6 +7,7 @@ pub(in crate::texture) mod cement;
 pub(in crate::texture) mod clay;
 pub(in crate::texture) mod grain;
 pub(in crate::texture) mod ground;
+pub(in crate::texture) mod plants;
 pub(in crate::texture) mod plaster;
 pub(in crate::texture) mod roof_tiles;
 pub(in crate::texture) mod sheet;

@@ -2,8 +2,8 @@
 
 use super::{Look, Surface};
 use crate::texture::surface::{
-    bamboo, boards, cement, clay, ground, plaster, roof_tiles, sheet, shingles, thatch, timber,
-    wall_tiles, weave,
+    bamboo, boards, cement, clay, ground, plants, plaster, roof_tiles, sheet, shingles, thatch,
+    timber, wall_tiles, weave,
 };
 
 /// Returns a look with a known mean colour.
@@ -283,6 +283,12 @@ pub static SURFACES: &[Surface] = &[
         metres: ground::STONE,
         looks: &[mixed("stone"), mixed("stone_mossy")],
         paint: ground::stone,
+    },
+    Surface {
+        name: "foliage",
+        metres: plants::FOLIAGE,
+        looks: &[mixed("foliage"), mixed("foliage_dark")],
+        paint: plants::foliage,
     },
     Surface {
         name: "gravel",

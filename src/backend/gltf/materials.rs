@@ -7,7 +7,7 @@ use crate::backend::{Images, OutFile, PictureBytes, SurfaceFiles, picture_folder
 use crate::scene::{self, MaterialId};
 use crate::source::reference;
 use gltf::json::extensions::material::{
-    IndexOfRefraction, Ior, Material as Extensions, Specular, SpecularFactor,
+    IndexOfRefraction, Ior, Material as Extensions, Specular, SpecularColorFactor, SpecularFactor,
 };
 use gltf::json::extensions::texture::Texture as TextureExtensions;
 use gltf::json::image::MimeType;
@@ -28,8 +28,10 @@ const GLASS: [&str; 2] = ["KHR_materials_ior", "KHR_materials_specular"];
 /// The extension for KTX2 images.
 const BASISU: &str = "KHR_texture_basisu";
 
-/// Refractive index of window glass; the additional share of reflected light becomes the specular factor.
+/// Refractive index of window glass, and the share of light that it reflects straight on. The share that a pane reflects
+/// by its source is that times the specular colour, which standard viewers understand too.
 const IOR: f32 = 1.5;
+const IOR_SHARE: f32 = 0.04;
 
 /// An image in use.
 struct Picture<'a> {
@@ -373,7 +375,8 @@ fn glass(reflection: f32) -> Extensions {
             extras: None,
         }),
         specular: Some(Specular {
-            specular_factor: SpecularFactor(reflection),
+            specular_factor: SpecularFactor(1.0),
+            specular_color_factor: SpecularColorFactor([reflection / IOR_SHARE; 3]),
             ..Specular::default()
         }),
         ..Extensions::default()

@@ -36,6 +36,34 @@ pub fn no_roof_below(span: Span) -> Diagnostic {
     Diagnostic::warning(702, span, message).help(help)
 }
 
+/// Something that is to stand by itself, but is no part: a picture or a void.
+#[cold]
+pub fn no_part_to_put(span: Span, name: &str) -> Diagnostic {
+    let message = text!([name]
+        "`{name}` cannot stand by itself: only parts of the catalogue can",
+        "`{name}` は単独では置けません。置けるのはカタログの部材だけです"
+    );
+    let help = text!(
+        "write a part, such as `OTO` (a stone lantern), or a `PartDef` of your own",
+        "`OTO`(石灯籠)などの部材か、自作の `PartDef` を書いてください"
+    );
+    Diagnostic::error(705, span, message).help(help)
+}
+
+/// Something on the ground that stands within the walls of the house.
+#[cold]
+pub fn put_inside(span: Span) -> Diagnostic {
+    let message = text!(
+        "this stands on the ground inside the house",
+        "建物の中の地面に立っています"
+    );
+    let help = text!(
+        "`at` is its middle in units: to the left of the house's origin, then back; before the front the second number is negative",
+        "`at` は中心の位置(ユニット)で、原点から左へ、次に奥へ数えます。正面の手前では二つ目が負になります"
+    );
+    Diagnostic::warning(706, span, message).help(help)
+}
+
 /// Storeys next to a monument: the first, and the places of all.
 #[cold]
 pub fn storeys_beside(span: Span, name: &str, storey: Span, all: Vec<Span>) -> Diagnostic {

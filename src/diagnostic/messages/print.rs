@@ -164,6 +164,19 @@ pub fn roof_style(span: Span) -> Diagnostic {
     Diagnostic::error(811, span, message).help(text!("write the roofs as `Roof` elements with `mode=\"explicit\"`, remove the settings, or keep the file in XML", "屋根を `mode=\"explicit\"` の `Roof` 要素で書くか、指定を消すか、XML のままにしてください"))
 }
 
+/// What the gable walls or the timber of a roof are.
+#[cold]
+pub fn eaves_look(span: Span) -> Diagnostic {
+    let message = text!(
+        "the legacy form cannot say what gable walls and timber of a roof are",
+        "旧形式では屋根の妻壁や木部の種類を書けません"
+    );
+    Diagnostic::error(811, span, message).help(text!(
+        "remove the attribute, or keep the file in XML",
+        "この属性を消すか、XML のままにしてください"
+    ))
+}
+
 /// A parapet.
 #[cold]
 pub fn parapet(span: Span) -> Diagnostic {

@@ -202,7 +202,7 @@ impl<'c> Draft<'c> {
     }
 
     /// Sets the style of all roofs, with defaults.
-    pub(super) fn look(&mut self, measures: &Measures, usual: &Usual) {
+    pub(super) fn look(&mut self, measures: &Measures, usual: &Usual, paint: Paint) {
         let of = |given: Option<Spanned<f64>>, usual: f64| given.or(self.say(usual));
         self.style = RoofStyle {
             kind: measures.kind.or(self.say(usual.kind)),
@@ -216,6 +216,8 @@ impl<'c> Draft<'c> {
             gable: self.say(usual.gable),
             ratio: None,
             plain_ridge: self.say(usual.plain),
+            gable_wall: None,
+            paint: self.say(paint),
         };
     }
 

@@ -36,7 +36,7 @@ impl Pass<'_, '_> {
         let eaves = or(m.eaves, EAVES * bx);
         let zone = BRACKETS * bx * (0.25 + 0.25 * f64::from(steps.min(3)));
         let post = or(m.post, POST * bx);
-        draft.look(m, &usual(bx));
+        draft.look(m, &usual(bx), paint);
         let order = |draft: &Draft<'_>| Order {
             posts: draft.posts(post, paint, 3),
             veranda: None,

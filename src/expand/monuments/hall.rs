@@ -120,7 +120,7 @@ impl Pass<'_, '_> {
         });
         let margin = veranda + (0.3 * bx).max(2.0);
         draft.platform(m, kind.platform, margin, (vec![Side::Front], bx));
-        draft.look(m, &kind.usual);
+        draft.look(m, &kind.usual, paint);
         let size = [f64::from(nx) * bx, f64::from(ny) * by];
         self.core(it, draft, &codes, size, order);
         self.crown(it, draft);

@@ -16,6 +16,9 @@ const RISE: f64 = 0.855;
 const POST: f64 = 0.085;
 /// Overhang, and the purlin's position in it.
 const EAVES: f64 = 0.47;
+/// How much of the taper of the walls the overhang follows: the fifth roof of Horyu-ji is 0.6 as wide as the first over walls
+/// half as wide.
+const EAVES_FOLLOW: f64 = 0.6;
 const REACH: f64 = 0.36;
 /// Share of the sōrin in the whole height.
 const SORIN: f64 = 0.3;
@@ -31,6 +34,10 @@ struct Tier {
     height: f64,
     /// Its width as a share of the first one's.
     share: f64,
+    /// Overhang of its roof, shaku.
+    eaves: f64,
+    /// Number of bays of a side.
+    bays: u32,
 }
 
 impl Pass<'_, '_> {
@@ -38,13 +45,11 @@ impl Pass<'_, '_> {
         let (m, span) = (&it.measures, it.span);
         let first = or(it.width, 18.0);
         let paint = m.paint.map_or(Paint::Vermilion, |p| p.value);
-        let bays = count(it.bays, 3);
         let tiers = tiers(it, first);
         let pitch = or(m.pitch, 5.5);
-        let eaves = or(m.eaves, EAVES * first);
         let thickness = or(m.thickness, 0.6);
         let steps = count(m.steps, 3);
-        draft.look(m, &usual(first));
+        draft.look(m, &usual(first), paint);
         let mut plate = 0.0;
         for (i, tier) in tiers.iter().enumerate() {
             plate += tier.height;
@@ -64,13 +69,13 @@ impl Pass<'_, '_> {
                     0 => None,
                     _ => draft.veranda(tier.width * 0.1, base, Rail::Crossed, vec![]),
                 },
-                brackets: draft.brackets(steps, zone, REACH * eaves * tier.share),
+                brackets: draft.brackets(steps, zone, REACH * tier.eaves),
             };
-            let walls = side(bays, tier.width);
+            let walls = side(tier.bays, tier.width);
             draft.tier(&walls, (base, base + columns + zone), order);
             draft.roof(RoofStyle {
                 shape: draft.style.shape,
-                eaves: draft.say(eaves * tier.share),
+                eaves: draft.say(tier.eaves),
                 ..RoofStyle::default()
             });
         }
@@ -102,11 +107,14 @@ fn usual(first: f64) -> Usual {
 }
 
 /// Returns the storeys; their widths decrease linearly to the share of the last one (w1 (1 - (1 - rho) (i - 1) / (n -
-/// 1))).
+/// 1))), their overhangs to a share of their own.
 fn tiers(it: &ast::Pagoda, first: f64) -> Vec<Tier> {
     let n = count(it.storeys, 5).max(1);
     let (taper, rise) = (or(it.taper, 0.7), or(it.rise, RISE));
     let columns = or(it.measures.columns, COLUMNS * first);
+    let eaves = or(it.measures.eaves, EAVES * first);
+    let eaves_taper = or(it.eaves_taper, 1.0 - EAVES_FOLLOW * (1.0 - taper));
+    let bays = count(it.bays, 3);
     let tier = |i: u32| {
         let down = f64::from(i) / f64::from((n - 1).max(1));
         let share = 1.0 - (1.0 - taper) * down;
@@ -119,6 +127,11 @@ fn tiers(it: &ast::Pagoda, first: f64) -> Vec<Tier> {
             width,
             height,
             share,
+            eaves: eaves * (1.0 - (1.0 - eaves_taper) * down),
+            bays: match i + 1 == n && n > 1 {
+                true => count(it.top_bays, bays),
+                false => bays,
+            },
         }
     };
     (0..n).map(tier).collect()
@@ -136,6 +149,8 @@ fn side(bays: u32, width: f64) -> Vec<Bay> {
         let off = (2 * i).abs_diff(bays - 1);
         match off {
             0 => ("TIK", plain * wide),
+            // Two bays are two doors.
+            1 if bays == 2 => ("TIK", plain),
             1 | 2 => ("MRG", plain),
             _ => (WALL, plain),
         }

@@ -3,7 +3,8 @@
 pub(super) mod town;
 
 use crate::ast::{
-    Era, FinialKind, FixtureKind, Flooring, MatOrder, Paint, Purpose, RoofMethod, RoomCeiling,
+    Era, FinialKind, FixtureKind, Flooring, GableWall, MatOrder, Paint, Purpose, RoofMethod,
+    RoomCeiling,
 };
 use crate::parse::schema::kinds::Kind::{
     Choice, Choices, Either, Number, Numbers, Pair, Point, Points, Positions, Spot, Text, Whole,
@@ -209,7 +210,7 @@ pub(super) const TEXTURE: &[AttributeSchema] = &[
 
 /// The style of roofs.
 #[rustfmt::skip]
-const STYLE: [AttributeSchema; 10] = [
+const STYLE: [AttributeSchema; 12] = [
     may("kind", COVERING, "", "covering: K pantiles, G cover tiles, I boards, S shingles, H bark, Y thatch, T metal",
         "葺き材。K 桟瓦、G 本瓦、I 板、S 杮、H 檜皮、Y 茅、T 金属"),
     may("pitch", Number(0.0, 100.0), "", "rise in 10, sun", "勾配(寸)"),
@@ -221,6 +222,9 @@ const STYLE: [AttributeSchema; 10] = [
     may("gable", Number(0.0, 0.5), "", "how far an irimoya's gable stands inside its walls, share of the span", "入母屋の妻の引っ込み。梁間に対する割合"),
     may("ratio", Number(0.0, 1.0), "", "length of a hipped roof's ridge, share of the roof's length", "寄棟の棟の長さ。屋根の長さに対する割合"),
     may("plain_ridge", YesNo, "no", "no ridge-end tiles", "鬼瓦を置かない"),
+    may("gable_wall", Choice(&words(&GableWall::ALL)), "", "gable walls of an irimoya: as the `wall` below, or boards behind a `lattice`; by shape and covering if it is not given",
+        "入母屋の妻壁。`wall` は下の壁と同じ、`lattice` は狐格子。無ければ形と葺き材による"),
+    may("paint", PAINT, "", "wood or colour of rafters, soffits and boards", "垂木、軒裏、破風板の材または色"),
 ];
 const ROOFS_OWN: [AttributeSchema; 3] = [
     may(
@@ -257,8 +261,8 @@ const ROOF_OWN: [AttributeSchema; 7] = [
         "X は最初の行に平行、Y は直交。片流れは F 前、B 奥、L 左、R 右へ下る"),
     may("height", Either(&["*"], -FAR, FAR), "*", "of the eaves above the ground sill, shaku; `*` is the top of the walls there", "軒の高さ(尺)。`*` はそこの壁の上端").shaku(),
 ];
-pub(super) const ROOFS: &[AttributeSchema] = &join::<3, 10, 13>(ROOFS_OWN, STYLE);
-pub(super) const ROOF: &[AttributeSchema] = &join::<7, 10, 17>(ROOF_OWN, STYLE);
+pub(super) const ROOFS: &[AttributeSchema] = &join::<3, 12, 15>(ROOFS_OWN, STYLE);
+pub(super) const ROOF: &[AttributeSchema] = &join::<7, 12, 19>(ROOF_OWN, STYLE);
 
 #[rustfmt::skip]
 pub(super) const PLATFORM: &[AttributeSchema] = &[
@@ -313,6 +317,15 @@ pub(super) const FINIAL: &[AttributeSchema] = &[
     may("at", PLACE, "", "over which place, units; the highest roof without", "どこの上か(ユニット)。無ければいちばん高い屋根").units(),
 ];
 
+#[rustfmt::skip]
+pub(super) const PUT: &[AttributeSchema] = &[
+    must("code", Text, "its code in the catalogue, or the name of an own part", "部材コード。自作部材の名でもよい"),
+    must("at", PLACE, "its middle: to the left of and back from the house's origin, units", "中心。原点から左へ、奥へ(ユニット)").units(),
+    may("turn", Number(-360.0, 360.0), "0", "clockwise from facing the front, degrees", "正面を向いた向きから時計回りの角度(度)"),
+    may("width", SIZE, "", "units, in place of the code's own width", "幅(ユニット)。コードの幅に代わる").units(),
+    may("height", SIZE, "", "shaku, in place of the part's own height", "高さ(尺)。部材の高さに代わる").shaku(),
+];
+
 /// Attributes of all monuments.
 #[rustfmt::skip]
 const MEASURES: [AttributeSchema; 12] = [
@@ -330,11 +343,13 @@ const MEASURES: [AttributeSchema; 12] = [
     may("margin", Pair(0.0, 300.0), "", "from the walls to the platform's edge, shaku", "壁から基壇の縁まで(尺)").shaku(),
 ];
 #[rustfmt::skip]
-const PAGODA_OWN: [AttributeSchema; 6] = [
+const PAGODA_OWN: [AttributeSchema; 8] = [
     may("storeys", Whole(1, 15), "5", "number of storeys", "重数"),
     may("width", SPAN, "18", "of the first storey, shaku", "初重の幅(尺)").shaku(),
     may("bays", Whole(1, 9), "3", "bays a side", "一辺の間数"),
+    may("top_bays", Whole(1, 9), "", "bays a side of the last storey; as the others without", "最上重の一辺の間数。無ければほかの重と同じ"),
     may("taper", Number(0.2, 0.99), "0.7", "the last storey's width in the first", "逓減。最上重の幅の初重に対する比"),
+    may("eaves_taper", Number(0.2, 1.5), "", "the last roof's overhang in the first; 1 - 0.6 (1 - taper) without", "軒の出の逓減。最上重の初重に対する比。無ければ 1 - 0.6 (1 - taper)"),
     may("rise", Number(0.1, 3.0), "0.855", "from wall plate to wall plate, in widths of the upper storey", "重ごとの高さ。上の重の幅に対する比"),
     may("sorin", NEAR, "", "height of the spire, shaku; 0.3 of the whole without", "相輪の高さ(尺)。無ければ総高の 0.3").shaku(),
 ];
@@ -347,7 +362,7 @@ const GATE_OWN: [AttributeSchema; 6] = [
     may("inset", NEAR, "", "how far the upper storey stands back, shaku", "上重の引っ込み(尺)").shaku(),
     may("upper", SPAN, "", "height of the upper columns, shaku", "上重の柱の高さ(尺)").shaku(),
 ];
-pub(super) const PAGODA: &[AttributeSchema] = &join::<6, 12, 18>(PAGODA_OWN, MEASURES);
+pub(super) const PAGODA: &[AttributeSchema] = &join::<8, 12, 20>(PAGODA_OWN, MEASURES);
 pub(super) const GATE: &[AttributeSchema] = &join::<6, 12, 18>(GATE_OWN, MEASURES);
 
 /// Attributes of halls and shrines.

@@ -113,6 +113,7 @@ pub(in crate::parse) static HOUSE: Content = repeating(
         Tag::Posts,
         Tag::Brackets,
         Tag::Finial,
+        Tag::Put,
         Tag::Pagoda,
         Tag::Gate,
         Tag::Hall,

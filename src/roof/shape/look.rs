@@ -1,8 +1,9 @@
 //! Covering, pitch and overhangs of one roof: the author's options, and `docs/evidence.md` 4.3 and 4.4 for the rest.
 
-use crate::ast::{RoofKind, RoofShape, RoofStyle};
+use crate::ast::{GableWall, Paint, RoofKind, RoofShape, RoofStyle};
 use crate::building::{Finish, Trim};
 use crate::geometry::SHAKU;
+use crate::material::SurfaceId;
 use crate::roof::shape::board::upright;
 use crate::roof::shape::broken;
 use crate::roof::solid::sheet::Coat;
@@ -35,6 +36,10 @@ pub struct Look {
     pub noshi: u32,
     /// True if the ridge ends in onigawara.
     pub ends: bool,
+    /// True if gable walls of an irimoya are boards behind a lattice.
+    pub lattice: bool,
+    /// Wood or paint of its timber; `None` = bare.
+    pub paint: Option<Paint>,
 }
 
 /// Slope lengths in metres up to which tiles keep out rain at a pitch (docs/evidence.md 4.3, S20).
@@ -124,6 +129,12 @@ impl Look {
             thickness: wish(line, house, |s| s.thickness).map_or(thickness, |shaku| shaku * SHAKU),
             noshi: wish(line, house, |s| s.noshi).unwrap_or(3),
             ends: !wish(line, house, |s| s.plain_ridge).unwrap_or(false),
+            lattice: wish(line, house, |s| s.gable_wall).map_or_else(
+                // Tile and thatch on houses are over walls of plaster or clay.
+                || shape(line, house) == RoofShape::Temple || is_solemn(kind),
+                |wall| wall == GableWall::Lattice,
+            ),
+            paint: wish(line, house, |s| s.paint),
         }
     }
 
@@ -156,6 +167,8 @@ impl Look {
             ends: self.ends,
             crowned: false,
             pendant: upper_gable || self.shape == RoofShape::Karahafu,
+            lattice: upper_gable && self.lattice,
+            timber: self.paint.map(|paint| SurfaceId::named(paint.surface())),
             rafters: if self.shape == RoofShape::Temple {
                 2
             } else {
@@ -204,6 +217,12 @@ fn wish<T: Copy>(
     line.and_then(option)
         .or_else(|| option(house))
         .map(|s| s.value)
+}
+
+/// Returns true for the coverings of temples, shrines and palaces.
+fn is_solemn(kind: RoofKind) -> bool {
+    use RoofKind::{Bark, CoverTiles, Shingles};
+    matches!(kind, CoverTiles | Bark | Shingles)
 }
 
 /// Returns pitch and thickness by covering (docs/evidence.md 6 and 4.4).

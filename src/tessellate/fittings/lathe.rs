@@ -29,6 +29,17 @@ pub(in crate::tessellate) fn turned(
     profile: &[(f64, f64)],
     sides: usize,
 ) {
+    revolved(bodies, finish, at, profile, (sides, 0.0, true));
+}
+
+/// As [`turned`], with the angle of its first corner, and flat sides unless it is `soft`.
+pub(in crate::tessellate) fn revolved(
+    bodies: &mut Bodies,
+    finish: SurfaceId,
+    at: DVec3,
+    profile: &[(f64, f64)],
+    (sides, turn, soft): (usize, f64, bool),
+) {
     let n = profile.len();
     let ring = profile[0].0 > AXIS;
     let steps = if ring { n } else { n - 1 };
@@ -49,7 +60,7 @@ pub(in crate::tessellate) fn turned(
         let (lower, upper) = (point(i), point(i + 1));
         for k in 0..sides {
             let [a, b] = [k, k + 1].map(|k| {
-                let angle = TAU * (k % sides) as f64 / sides as f64;
+                let angle = turn + TAU * (k % sides) as f64 / sides as f64;
                 dvec2(libm::cos(angle), libm::sin(angle))
             });
             let on = |p: DVec2, way: DVec2| at + (way * p.x).extend(p.y);
@@ -76,8 +87,10 @@ pub(in crate::tessellate) fn turned(
                 corners.push(corner);
                 shades.push(out(m, way));
             }
-            if corners.len() > 2 {
-                bodies.shaded(finish, &corners, &shades);
+            match corners.len() > 2 {
+                true if soft => bodies.shaded(finish, &corners, &shades),
+                true => bodies.face(finish, &corners),
+                false => {}
             }
         }
     }

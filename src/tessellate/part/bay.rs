@@ -4,6 +4,7 @@
 use crate::catalog::body::Place;
 use crate::catalog::value::{Area, Level};
 use crate::catalog::{PartDef, Stance};
+use crate::geometry::FOUNDATION;
 use crate::material::SurfaceId;
 use crate::scene::Detail;
 use crate::tessellate::mesh::panel::Rect;
@@ -12,9 +13,6 @@ use glam::{DVec2, dvec2, dvec3};
 
 /// Half of a 4 sun post, metres: the distance of joinery from the ends of its bay.
 pub(in crate::tessellate) const HALF_POST: f64 = 0.0605;
-
-/// Height to which foundations reach below the floor, the lowest point of any part, metres.
-const GROUND: f64 = -0.285;
 
 /// A layer of the wall: its front, outwards from the centre line, and its depth inwards; metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,7 +105,7 @@ impl<'a> Bay<'a> {
         });
         // What stands before the house reaches down past its foundation, if its list says so.
         let low = match place.from {
-            Level::Start(from) if from < 0.0 => GROUND,
+            Level::Start(from) if from < 0.0 => -FOUNDATION,
             _ => 0.0,
         };
         // A share of the width is one between the posts wherever it stands, so that what ends there meets what begins

@@ -1,14 +1,15 @@
-//! Round elements: openings with rounded corners, poles, convex slats.
+//! Round elements: openings with rounded corners and bell-shaped ones, poles, convex slats.
 
-use crate::catalog::body::{Corners, Place, Slats};
-use crate::catalog::value::Run;
+use crate::catalog::body::{Bell, Corners, Place, Slats, Turned};
+use crate::catalog::value::{Level, Run};
 use crate::material::SurfaceId;
+use crate::tessellate::fittings::lathe;
 use crate::tessellate::mesh::Axis;
 use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::mesh::smooth::soft_bar;
 use crate::tessellate::part::bay::{Bay, Layer};
 use crate::tessellate::part::boards::pieces;
-use glam::{DVec2, dvec2};
+use glam::{DVec2, dvec2, dvec3};
 use std::f64::consts::FRAC_PI_2;
 
 /// Fills the corners of a rectangle around a rounded opening; a radius of half the width gives a circle.
@@ -50,6 +51,57 @@ pub(in crate::tessellate) fn fill_corners(
             let (y0, y1) = (-layer.front, layer.thick - layer.front);
             bay.bodies.rounded(finish, &outline, Axis::Y, y0, y1);
         }
+    }
+}
+
+/// The right half of a bell-shaped opening from the foot to the tip: shares of half its width and of its height. The jambs
+/// spread at their feet; two cusps on each side lead up to the tip.
+const BELL: [(f64, f64); 17] = [
+    (1.00, 0.00),
+    (0.95, 0.10),
+    (0.92, 0.24),
+    (0.91, 0.42),
+    (0.91, 0.58),
+    (0.88, 0.67),
+    (0.82, 0.74),
+    (0.74, 0.78),
+    (0.70, 0.80),
+    (0.64, 0.845),
+    (0.54, 0.88),
+    (0.44, 0.895),
+    (0.40, 0.91),
+    (0.30, 0.945),
+    (0.18, 0.965),
+    (0.08, 0.98),
+    (0.00, 1.00),
+];
+/// How far the rim stands before the wall, metres.
+const RIM_BEFORE: f64 = 0.012;
+
+/// Adds the wall around a bell-shaped opening, and the rim along its curve.
+pub(in crate::tessellate) fn bell(bay: &mut Bay<'_>, bell: &Bell, place: &Place, rect: Rect) {
+    let (half, height) = (rect.width() / 2.0, rect.height());
+    let rim = bell.rim.0.min(half / 2.0).min(height / 2.0);
+    if rect.width() < 0.02 || height < 0.02 {
+        return;
+    }
+    let middle = (rect.x0 + rect.x1) / 2.0;
+    let (y0, y1) = (-place.front.0, place.thick.0 - place.front.0);
+    for side in [1.0, -1.0] {
+        // The curve of an opening smaller by a part of the rim on its sides and at its top.
+        let curve = |by: f64| {
+            BELL.map(|(w, h)| dvec2(rect.z0 + h * (height - by), middle + side * w * (half - by)))
+        };
+        let edge = middle + side * half;
+        // They meet under the rim.
+        let mut wall = vec![dvec2(rect.z0, edge)];
+        wall.extend(curve(rim / 2.0));
+        wall.extend([dvec2(rect.z1, middle), dvec2(rect.z1, edge)]);
+        bay.bodies.rounded(bay.around, &wall, Axis::Y, y0, y1);
+        let mut ring = curve(0.0).to_vec();
+        ring.extend(curve(rim).into_iter().rev());
+        let y = (y0 - RIM_BEFORE, y1 + RIM_BEFORE);
+        bay.bodies.rounded(place.finish, &ring, Axis::Y, y.0, y.1);
     }
 }
 
@@ -111,6 +163,39 @@ pub(in crate::tessellate) fn pole(bay: &mut Bay<'_>, run: Run, place: &Place, re
                 .rounded(place.finish, &ring, Axis::Z, rect.z0, rect.z1);
         }
     }
+}
+
+/// Adds a body of revolution in the middle of its place.
+pub(in crate::tessellate) fn turned(bay: &mut Bay<'_>, turned: &Turned, place: &Place, rect: Rect) {
+    let half = rect.width() / 2.0;
+    let corner = |(z, r): &(Level, Level)| {
+        let radius = r.at(0.0, half).clamp(0.0, half);
+        (radius, z.at(0.0, rect.height()).clamp(0.0, rect.height()))
+    };
+    let mut profile: Vec<(f64, f64)> = turned.profile.0.iter().map(corner).collect();
+    // Closed at both ends.
+    if let Some(&(_, z)) = profile.first().filter(|p| p.0 > 0.0) {
+        profile.insert(0, (0.0, z));
+    }
+    if let Some(&(_, z)) = profile.last().filter(|p| p.0 > 0.0) {
+        profile.push((0.0, z));
+    }
+    if profile.len() < 3 {
+        return;
+    }
+    let at = dvec3((rect.x0 + rect.x1) / 2.0, -turned.out.0, rect.z0);
+    let sides = match turned.sides {
+        0 => lathe::sides(bay.detail),
+        n => n.clamp(3, 64) as usize,
+    };
+    let soft = turned.sides == 0;
+    lathe::revolved(
+        &mut bay.bodies,
+        place.finish,
+        at,
+        &profile,
+        (sides, turned.turn.to_radians(), soft),
+    );
 }
 
 /// Adds horizontal slats from the top down, each convex between two grooves.

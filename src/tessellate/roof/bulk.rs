@@ -38,6 +38,8 @@ pub(in crate::tessellate) struct Walls {
     pub(in crate::tessellate) gables: Vec<Infill>,
     /// True if they are plastered over their posts; eaves and verges are then plastered as well.
     pub(in crate::tessellate) plastered: bool,
+    /// Wood or paint of soffits and boards; `None` = bare.
+    pub(in crate::tessellate) timber: Option<SurfaceId>,
 }
 
 /// The solids that some roofs show.
@@ -45,6 +47,7 @@ pub(in crate::tessellate) struct Bulk<'a> {
     pub(in crate::tessellate) solids: Cow<'a, [Solid]>,
     gables: Gables<'a>,
     plastered: bool,
+    timber: Option<SurfaceId>,
 }
 
 /// The surfaces of gable walls.
@@ -62,7 +65,7 @@ impl<'a> Bulk<'a> {
         walls: &'a Walls,
         detail: Detail,
     ) -> Bulk<'a> {
-        let (gables, plastered) = (&walls.gables[..], walls.plastered);
+        let (gables, plastered, timber) = (&walls.gables[..], walls.plastered, walls.timber);
         let whole = match detail {
             Detail::Body => lean(roofs),
             Detail::Flat => massive(roofs),
@@ -78,12 +81,14 @@ impl<'a> Bulk<'a> {
                         fills.map(|(s, fill)| (around(s), fill.surface)).collect(),
                     ),
                     plastered,
+                    timber,
                 }
             }
             (None, roofs) => Bulk {
                 solids: laid(roofs, gables),
                 gables: Gables::BySolid(gables),
                 plastered,
+                timber,
             },
         }
     }
@@ -93,6 +98,7 @@ impl<'a> Bulk<'a> {
         match face.finish {
             Finish::Gable => self.gable(solid, face),
             Finish::Soffit if self.plastered => Some(plaster()),
+            Finish::Soffit | Finish::Timber => self.timber,
             _ => None,
         }
     }

@@ -3,6 +3,7 @@
 pub(in crate::tessellate::trim) mod barge;
 pub(in crate::tessellate::trim) mod flashing;
 pub(in crate::tessellate::trim) mod gegyo;
+pub(in crate::tessellate::trim) mod lattice;
 pub(in crate::tessellate::trim) mod plaster;
 pub(in crate::tessellate::trim) mod rafters;
 pub(in crate::tessellate::trim) mod rim;

@@ -5,6 +5,7 @@ pub(in crate::tessellate::trim) mod onigawara;
 pub(in crate::tessellate::trim) mod finial;
 pub(in crate::tessellate::trim) mod stack;
 pub(in crate::tessellate::trim) mod crown;
+pub(in crate::tessellate::trim) mod descending;
 
 use crate::ast::RoofKind;
 use crate::material::SurfaceId;
@@ -41,20 +42,42 @@ pub(super) fn half_width(kind: RoofKind, noshi: u32) -> f64 {
     }
 }
 
+/// Width of the ridges of hips as a share of that of the main ridge.
+const HIP_WIDTH: f64 = 0.9;
+
+/// Returns the courses of the ridges of hips: two fewer than the main ridge has.
+fn hip_courses(noshi: u32) -> u32 {
+    noshi.saturating_sub(2).max(1)
+}
+
 /// Adds a tiled ridge or hip with the end tiles at its free ends.
 pub(super) fn tiles(context: &TrimContext<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
     let Some(line) = run_on(context.roof.kind, seam) else {
         return;
     };
-    let (kind, trim) = (context.roof.kind, &context.roof.trim);
-    let hip = seam.kind == Kind::Hip;
-    // The ridges of hips are two courses lower.
-    let courses = match hip {
-        true => trim.noshi.saturating_sub(2).max(1),
-        false => trim.noshi,
+    let trim = &context.roof.trim;
+    let (courses, width) = match seam.kind {
+        Kind::Hip => (hip_courses(trim.noshi), HIP_WIDTH),
+        _ => (trim.noshi, 1.0),
     };
-    let half = half_width(kind, trim.noshi) * if hip { 0.9 } else { 1.0 };
-    let lean = context.lean(seam);
+    let size = laid(context, &line, courses, width, context.lean(seam), bodies);
+    if trim.ends {
+        ends(context, seam, &line, size, bodies);
+    }
+}
+
+/// Adds the courses and the cap along a line, `width` times as wide as a main ridge, between slopes that fall by `lean`
+/// metres a metre across it; returns half the width and the height of its end.
+fn laid(
+    context: &TrimContext<'_>,
+    line: &Line,
+    courses: u32,
+    width: f64,
+    lean: f64,
+    bodies: &mut Vec<Body>,
+) -> (f64, f64) {
+    let (kind, trim) = (context.roof.kind, &context.roof.trim);
+    let half = half_width(kind, trim.noshi) * width;
     let top = BED + COURSE * f64::from(courses);
     let finish = SurfaceId::named("ibushi");
     match context.detail {
@@ -84,13 +107,10 @@ pub(super) fn tiles(context: &TrimContext<'_>, seam: &Seam, bodies: &mut Vec<Bod
         Detail::Everything => {
             let wall = line.sections(&stepped(half, lean, courses));
             bodies.extend(Body::loft(finish, &wall));
-            caps(&line, half, top, finish, bodies);
+            caps(line, half, top, finish, bodies);
         }
     }
-    if trim.ends {
-        let size = (half + STEP * f64::from(courses) / 2.0, top + CAP);
-        ends(context, seam, &line, size, bodies);
-    }
+    (half + STEP * f64::from(courses) / 2.0, top + CAP)
 }
 
 /// Adds the tiles that close the free ends of a ridge of this half width and height.
@@ -98,10 +118,9 @@ fn ends(
     context: &TrimContext<'_>,
     seam: &Seam,
     line: &Line,
-    (half, height): (f64, f64),
+    size: (f64, f64),
     bodies: &mut Vec<Body>,
 ) {
-    let finish = SurfaceId::named("ibushi");
     let (n, hip) = (line.points.len(), seam.kind == Kind::Hip);
     let ends = [
         (0, line.points[0], line.points[1]),
@@ -115,21 +134,32 @@ fn ends(
             End::Met => !hip,
             End::Joint => false,
         };
-        if !closed {
-            continue;
+        if closed {
+            close(context, (at, at - back), context.lean(seam), size, bodies);
         }
-        let place = Place {
-            at,
-            out: at - back,
-            half,
-            height,
-            lean: context.lean(seam),
-        };
-        let bar = context.roof.kind == RoofKind::CoverTiles;
-        match context.detail {
-            Detail::Body | Detail::Flat => onigawara::block(finish, &place, bodies),
-            _ => onigawara::tile(finish, &place, bar, bodies),
-        }
+    }
+}
+
+/// Adds the tile that closes an end of a ridge: where it stands, and the direction it faces.
+fn close(
+    context: &TrimContext<'_>,
+    (at, out): (DVec3, DVec3),
+    lean: f64,
+    (half, height): (f64, f64),
+    bodies: &mut Vec<Body>,
+) {
+    let finish = SurfaceId::named("ibushi");
+    let place = Place {
+        at,
+        out,
+        half,
+        height,
+        lean,
+    };
+    let bar = context.roof.kind == RoofKind::CoverTiles;
+    match context.detail {
+        Detail::Body | Detail::Flat => onigawara::block(finish, &place, bodies),
+        _ => onigawara::tile(finish, &place, bar, bodies),
     }
 }
 

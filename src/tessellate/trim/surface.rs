@@ -88,6 +88,21 @@ impl Surface {
         Some(found.2[0])
     }
 
+    /// Returns the height of the covering over a place in plan; `None` outside of it.
+    pub(super) fn height(&self, plan: DVec2) -> Option<f64> {
+        let over = |facet: &&RoofFacet| {
+            let corners: Vec<DVec2> = facet
+                .corners
+                .iter()
+                .map(|i| self.at(*i).truncate())
+                .collect();
+            crate::geometry::holds(&corners, plan)
+        };
+        let facet = self.facets.iter().find(over)?;
+        let at = self.at(facet.corners[0]);
+        Some(at.z + facet.rise.dot(plan - at.truncate()))
+    }
+
     /// Returns a point by its number.
     pub(super) fn at(&self, id: u32) -> DVec3 {
         self.points[id as usize]

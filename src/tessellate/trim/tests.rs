@@ -148,6 +148,7 @@ fn roof(kind: RoofKind, solids: Vec<Solid>) -> Roof {
             ends: true,
             crowned: false,
             pendant: true,
+            lattice: true,
             rafters: 2,
         },
         attic: Attic::default(),

@@ -1,7 +1,8 @@
-//! `Platform`, `Posts`, `Veranda`, `Brackets`, `Finial`: fittings of a house.
+//! `Platform`, `Posts`, `Veranda`, `Brackets`, `Finial`, `Put`: fittings of a house.
 
 use crate::ast::{
-    Brackets, Finial, FinialKind, House, Order, Paint, Platform, Posts, Rail, Side, Veranda,
+    Brackets, CodeText, Finial, FinialKind, House, Order, Paint, Platform, Posts, Put, Rail, Side,
+    Veranda,
 };
 use crate::diagnostic::messages::xml as say;
 use crate::parse::schema::vocabulary::{RAILS, SIDES};
@@ -9,7 +10,7 @@ use crate::parse::schema::{Schema, Tag};
 use crate::parse::xml::edits;
 use crate::parse::xml::read::{Attributes, Reader};
 use crate::parse::xml::tree::Element;
-use crate::source::Span;
+use crate::source::{Span, Spanned};
 
 impl<'t> Reader<'t, '_> {
     /// Reads a fitting of a house. Returns false for other elements.
@@ -35,6 +36,10 @@ impl<'t> Reader<'t, '_> {
             }
             Tag::Finial => {
                 fittings.finials.extend(self.finial(schema, element));
+                None
+            }
+            Tag::Put => {
+                fittings.puts.extend(self.put(schema, element));
                 None
             }
             _ => return false,
@@ -150,6 +155,24 @@ impl<'t> Reader<'t, '_> {
             height: self.number(&of, "height").map(|h| h.value),
             count: count.map(|c| c.value as u32),
             at: self.point(&of, "at"),
+        })
+    }
+
+    fn put(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Option<Put> {
+        let of = self.attributes(schema, element);
+        self.no_children(element);
+        let code = self.text(&of, "code");
+        let at = self.point(&of, "at");
+        let turn = self.usual(&of, "turn");
+        let [width, height] = ["width", "height"].map(|name| self.number(&of, name));
+        let code = code?;
+        Some(Put {
+            span: self.start(element),
+            code: Spanned::new(CodeText::new(&code.value), code.span),
+            at: at?,
+            turn,
+            width: width.map(|w| w.value),
+            height: height.map(|h| h.value),
         })
     }
 

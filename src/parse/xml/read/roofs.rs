@@ -1,6 +1,6 @@
 //! `Roofs` and `Roof`.
 
-use crate::ast::{RoofLine, RoofMethod, RoofShape, RoofStyle, Roofs};
+use crate::ast::{GableWall, Paint, RoofLine, RoofMethod, RoofShape, RoofStyle, Roofs};
 use crate::parse::schema::Schema;
 use crate::parse::schema::vocabulary::{
     COVERINGS, RIDGE_DIRECTIONS, ROOF_MODES, ROOF_SHAPES, SHAPES_OF_HOUSES,
@@ -79,6 +79,8 @@ impl<'t> Reader<'t, '_> {
             gable: self.number(of, "gable"),
             ratio: self.number(of, "ratio"),
             plain_ridge: self.yes_no(of, "plain_ridge"),
+            gable_wall: self.choice(of, "gable_wall", &GableWall::ALL),
+            paint: self.choice(of, "paint", &Paint::ALL),
         }
     }
 }

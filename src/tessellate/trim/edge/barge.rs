@@ -1,7 +1,6 @@
 //! Barge boards (hafu): boards under the edge of a verge that follow its curve, deeper at the apex and at the foot
 //! (docs/evidence.md 4.4: 0.18-0.24 m deep on houses, 0.03 m thick), and the pendant (gegyo) where they meet.
 
-use crate::material::SurfaceId;
 use crate::scene::Detail;
 use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
@@ -64,7 +63,7 @@ pub(in crate::tessellate::trim) fn boards(
         .zip(verge.rises(&stations))
         .map(|(s, rise)| verge.section(s, rise))
         .collect();
-    let board = Body::loft(SurfaceId::named("cedar"), &sections);
+    let board = Body::loft(context.timber(), &sections);
     bodies.extend(board.map(Body::smooth));
     let apex = stations
         .iter()
@@ -73,7 +72,8 @@ pub(in crate::tessellate::trim) fn boards(
     if let Some(apex) = apex.filter(|_| trim.pendant) {
         // Before the boards, its head as high as theirs.
         let foot = apex.at - DVec3::Z * verge.depth(apex.share) * 0.35;
-        gegyo::pendant(foot, verge.out, 1.3 * verge.deep, context.detail, bodies);
+        let size = (1.3 * verge.deep, run.length() / 2.0);
+        gegyo::pendant(context, (foot, verge.out), size, bodies);
     }
 }
 

@@ -1,13 +1,27 @@
 //! Gegyo: the carved pendant under the apex of a gable, 1.0 to 1.5 times as high as the barge boards are deep
-//! (docs/evidence.md 4.4). The plain turnip form (kabura) with its hexagonal boss (rokuyo).
+//! (docs/evidence.md 4.4), with its hexagonal boss (rokuyo). Three kinds by the size of the gable: plain ume-bachi, the
+//! turnip (kabura), and the triple turnip (mitsubana) of great halls.
 
-use crate::material::SurfaceId;
 use crate::scene::Detail;
+use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
 use glam::{DVec2, DVec3};
 
-/// The right half of the turnip from the head down: shares of its height, to the right and down.
-const OUTLINE: [(f64, f64); 10] = [
+/// The right half of a pendant from the head down: shares of its height, to the right and down.
+type Outline = &'static [(f64, f64)];
+
+/// 梅鉢: a plain board with rounded flanks.
+const UME_BACHI: Outline = &[
+    (0.34, 0.00),
+    (0.50, 0.12),
+    (0.56, 0.34),
+    (0.50, 0.56),
+    (0.34, 0.72),
+    (0.14, 0.84),
+    (0.05, 1.00),
+];
+/// 蕪: a turnip.
+const KABURA: Outline = &[
     (0.30, 0.00),
     (0.46, 0.10),
     (0.52, 0.24),
@@ -19,33 +33,61 @@ const OUTLINE: [(f64, f64); 10] = [
     (0.14, 0.88),
     (0.06, 1.00),
 ];
+/// 三花: a turnip below, and one on either side.
+const MITSUBANA: Outline = &[
+    (0.26, 0.00),
+    (0.40, 0.08),
+    (0.46, 0.18),
+    (0.64, 0.20),
+    (0.88, 0.30),
+    (1.02, 0.46),
+    (1.06, 0.58),
+    (0.92, 0.62),
+    (0.74, 0.58),
+    (0.52, 0.52),
+    (0.44, 0.58),
+    (0.52, 0.68),
+    (0.50, 0.80),
+    (0.36, 0.88),
+    (0.20, 0.92),
+    (0.12, 0.96),
+    (0.05, 1.06),
+];
+/// Half the width in plan from which gables have a turnip, and three, metres.
+const TURNIP: f64 = 2.0;
+const TRIPLE: f64 = 5.0;
 
 /// Thickness of the board and of the boss in front of it, metres.
 const THICK: f64 = 0.045;
 const BOSS: f64 = 0.03;
 
-/// Adds a pendant whose top is at `at` on the front of the boards facing `out`, `height` metres high.
+/// Adds a pendant whose top is at `at` on the front of the boards facing `out`, `height` metres high, under a gable `half`
+/// metres from apex to foot in plan.
 pub(in crate::tessellate::trim) fn pendant(
-    at: DVec3,
-    out: DVec2,
-    height: f64,
-    detail: Detail,
+    context: &TrimContext<'_>,
+    (at, out): (DVec3, DVec2),
+    (height, half): (f64, f64),
     bodies: &mut Vec<Body>,
 ) {
-    let finish = SurfaceId::named("cedar");
+    let finish = context.timber();
     let (across, out) = (out.perp().extend(0.0), out.extend(0.0));
     let back = at - out * 0.005;
     let corner = |side: f64, (w, d): &(f64, f64)| {
         back + across * (side * w * height) - DVec3::Z * (d * height)
     };
-    let right = OUTLINE.iter().map(|c| corner(1.0, c));
-    let left = OUTLINE.iter().rev().map(|c| corner(-1.0, c));
+    let outline = match half {
+        small if small < TURNIP => UME_BACHI,
+        middle if middle < TRIPLE => KABURA,
+        _ => MITSUBANA,
+    };
+    let right = outline.iter().map(|c| corner(1.0, c));
+    let left = outline.iter().rev().map(|c| corner(-1.0, c));
     bodies.extend(Body::sweep(
         finish,
         right.chain(left).collect(),
         out * THICK,
     ));
-    if detail < Detail::Everything {
+    if context.detail < Detail::Everything {
         return;
     }
     let middle = back - DVec3::Z * (0.26 * height) + out * (THICK - 0.005);

@@ -41,6 +41,7 @@ struct Row {
     below: f64,
     size: (f64, f64),
     apart: f64,
+    timber: SurfaceId,
 }
 
 /// Returns the rows under the eaves.
@@ -59,6 +60,7 @@ fn rows(context: &TrimContext<'_>) -> Vec<Row> {
         below: -SUNK,
         size,
         apart,
+        timber: context.timber(),
     };
     if !great {
         return vec![upper];
@@ -69,6 +71,7 @@ fn rows(context: &TrimContext<'_>) -> Vec<Row> {
         below: size.0 - 2.0 * SUNK,
         size,
         apart,
+        timber: context.timber(),
     };
     vec![upper, lower]
 }
@@ -125,7 +128,7 @@ fn rafter(fields: &[Field], slope: usize, s: f64, deep: f64, row: &Row, bodies: 
     for field in own() {
         let foot = top - row.size.0 * field.stretch();
         let profile = [(-half, foot), (half, foot), (half, top), (-half, top)];
-        let finish = SurfaceId::named("cedar");
+        let finish = row.timber;
         let made = field.upright_row(finish, s, &profile, within);
         bodies.extend(made.map(|body| body.in_row("rafters", field.right())));
     }
@@ -164,7 +167,7 @@ fn board(fields: &[Field], seam: &Seam, row: &Row, bodies: &mut Vec<Body>) {
         ]
     };
     let sections: Vec<Vec<DVec3>> = (0..=last).map(section).collect();
-    bodies.extend(Body::loft(SurfaceId::named("cedar"), &sections));
+    bodies.extend(Body::loft(row.timber, &sections));
 }
 
 /// Adds the rafter under a hip, from the eaves to the wall.
@@ -196,8 +199,5 @@ pub(in crate::tessellate::trim) fn hip(
         (half, top),
         (-half, top),
     ];
-    bodies.extend(Body::loft(
-        SurfaceId::named("cedar"),
-        &part.sections(&profile),
-    ));
+    bodies.extend(Body::loft(context.timber(), &part.sections(&profile)));
 }
