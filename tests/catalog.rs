@@ -13,14 +13,18 @@ fn codes(catalog: &Catalog, ids: &[hsd::catalog::PartId]) -> Vec<String> {
 #[test]
 fn every_part_is_found_by_its_code() {
     let catalog = hsd::parse::builtin();
-    // Those of the specification, those of monuments behind them, and fusuma with and without a transom.
-    assert_eq!(catalog.parts().len(), 82 + 7 + 2);
+    // Those of the specification; behind them those of monuments, fusuma with and without a transom, more windows, blinds and
+    // fences, and what stands outdoors.
+    assert_eq!(catalog.parts().len(), 82 + 7 + 2 + 9 + 11);
     for part in catalog.parts() {
         let id = catalog.find(&CodeText::new(part.code())).expect("found");
         assert_eq!(catalog.part(id).code(), part.code());
         assert_eq!(part.code().len(), 5);
-        assert!([0.0, 0.5, 1.0, 2.0].contains(&part.width()), "{part:?}");
-        assert!("KTMGHAN ".contains(part.class()));
+        assert!(
+            [0.0, 0.5, 1.0, 2.0, 4.0].contains(&part.width()),
+            "{part:?}"
+        );
+        assert!("KTMGHANO ".contains(part.class()));
         assert!(!part.ja.is_empty() && !part.romaji.is_empty() && !part.en.is_empty());
     }
 }

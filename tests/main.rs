@@ -45,6 +45,7 @@ mod maps;
 mod mistakes;
 mod monuments;
 mod order;
+mod outdoors;
 mod outlines;
 mod parse_legacy;
 mod parse_legacy_robust;

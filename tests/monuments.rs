@@ -156,6 +156,19 @@ fn pagodas_have_the_heights_of_horyuji_and_toji() {
     sound(&run);
     near(width(&run, 0, 0), 6.42, 0.01);
     near(width(&run, 0, 4), 3.21, 0.01);
+    // Two bays a side on top, and a fifth roof that is 0.6 as wide as the first.
+    let storeys = &run.building.houses[0].house.storeys;
+    assert_eq!(storeys[4].rings[0].walls[0].units.len(), 2);
+    let across = |storey: u32| {
+        let roofs = run.building.houses[0].roofs.roofs.iter();
+        let own = roofs.filter(|r| r.storey == storey);
+        let points = own.flat_map(|r| &r.solids).flat_map(|s| &s.points);
+        let ends = points.fold((f64::MAX, f64::MIN), |(lo, hi), p| {
+            (lo.min(p.x), hi.max(p.x))
+        });
+        ends.1 - ends.0
+    };
+    near(across(5) / across(1), 0.6, 0.01);
     // S54: 31.6 to 32.5 m, its finial 9.7 m.
     let all = height(&run, 0);
     assert!((31.6..=32.5).contains(&all), "{all}");

@@ -122,7 +122,7 @@ fn is_sound(word: &str, attribute: &WrittenAttribute) -> bool {
     let signed = matches!(
         name,
         "front" | "groove" | "from" | "to" | "left" | "right" | "pitch" | "batter"
-    );
+    ) || matches!((word, name), ("turned", "out" | "turn"));
     let least = match (repeats, signed) {
         (true, _) if name != "rolls" || number != 0.0 => SMALLEST,
         (_, true) => -LONGEST,

@@ -99,10 +99,15 @@ impl Sides {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Profile(pub(crate) Vec<(Level, Level)>);
 
+impl Profile {
+    /// The most corners that are built.
+    const MOST: usize = 64;
+}
+
 impl Value for Profile {
     const FORM: Noun = noun(
-        "heights and radii from the foot up, such as `0 150, 40% 90, 100% 0`",
-        "下から順の高さと半径。`0 150, 40% 90, 100% 0` など",
+        "2 to 64 heights with radii from the foot up, such as `0 150, 40% 90, 100% 0`",
+        "下から順の高さと半径を 2 から 64 組。`0 150, 40% 90, 100% 0` など",
     );
     fn read(text: &str) -> Option<Profile> {
         let corner = |pair: &str| {
@@ -111,7 +116,9 @@ impl Value for Profile {
             words.next().is_none().then_some(corner)
         };
         let corners: Vec<_> = text.split(',').map(corner).collect::<Option<_>>()?;
-        (corners.len() > 1).then_some(Profile(corners))
+        (2..=Profile::MOST)
+            .contains(&corners.len())
+            .then_some(Profile(corners))
     }
 }
 

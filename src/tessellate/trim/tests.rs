@@ -149,6 +149,7 @@ fn roof(kind: RoofKind, solids: Vec<Solid>) -> Roof {
             crowned: false,
             pendant: true,
             lattice: true,
+            timber: None,
             rafters: 2,
         },
         attic: Attic::default(),
@@ -163,6 +164,30 @@ fn seams(solids: &[Solid]) -> Vec<Seam> {
 
 fn count(seams: &[Seam], kind: Kind) -> usize {
     seams.iter().filter(|s| s.kind == kind).count()
+}
+
+/// The plain blocks of ridges at detail 1.
+fn blocks(kind: RoofKind, finish: &str) -> Vec<Body> {
+    let roof = roof(kind, gable(kind, 8.0, 6.0, 0.5));
+    let made = build(&roof, &Beyond::default(), false, Detail::Flat);
+    let finish = SurfaceId::named(finish);
+    let blocks = made.bodies.into_iter();
+    blocks.filter(|body| body.finish == finish).collect()
+}
+
+#[test]
+fn cover_tiles_have_a_descending_ridge_on_both_slopes_beside_each_gable() {
+    let ridges = blocks(RoofKind::CoverTiles, "noshi");
+    assert_eq!(ridges.len(), 1 + 4);
+    let falling = ridges.iter().filter(|body| {
+        let heights = body.points.iter().map(|p| p.z);
+        let ends = heights.fold((f64::MAX, f64::MIN), |(lo, hi), z| (lo.min(z), hi.max(z)));
+        // Seven eighths of the slope, and the height of the ridge itself.
+        ends.1 - ends.0 > 0.8 * 3.0 * 0.5
+    });
+    assert_eq!(falling.count(), 4);
+    // Gables of pantiles have the main ridge alone.
+    assert_eq!(blocks(RoofKind::Tiles, "kawara_edge").len(), 1);
 }
 
 #[test]

@@ -4,6 +4,7 @@
 
 use crate::building::Ring;
 use crate::catalog::Catalog;
+use crate::geometry::FOUNDATION;
 use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
 use crate::program::{Content, Unit};
@@ -15,9 +16,6 @@ use crate::tessellate::store::look::{Look, Share};
 use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::{Level, Walker, part, turn_of};
 use glam::{DVec3, dvec2};
-
-/// Height of the foundation stones under a house, metres.
-const STONES: f64 = 0.285;
 
 /// Corners sharper than this many faces are not mitred to their point.
 const LONGEST: f64 = 4.0;
@@ -103,11 +101,11 @@ impl Walker<'_> {
             // Walls go down to the ground; no picture does, since it would be stretched.
             let lowest = bands.iter_mut().find(|b| b.z.0.abs() < 1e-3 && !b.picture);
             if let Some(band) = lowest.filter(|_| level.grounded()) {
-                band.z.0 = -STONES;
+                band.z.0 = -FOUNDATION;
             } else if level.grounded() {
                 let stone = self.store.surface_at(SurfaceId::named("stone"), 0.0);
                 bands.push(Band {
-                    z: (-STONES, 0.0),
+                    z: (-FOUNDATION, 0.0),
                     look: stone,
                     picture: false,
                 });

@@ -1,0 +1,84 @@
+//! What `Put` sets on the ground: it stands where it is put, turned and as large as it says, and on the ground.
+
+use crate::support::depths::{bounds, triangles};
+use crate::support::{Run, assert_none, compile, flaws};
+use glam::DVec3;
+use hsd::geometry::SHAKU;
+use hsd::scene::Node;
+
+const U: f64 = 3.0 * SHAKU;
+
+fn house(more: &str) -> Run {
+    let wall = "<Row>KSK  KSK  KSK  KSK</Row>";
+    let text =
+        format!("<House><Storey height=\"9\">{wall}{wall}{wall}{wall}</Storey>{more}</House>");
+    let run = compile("house.hsd", text.as_bytes());
+    assert_none(&flaws(&run));
+    run
+}
+
+/// The bounds of what stands beside the house with this code, in its frame: x to the right, y back, z up; metres.
+fn stands(run: &Run, code: &str) -> (DVec3, DVec3) {
+    let is_it = |n: &&Node| n.code.is_some_and(|c| c.as_str() == code);
+    let node = run.scene.nodes.iter().find(is_it).expect("is there");
+    let mesh = &run.scene.meshes[node.mesh.expect("has a mesh").0 as usize];
+    let place = |p: DVec3| node.turn.rotate(p.truncate()).extend(p.z) + node.at;
+    let all: Vec<_> = triangles(mesh).into_iter().map(|t| t.map(place)).collect();
+    bounds(&all)
+}
+
+fn near(found: f64, wanted: f64) {
+    assert!((found - wanted).abs() < 0.01, "{found} instead of {wanted}");
+}
+
+#[test]
+fn a_lantern_stands_on_the_ground_where_it_is_put() {
+    let run = house("<Put code=\"OTO\" at=\"3 -4\"/>");
+    let (lo, hi) = stands(&run, "OTO  ");
+    let middle = (lo + hi) / 2.0;
+    near(middle.x, -3.0 * U);
+    near(middle.y, -4.0 * U);
+    near(lo.z, -0.285);
+    near(hi.z - lo.z, 6.0 * SHAKU);
+}
+
+#[test]
+fn a_platform_raises_the_house_and_not_what_stands_beside_it() {
+    let run = house("<Platform height=\"3\"/><Put code=\"OTO\" at=\"3 -8\"/>");
+    let (lo, _) = stands(&run, "OTO  ");
+    near(lo.z, -3.0 * SHAKU);
+}
+
+#[test]
+fn a_hedge_is_as_long_as_it_says_and_turns_clockwise() {
+    let along = house("<Put code=\"KIK\" at=\"2 -3\" width=\"10\" height=\"4\"/>");
+    let (lo, hi) = stands(&along, "KIK  ");
+    near(hi.x - lo.x, 10.0 * U);
+    near(hi.z - lo.z, 4.0 * SHAKU - 0.02);
+    let across = house("<Put code=\"KIK\" at=\"8 2\" turn=\"90\" width=\"10\"/>");
+    let (lo, hi) = stands(&across, "KIK  ");
+    near(hi.y - lo.y, 10.0 * U);
+    near((lo.x + hi.x) / 2.0, -8.0 * U);
+    // The bench of a basin, its front stone before it: turned by a quarter it lies to the left.
+    let basin = house("<Put code=\"OTB\" at=\"8 2\"/>");
+    let turned = house("<Put code=\"OTB\" at=\"8 2\" turn=\"90\"/>");
+    let front = stands(&basin, "OTB  ").0.y - 2.0 * U;
+    let left = stands(&turned, "OTB  ").0.x + 8.0 * U;
+    assert!(front < -0.5, "{front}");
+    near(left, front);
+}
+
+#[test]
+fn what_stands_in_a_court_is_outdoors() {
+    let walls = "<Row><repeat num=\"8\"><Part code=\"KSK\"/></repeat></Row>".repeat(4);
+    let court = "<Loop hole=\"yes\" start=\"2 2\"><Row>KSK  KSK  KSK  KSK</Row><Row>KSK  KSK  KSK  KSK</Row>\
+        <Row>KSK  KSK  KSK  KSK</Row><Row>KSK  KSK  KSK  KSK</Row></Loop>";
+    let said = |at: &str| {
+        let text = format!(
+            "<House><Storey>{walls}{court}</Storey><Put code=\"OMA 4\" at=\"{at}\"/></House>"
+        );
+        let run = compile("court.hsd", text.as_bytes());
+        run.diagnostics.iter().filter(|d| d.code.0 == 706).count()
+    };
+    assert_eq!([said("4 4"), said("1 4"), said("4 -3")], [0, 1, 0]);
+}
