@@ -104,6 +104,7 @@ fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
         storeys: storeys.collect(),
         platform: None,
         finials: vec![],
+        puts: vec![],
         roofs: Roofs::default().into(),
     };
     let mut out = Diagnostics::new();

@@ -126,6 +126,7 @@ fn building(storeys: Vec<Storey>) -> Building {
         plinth: 0.0,
         platform: None,
         finials: vec![],
+        puts: vec![],
         roofs: Roofs::default().into(),
     };
     Building {

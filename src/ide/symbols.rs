@@ -266,6 +266,7 @@ impl KnownName<'_> {
             "Param" => (SymbolKind::Parameter, said("name"), detail("default")),
             "let" => (SymbolKind::Value, said("name"), detail("value")),
             "PartDef" => (SymbolKind::Part, said("code"), detail("ja")),
+            "Put" => (SymbolKind::Part, said("code"), detail("at")),
             "include" => (SymbolKind::File, said("href"), String::new()),
             "Fixture" | "Platform" | "Posts" | "Veranda" | "Brackets" | "Finial" | "Pagoda"
             | "Gate" | "Hall" | "Shrine" => (SymbolKind::Fitting, None, detail("kind")),

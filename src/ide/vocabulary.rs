@@ -165,6 +165,7 @@ const TRUTHS: &Table = &[
 pub(super) const ERAS: &Table = &meanings::nouns(&meanings::ERAS);
 const PAINTS: &Table = &meanings::nouns(&meanings::PAINTS);
 const RAILS: &Table = &meanings::nouns(&meanings::RAILS);
+const GABLE_WALLS: &Table = &meanings::nouns(&meanings::GABLE_WALLS);
 const FINIALS: &Table = &meanings::nouns(&meanings::FINIALS);
 const FIXTURES: &Table = &meanings::nouns(&meanings::FIXTURES);
 const SIDES: &Table = &meanings::nouns(&meanings::SIDES);
@@ -215,14 +216,6 @@ const BELOWS: &Table = &[
 ];
 const UPPER: &Table = &[("*", noun("the top of the walls there", "そこの壁の上端"))];
 
-const GABLE_WALLS: &Table = &[
-    ("wall", noun("as the wall below", "下の壁と同じ")),
-    (
-        "lattice",
-        noun("boards behind a square lattice (kitsune-goshi)", "狐格子"),
-    ),
-];
-
 /// Returns the words of an attribute, or of a key of the legacy header (`element` is empty then).
 pub(super) fn table(element: &str, attribute: &str) -> &'static Table {
     match (element, attribute) {
@@ -272,6 +265,7 @@ pub(super) fn class(letter: char) -> Noun {
         'H' => noun("post", "柱"),
         'A' => noun("opening", "開口"),
         'N' => noun("contemporary", "現代"),
+        'O' => noun("outdoors", "屋外"),
         _ => noun("void", "空き"),
     }
 }

@@ -154,6 +154,13 @@ pub(crate) const PAINTS: [Meaning; 6] = [
     means("sooted", "stained with soot", "煤塗", &["煤", "煤竹", "susu", "black"]),
 ];
 
+/// The gable walls of irimoya.
+#[rustfmt::skip]
+pub(crate) const GABLE_WALLS: [Meaning; 2] = [
+    means("wall", "as the wall below", "下の壁と同じ", &["壁", "plain", "plaster"]),
+    means("lattice", "boards behind a square lattice (kitsune-goshi)", "狐格子", &["格子", "木連格子", "kitsune-goshi", "kitsunegoshi", "kizuregoshi"]),
+];
+
 /// The finials of roofs.
 #[rustfmt::skip]
 pub(crate) const FINIALS: [Meaning; 4] = [
@@ -246,6 +253,7 @@ const TABLES: &[&[Meaning]] = &[
     &CEILINGS,
     &FIXTURES,
     &PAINTS,
+    &GABLE_WALLS,
     &FINIALS,
     &ERAS,
     &PURPOSES,

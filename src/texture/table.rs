@@ -285,12 +285,6 @@ pub static SURFACES: &[Surface] = &[
         paint: ground::stone,
     },
     Surface {
-        name: "foliage",
-        metres: plants::FOLIAGE,
-        looks: &[mixed("foliage"), mixed("foliage_dark")],
-        paint: plants::foliage,
-    },
-    Surface {
         name: "gravel",
         metres: ground::GRAVEL,
         looks: &[mixed("gravel")],
@@ -307,5 +301,11 @@ pub static SURFACES: &[Surface] = &[
         metres: ground::DOMA,
         looks: &[mixed("doma"), mixed("doma_old")],
         paint: ground::doma,
+    },
+    Surface {
+        name: "foliage",
+        metres: plants::FOLIAGE,
+        looks: &[mixed("foliage"), mixed("foliage_dark")],
+        paint: plants::foliage,
     },
 ];

@@ -107,6 +107,7 @@ fn regions_are_written_as_documented() {
         plinth: 0.0,
         platform: None,
         finials: vec![],
+        puts: vec![],
         roofs: Default::default(),
     };
     let plan = StoreyPlan {

@@ -102,6 +102,7 @@ pub fn house(storeys: Vec<Vec<Ring>>) -> House {
         plinth: 0.0,
         platform: None,
         finials: vec![],
+        puts: vec![],
         roofs: Roofs::default().into(),
     }
 }

@@ -53,7 +53,9 @@ fn proposals(
     let layer = || fields::layer(request, open, Some(tag));
     let item = |divider: &[char]| item(request, inner, divider);
     match (element, attribute) {
-        ("Part" | "Texture", "code") | ("PartDef", "base") => parts::in_value(request, inner),
+        ("Part" | "Texture" | "Put", "code") | ("PartDef", "base") => {
+            parts::in_value(request, inner)
+        }
         ("random" | "replace", "code" | "with") => parts::in_value(request, &item(&[','])),
         ("use", "name") => names::pieces(request, inner),
         ("Place", "type") => types(request, inner),

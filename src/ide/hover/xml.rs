@@ -81,7 +81,7 @@ fn element_told(
         }
     };
     let card = match (schema.name, element.value("code")) {
-        ("Part", Some(code)) => request.part(name, code).map(|h| h.markdown.into()),
+        ("Part" | "Put", Some(code)) => request.part(name, code).map(|h| h.markdown.into()),
         _ => None,
     };
     request.told(
@@ -124,7 +124,9 @@ fn attribute_told(request: &Request<'_>, number: usize, attribute: &Attribute) -
     }
     let value = attribute.value.trim();
     match (schema, attribute.word.as_str()) {
-        ("Part" | "Texture", "code") | ("PartDef", "base" | "code") => request.part(inner, value),
+        ("Part" | "Texture" | "Put", "code") | ("PartDef", "base" | "code") => {
+            request.part(inner, value)
+        }
         ("random" | "replace", "code" | "with") => listed_part(request, attribute),
         ("use", "name") => computed::piece(request, inner, value),
         ("Place", "type") => computed::house_type(request, inner, value),
