@@ -150,7 +150,7 @@ impl PartDef {
         self.width
     }
 
-    /// Returns the letter of its class: K wall, T door, M window, G lattice, H post, A opening, N modern; a
+    /// Returns the letter of its class: K wall, T door, M window, G lattice, H post, A opening, N modern, O outdoors; a
     /// blank for the void. Custom parts have that of their base.
     pub fn class(&self) -> char {
         self.class

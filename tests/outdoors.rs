@@ -1,6 +1,8 @@
-//! What `Put` sets on the ground: it stands where it is put, turned and as large as it says, and on the ground.
+//! What `Put` sets on the ground: it stands where it is put, turned and as large as it says, and on the ground; what is made
+//! for outdoors is sound.
 
 use crate::support::depths::{bounds, triangles};
+use crate::support::shapes;
 use crate::support::{Run, assert_none, compile, flaws};
 use glam::DVec3;
 use hsd::geometry::SHAKU;
@@ -25,6 +27,31 @@ fn stands(run: &Run, code: &str) -> (DVec3, DVec3) {
     let place = |p: DVec3| node.turn.rotate(p.truncate()).extend(p.z) + node.at;
     let all: Vec<_> = triangles(mesh).into_iter().map(|t| t.map(place)).collect();
     bounds(&all)
+}
+
+#[test]
+fn every_part_for_outdoors_is_sound_and_light() {
+    let parts = hsd::parse::builtin().parts().iter();
+    let mut found = vec![];
+    for part in parts.filter(|p| p.class() == 'O') {
+        let code = part.code();
+        for size in ["", " width=\"1.4\"", " width=\"6\" height=\"21\""] {
+            let run = house(&format!("<Put code=\"{code}\" at=\"3 -9\"{size}/>"));
+            let node = run
+                .scene
+                .nodes
+                .iter()
+                .find(|n| n.code.as_deref() == Some(code));
+            let mesh = &run.scene.meshes[node.expect("is there").mesh.expect("a mesh").0 as usize];
+            let flaws = shapes::flaws(mesh).into_iter();
+            found.extend(flaws.map(|flaw| format!("{code}{size}: {flaw}")));
+            let triangles = triangles(mesh).len();
+            if triangles > 1600 {
+                found.push(format!("{code}: {triangles} triangles"));
+            }
+        }
+    }
+    assert_none(&found);
 }
 
 fn near(found: f64, wanted: f64) {
@@ -71,7 +98,7 @@ fn a_hedge_is_as_long_as_it_says_and_turns_clockwise() {
 #[test]
 fn what_stands_in_a_court_is_outdoors() {
     let walls = "<Row><repeat num=\"8\"><Part code=\"KSK\"/></repeat></Row>".repeat(4);
-    let court = "<Loop hole=\"yes\" start=\"2 2\"><Row>KSK  KSK  KSK  KSK</Row><Row>KSK  KSK  KSK  KSK</Row>\
+    let court = "<Loop hole=\"yes\" start=\"2 6\"><Row>KSK  KSK  KSK  KSK</Row><Row>KSK  KSK  KSK  KSK</Row>\
         <Row>KSK  KSK  KSK  KSK</Row><Row>KSK  KSK  KSK  KSK</Row></Loop>";
     let said = |at: &str| {
         let text = format!(

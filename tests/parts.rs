@@ -41,12 +41,12 @@ fn part(code: &str, height: f64, unit: f64) -> Mesh {
     scene.meshes[mesh.0 as usize].clone()
 }
 
-/// Every part but the void and the fences' kind of lines.
+/// Every part but the void, and what stands outdoors by itself: see `outdoors`.
 fn drawn() -> impl Iterator<Item = &'static PartDef> {
     hsd::parse::builtin()
         .parts()
         .iter()
-        .filter(|p| p.class() != ' ')
+        .filter(|p| !" O".contains(p.class()))
 }
 
 fn built() -> Vec<&'static PartDef> {

@@ -165,7 +165,7 @@ fn count(entries: &[WrittenBody]) -> f64 {
 fn first_letter(code: &CodeText) -> char {
     let letter = code.as_str().chars().next().unwrap_or(' ');
     match code {
-        CodeText::Five(_) if "KTMGHAN ".contains(letter) => letter,
+        CodeText::Five(_) if "KTMGHANO ".contains(letter) => letter,
         _ => 'K',
     }
 }

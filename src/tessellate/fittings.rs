@@ -3,7 +3,6 @@
 
 mod brackets;
 mod finial;
-pub(super) mod lathe;
 mod platform;
 mod shrine;
 mod sorin;

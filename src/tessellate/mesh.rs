@@ -1,6 +1,7 @@
 //! Closed bodies from polygons: boxes, prisms, polyhedra. Every face is flat, has its own vertices, a unit
 //! normal, and texture coordinates in metres.
 
+pub(in crate::tessellate) mod lathe;
 pub(in crate::tessellate) mod panel;
 pub(in crate::tessellate) mod polygon;
 pub(in crate::tessellate) mod smooth;

@@ -121,6 +121,8 @@ pub(super) const WITHOUT_FIX: &[(u16, &str)] = &[
     (523, "nothing has to be done"),
     (702, "where the roof shall be, only the author knows"),
     (704, "which measure may change, only the author knows"),
+    (705, "which part is meant, only the author knows"),
+    (706, "where it shall stand, only the author knows"),
     (904, "what may be left out, only the author knows"),
     (906, "what may be left out, only the author knows"),
     (907, "what may be left out, only the author knows"),

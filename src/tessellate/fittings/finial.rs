@@ -1,13 +1,13 @@
 //! Finials: a jewel on a dew basin, and fish tails at the ends of a ridge. Pagoda masts and shrine ridges have modules
 //! of their own.
 
-use super::lathe::{sides, turned};
 use super::{block, shrine, sorin};
 use crate::ast::FinialKind;
 use crate::building::fittings::Finial;
 use crate::material::SurfaceId;
 use crate::scene::Detail;
 use crate::tessellate::mesh::Bodies;
+use crate::tessellate::mesh::lathe::{sides, turned};
 use glam::{DVec2, DVec3};
 
 pub(super) fn bodies(it: &Finial, detail: Detail) -> Bodies {

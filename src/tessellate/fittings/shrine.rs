@@ -1,10 +1,10 @@
 //! Shrine ridges: crossed boards (千木 chigi) at the ends, logs (鰹木 katsuogi) across the ridge between them.
 
-use super::lathe::sides;
 use crate::building::fittings::Finial;
 use crate::material::SurfaceId;
 use crate::scene::Detail;
 use crate::tessellate::mesh::Bodies;
+use crate::tessellate::mesh::lathe::sides;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 

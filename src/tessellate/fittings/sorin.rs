@@ -2,10 +2,10 @@
 //! of the height after Horyu-ji.
 
 use super::block;
-use super::lathe::{sides, turned};
 use crate::material::SurfaceId;
 use crate::scene::Detail;
 use crate::tessellate::mesh::Bodies;
+use crate::tessellate::mesh::lathe::{sides, turned};
 use glam::{DVec2, DVec3};
 use std::f64::consts::FRAC_PI_2;
 

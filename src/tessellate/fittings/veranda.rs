@@ -1,11 +1,12 @@
 //! Verandas (縁 en): boards on beams, short posts on the ground or arms from the wall, and a railing (高欄 kōran) of three
 //! rails.
 
-use super::{block, lathe, platform};
+use super::{block, platform};
 use crate::ast::Rail;
 use crate::building::fittings::{Deck, Veranda};
 use crate::material::SurfaceId;
 use crate::scene::Detail;
+use crate::tessellate::mesh::lathe;
 use crate::tessellate::mesh::{Axis, Bodies};
 use glam::{DVec2, DVec3, dvec2};
 

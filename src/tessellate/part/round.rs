@@ -3,8 +3,8 @@
 use crate::catalog::body::{Bell, Corners, Place, Slats, Turned};
 use crate::catalog::value::{Level, Run};
 use crate::material::SurfaceId;
-use crate::tessellate::fittings::lathe;
 use crate::tessellate::mesh::Axis;
+use crate::tessellate::mesh::lathe;
 use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::mesh::smooth::soft_bar;
 use crate::tessellate::part::bay::{Bay, Layer};

@@ -57,36 +57,13 @@ pub(in crate::tessellate) fn revolved(
         let before = (ring || i > 0).then(|| normal((i + n - 1) % n));
         let after = (ring || i + 1 < steps).then(|| normal((i + 1) % n));
         let normals = [shade(own, before), shade(own, after)];
-        let (lower, upper) = (point(i), point(i + 1));
+        let ends = [point(i), point(i + 1)];
         for k in 0..sides {
-            let [a, b] = [k, k + 1].map(|k| {
+            let ways = [k, k + 1].map(|k| {
                 let angle = turn + TAU * (k % sides) as f64 / sides as f64;
                 dvec2(libm::cos(angle), libm::sin(angle))
             });
-            let on = |p: DVec2, way: DVec2| at + (way * p.x).extend(p.y);
-            let out = |m: DVec2, way: DVec2| (way * m.x).extend(m.y);
-            let mut corners = vec![];
-            let mut shades = vec![];
-            for (p, m, way) in [
-                (lower, normals[0], a),
-                (lower, normals[0], b),
-                (upper, normals[1], b),
-                (upper, normals[1], a),
-            ] {
-                // On the axis both corners are one.
-                let corner = on(p, way);
-                if corners
-                    .last()
-                    .is_some_and(|last: &DVec3| last.distance(corner) < AXIS)
-                    || corners
-                        .first()
-                        .is_some_and(|first| first.distance(corner) < AXIS)
-                {
-                    continue;
-                }
-                corners.push(corner);
-                shades.push(out(m, way));
-            }
+            let (corners, shades) = quad(at, ends, normals, ways);
             match corners.len() > 2 {
                 true if soft => bodies.shaded(finish, &corners, &shades),
                 true => bodies.face(finish, &corners),
@@ -94,4 +71,30 @@ pub(in crate::tessellate) fn revolved(
             }
         }
     }
+}
+
+/// Returns the corners and normals of one face, between two corners of the profile and two directions in plan. On the
+/// axis both corners are one.
+fn quad(
+    at: DVec3,
+    [lower, upper]: [DVec2; 2],
+    [low, high]: [DVec2; 2],
+    [a, b]: [DVec2; 2],
+) -> (Vec<DVec3>, Vec<DVec3>) {
+    let (mut corners, mut shades): (Vec<DVec3>, Vec<DVec3>) = (vec![], vec![]);
+    for (p, m, way) in [
+        (lower, low, a),
+        (lower, low, b),
+        (upper, high, b),
+        (upper, high, a),
+    ] {
+        let corner = at + (way * p.x).extend(p.y);
+        let ends = [corners.first(), corners.last()];
+        let known = |end: Option<&DVec3>| end.is_some_and(|e| e.distance(corner) < AXIS);
+        if !ends.into_iter().any(known) {
+            corners.push(corner);
+            shades.push((way * m.x).extend(m.y));
+        }
+    }
+    (corners, shades)
 }
