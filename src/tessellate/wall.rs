@@ -14,7 +14,7 @@ use crate::catalog::{Catalog, PartDef, PartId, Stance};
 use crate::geometry::{SAME, SHAKU};
 use crate::material::SurfaceId;
 use crate::program::{Content, PictureId, Split, Unit};
-use crate::scene::{Kind, MeshId, NodeId};
+use crate::scene::{Kind, MeshId, NodeId, PartNames};
 use crate::tessellate::part::bay::Layer;
 use crate::tessellate::store::draft::MeshDraft;
 use crate::tessellate::store::look::{Look, Share};
@@ -278,6 +278,7 @@ impl Walker<'_> {
         let node = self.node(Some(level.node), Kind::Facade, name, at);
         node.turn = turn_of(wall.direction);
         node.storey = Some(level.storey.number);
+        node.facade = Some(wall.facade);
         node.span = Some(wall.span);
         self.last()
     }
@@ -329,7 +330,7 @@ impl Walker<'_> {
     fn unit(&mut self, level: Level<'_>, slot: Slot<'_>, unit: &Unit) {
         let place = slot.number.0 + slot.within * 1000;
         self.store.weather = self.unit_weather(place, &unit.content, slot.z);
-        let (mesh, code): (MeshId, &str) = match &unit.content {
+        let (mesh, code, part): (MeshId, &str, Option<&PartDef>) = match &unit.content {
             Content::Void => return,
             Content::Split(split) => return self.split(level, slot, split),
             Content::Part(id) => {
@@ -337,17 +338,20 @@ impl Walker<'_> {
                 if self.catalog.is_void(*id) {
                     return;
                 }
-                (self.part(slot, unit, *id, part), part.code())
+                (self.part(slot, unit, *id, part), part.code(), Some(part))
             }
-            Content::Picture(id) => (self.picture(slot, unit, *id), "picture"),
+            Content::Picture(id) => (self.picture(slot, unit, *id), "picture", None),
         };
         let (number, half) = slot.number;
         let name = name(code.trim_end(), half, number);
         let at = dvec3(slot.x, 0.0, slot.z.0);
-        let is_part = !matches!(unit.content, Content::Picture(_));
         let node = self.node(Some(slot.facade), Kind::Part, name, at);
         node.mesh = Some(mesh);
-        node.code = is_part.then(|| code.into());
+        node.code = part.map(|_| code.into());
+        node.names = part.map(|part| PartNames {
+            ja: part.ja.clone(),
+            en: part.en.clone(),
+        });
         node.storey = Some(level.storey.number);
         node.span = Some(unit.span);
     }

@@ -1,11 +1,14 @@
 //! The tree of nodes: house, storey, facade, part; house, roof. Nodes make up most of the JSON, and a town has half a
 //! million: they are written directly from the scene, in types that borrow from it.
 
+mod identity;
+
 use crate::backend::number::Number;
 use crate::backend::sound;
 use crate::backend::spool::{List, NewSpool};
 use crate::scene::{self, MeshId, ScenePart};
 use crate::source::Span;
+use identity::identities;
 use glam::DVec2;
 use gltf::json::{self, Index, Mesh, Root};
 use serde::{Serialize, Serializer};
@@ -36,12 +39,27 @@ struct Extras<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     storey: Option<u32>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    facade: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ja: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    en: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     span: Option<Span>,
     /// The file of the span, by its number in reading order; omitted for the first.
     #[serde(skip_serializing_if = "Option::is_none")]
     file: Option<u32>,
+    /// The name of the file, of houses and of what is written in another file than its house.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    source: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    line: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    column: Option<u32>,
     #[serde(skip_serializing_if = "Option::is_none")]
     shape: Option<&'a str>,
+    /// A name that stays when neighbours change.
+    id: &'a str,
 }
 
 /// The children of a node: the first child, and the links to its siblings.
@@ -88,6 +106,8 @@ impl Tree {
         let kept = kept(part, |id| mesh(id).is_some());
         let written: Vec<usize> = (0..kept.len()).filter(|i| kept[*i]).collect();
         let mut links = vec![Link::default(); kept.len()];
+        let mut facades = vec![None; kept.len()];
+        let ids = identities(part, &kept);
         for (number, i) in (self.nodes.count()..).zip(&written) {
             links[*i].number = number;
             if part.parent(*i).is_none() {
@@ -104,7 +124,9 @@ impl Tree {
             let node = &part.nodes[i];
             let children = links[i].first_child.map(|first| Children(first, &links));
             let shown = node.mesh.and_then(&mesh).map(Index::new);
-            self.nodes.push(&made(node, children, shown))?;
+            let parent = part.parent(i);
+            facades[i] = node.facade.or_else(|| facades[parent?]);
+            self.nodes.push(&made((node, &ids[i], facades[i]), children, shown))?;
         }
         Ok(())
     }
@@ -128,8 +150,9 @@ impl Tree {
     }
 }
 
+/// Makes a node with its name and the number of its facade.
 fn made<'a>(
-    node: &'a scene::Node,
+    (node, id, facade): (&'a scene::Node, &'a str, Option<u32>),
     children: Option<Children<'a>>,
     mesh: Option<Index<Mesh>>,
 ) -> Node<'a> {
@@ -141,9 +164,16 @@ fn made<'a>(
             kind: node.kind.word(),
             code: node.code.as_deref(),
             storey: node.storey,
+            facade,
+            ja: node.names.as_ref().map(|names| &*names.ja),
+            en: node.names.as_ref().map(|names| &*names.en),
             span: node.span,
             file: node.span.map(|s| s.file.0).filter(|file| *file > 0),
+            source: node.file.as_deref(),
+            line: node.place.map(|place| place.line),
+            column: node.place.map(|place| place.column),
             shape: node.shape.as_deref(),
+            id,
         },
         mesh,
         name: node.called(),

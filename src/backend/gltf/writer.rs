@@ -7,8 +7,11 @@ use super::shapes::Shapes;
 use super::{Glb, Gltf, Model};
 use crate::backend::spool::{NewSpool, in_memory};
 use crate::backend::{Images, OutFile, sound};
-use crate::scene::{Detail, Material, MeshId, Scene, ScenePart};
-use gltf::json::{Asset, Root};
+use crate::scene::{Detail, Material, MeshId, Provenance, Scene, ScenePart};
+use gltf::json::{Asset, Extras, Root};
+use serde::Serialize;
+use serde_json::value::to_raw_value;
+use std::collections::BTreeMap;
 use std::io;
 use std::ops::Range;
 
@@ -22,6 +25,9 @@ pub struct Writer<'n> {
     /// The houses that are still to be written, if houses have common meshes.
     pub(super) group: Group,
     joins: bool,
+    /// The level of detail of the houses.
+    detail: Detail,
+    provenance: Provenance,
 }
 
 impl<'n> Writer<'n> {
@@ -36,6 +42,8 @@ impl<'n> Writer<'n> {
             tree: Tree::new(new)?,
             group: Group::default(),
             joins: false,
+            detail: Detail::default(),
+            provenance: Provenance::default(),
         })
     }
 
@@ -46,10 +54,16 @@ impl<'n> Writer<'n> {
         Writer { joins, ..self }
     }
 
+    /// Tells what the model is made from.
+    pub fn made_from(&mut self, provenance: &Provenance) {
+        self.provenance = provenance.clone();
+    }
+
     /// Adds houses. Images must be there, except baked pages, which are needed at the end only.
     ///
     /// # Errors Those of the spools.
     pub fn add(&mut self, part: ScenePart<'_>, images: &dyn Images) -> io::Result<()> {
+        self.detail = part.detail;
         self.materials.flat = part.detail == Detail::Body;
         if self.joins && self.materials.flat {
             return self.join(part, images);
@@ -132,6 +146,7 @@ impl<'n> Writer<'n> {
         self.write_group()?;
         self.shapes.stretch(grown)?;
         let mut root = root();
+        root.asset.extras = made_from(&self.provenance, self.detail);
         if self.group.is_used() {
             root.extensions_used.push(FEATURES.to_owned());
         }
@@ -161,6 +176,7 @@ pub(crate) fn glb_of_houses<'a>(
 ) -> Glb<'a> {
     let write = || {
         let mut writer = Writer::new(&in_memory)?;
+        writer.made_from(&scene.provenance);
         // Names of images are those of the whole model.
         writer.number_materials(scene.whole(), images);
         for house in houses {
@@ -169,6 +185,30 @@ pub(crate) fn glb_of_houses<'a>(
         writer.model(&scene.materials, images, &[])
     };
     Glb::beside_of(write().expect("memory takes every byte"), stem).0
+}
+
+/// Returns the extras of an asset; none if nothing is known of its files.
+pub(super) fn made_from(provenance: &Provenance, detail: Detail) -> Extras {
+    #[derive(Serialize)]
+    struct MadeFrom<'a> {
+        files: &'a [String],
+        #[serde(skip_serializing_if = "Option::is_none")]
+        seed: Option<u64>,
+        #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+        parameters: BTreeMap<&'a str, &'a str>,
+        detail: usize,
+    }
+    if provenance.files.is_empty() {
+        return None;
+    }
+    let parameters = provenance.parameters.iter();
+    let made = MadeFrom {
+        files: &provenance.files,
+        seed: provenance.seed,
+        parameters: parameters.map(|(name, value)| (&**name, &**value)).collect(),
+        detail: detail as usize,
+    };
+    to_raw_value(&made).ok()
 }
 
 /// Returns an empty root.

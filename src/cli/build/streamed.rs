@@ -114,9 +114,12 @@ impl<'n> Started<'n> {
     }
 
     /// Returns the files of a model whose houses are all there.
-    fn finish<'t>(self, town: &'t Streamed, output: &Path, beside: bool) -> io::Result<Files<'t>> {
+    fn finish<'t>(mut self, town: &'t Streamed, output: &Path, beside: bool) -> io::Result<Files<'t>> {
         let (materials, images, grown) = (&town.materials, &town.library, &town.grown);
         let stem = output.file_stem().unwrap_or_default().to_string_lossy();
+        if let Started::Glb(writer) | Started::Gltf(writer) = &mut self {
+            writer.made_from(&town.provenance);
+        }
         Ok(match self {
             Started::Glb(writer) if beside => {
                 let (glb, beside) = writer.glb_beside(materials, images, grown, &stem)?;
