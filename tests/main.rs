@@ -46,6 +46,7 @@ mod mistakes;
 mod monuments;
 mod order;
 mod outlines;
+mod outputs;
 mod parse_legacy;
 mod parse_legacy_robust;
 mod parse_xml;

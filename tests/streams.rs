@@ -99,7 +99,7 @@ fn plain_files(source: &Source, world: &dyn World, detail: Detail) -> Files {
     let mut files = obj::obj(&compiled.scene, &library, "a");
     files.extend(gltf(&compiled.scene, &library, "a"));
     let own = files.into_iter().map(|f| (f.name, f.bytes.into_owned()));
-    let stl = ("a.stl".to_owned(), stl::stl(&compiled.scene));
+    let stl = ("a.stl".to_owned(), stl::stl(&compiled.scene, stl::Print::default()));
     own.chain([stl]).collect()
 }
 
@@ -109,7 +109,7 @@ fn plain_streams(source: &Source, world: &dyn World, detail: Detail) -> io::Resu
     let mut writers = (
         obj::Writer::new(new)?,
         Writer::new(new)?,
-        stl::Writer::new(new)?,
+        stl::Writer::new(stl::Print::default(), new)?,
     );
     let mut sink = |part: ScenePart<'_>, images: &Library| {
         writers.0.add(part, images)?;

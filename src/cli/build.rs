@@ -1,6 +1,7 @@
 //! `hsd build`: builds 3D models from house files.
 
 mod bake;
+mod format;
 pub(in crate::cli) mod draw;
 mod job;
 pub(in crate::cli) mod plan;
@@ -17,6 +18,8 @@ use super::{Failure, Outcome};
 #[cfg(feature = "compress")]
 use crate::backend::gltf::{Glb, Ktx2};
 use crate::backend::images::Library;
+use crate::backend::spool::in_memory;
+use crate::backend::stl;
 use crate::cli::files::input::{Inputs, STDIN};
 use crate::cli::files::output;
 use crate::cli::files::output::Model;
@@ -31,6 +34,7 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use job::{Job, each};
 use statistics::{statistics, summary};
+use streamed::{Finished, Started};
 use std::cell::OnceCell;
 use std::io::{self, IsTerminal, Write};
 use std::num::NonZeroU32;
@@ -67,6 +71,7 @@ pub(super) struct Build {
     /// Write a .glb for the web: several times smaller, but requires instancing, meshopt and KTX2 support.
     ///
     /// Houses, storeys and parts have no nodes of their own and no extras. Encoding the textures takes some seconds.
+    /// Blender cannot read such a file.
     #[arg(long, conflicts_with = "textures_beside")]
     compress: bool,
 
@@ -95,6 +100,9 @@ pub(super) struct Build {
 
     #[command(flatten)]
     bake_args: bake::BakeArgs,
+
+    #[command(flatten)]
+    format_args: format::FormatArgs,
 
     /// Rebuild whenever a source file or an image changes, until interrupted.
     #[arg(long)]
@@ -130,6 +138,7 @@ impl Build {
         for job in &jobs {
             self.check_compress(job)?;
             self.check_join(job)?;
+            self.format_args.check(job)?;
             job.check_overwrite()?;
             job.check_terminal()?;
         }
@@ -202,6 +211,11 @@ impl Build {
         let mut library = driver::pictures(paths, building, &world, &limits, &mut out);
         library.bake(&scene.baked);
         driver::flaws(&compiled, &mut out);
+        if job.model == Model::Stl {
+            let mut printed = stl::Writer::new(self.format_args.print(), &in_memory)?;
+            printed.add(compiled.scene.whole())?;
+            self.format_args.report_thin(printed.thin(), &mut out);
+        }
         let list = out.into_sorted();
         let beside = compiled.included.iter().map(Source::name);
         let beside = beside.chain(paths.iter().map(String::as_str));
@@ -225,8 +239,15 @@ impl Build {
             if self.compress {
                 return compressed(scene, &library, &job.output);
             }
-            let beside = self.textures_beside;
-            let files = job.model.files(scene, &library, &job.output, beside);
+            let mut model = Started::new(job.model, self, &in_memory)?;
+            model.add(scene.whole(), &library)?;
+            let made = Finished {
+                materials: &scene.materials,
+                library: &library,
+                grown: &[],
+                provenance: &scene.provenance,
+            };
+            let files = model.finish(made, &job.output, self.textures_beside)?;
             output::write_model(&job.output, files, &read)
         })?;
         if progress.verbose || self.stats {

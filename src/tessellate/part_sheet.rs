@@ -7,6 +7,7 @@ use crate::catalog::{PartDef, Stance};
 use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, Node, NodeId, Scene};
+use crate::tessellate::wall::names_of;
 use crate::tessellate::assembly::{HouseDrafts, SceneBuilder};
 use crate::tessellate::bake::{Lens, Picture, bake};
 use crate::tessellate::mesh::panel::extent;
@@ -64,6 +65,7 @@ pub fn scene(parts: &[&PartDef], detail: Detail) -> Scene {
                 dvec3(x, 0.0, 0.0),
             );
             part.code = Some(code.into());
+            part.names = Some(names_of(definition));
             part.mesh = Some(store.push(mesh));
             nodes.push(part);
             x += definition.width() * UNIT + APART;

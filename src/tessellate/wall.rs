@@ -348,10 +348,7 @@ impl Walker<'_> {
         let node = self.node(Some(slot.facade), Kind::Part, name, at);
         node.mesh = Some(mesh);
         node.code = part.map(|_| code.into());
-        node.names = part.map(|part| PartNames {
-            ja: part.ja.clone(),
-            en: part.en.clone(),
-        });
+        node.names = part.map(names_of);
         node.storey = Some(level.storey.number);
         node.span = Some(unit.span);
     }
@@ -448,6 +445,14 @@ impl Walker<'_> {
     /// Returns true if a sub-unit is between posts.
     fn framed(&self, unit: &Unit) -> bool {
         stance(self.catalog, &unit.content).0 == Stance::Posts
+    }
+}
+
+/// Returns the names of a part.
+pub(super) fn names_of(part: &PartDef) -> PartNames {
+    PartNames {
+        ja: part.ja.clone(),
+        en: part.en.clone(),
     }
 }
 

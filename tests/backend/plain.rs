@@ -78,7 +78,7 @@ fn obj_tints_are_in_the_images() {
 
 #[test]
 fn stl_is_in_millimetres() {
-    let stl = stl::stl(&scene());
+    let stl = stl::stl(&scene(), stl::Print::default());
     assert_eq!(&stl[..4], b"hsd ");
     let count = u32::from_le_bytes(stl[80..84].try_into().unwrap()) as usize;
     assert_eq!((count, stl.len()), (12, 84 + 12 * 50));

@@ -5,6 +5,7 @@ use super::materials::{MaterialRefs, Materials};
 use super::nodes::{Tree, kept};
 use super::shapes::Shapes;
 use super::{Glb, Gltf, Model};
+use crate::backend::merged::MergedHouses;
 use crate::backend::spool::{NewSpool, in_memory};
 use crate::backend::{Images, OutFile, sound};
 use crate::scene::{Detail, Material, MeshId, Provenance, Scene, ScenePart};
@@ -25,6 +26,9 @@ pub struct Writer<'n> {
     /// The houses that are still to be written, if houses have common meshes.
     pub(super) group: Group,
     joins: bool,
+    merges: bool,
+    /// The number of houses that were merged.
+    merged: u32,
     /// The level of detail of the houses.
     detail: Detail,
     provenance: Provenance,
@@ -42,6 +46,8 @@ impl<'n> Writer<'n> {
             tree: Tree::new(new)?,
             group: Group::default(),
             joins: false,
+            merges: false,
+            merged: 0,
             detail: Detail::default(),
             provenance: Provenance::default(),
         })
@@ -52,6 +58,20 @@ impl<'n> Writer<'n> {
     #[must_use]
     pub fn joining(self, joins: bool) -> Writer<'n> {
         Writer { joins, ..self }
+    }
+
+    /// From now on, each house is one mesh with a primitive for each material. As for [`joining`](Writer::joining), the meshes
+    /// of all houses must be in the parts that show them.
+    #[must_use]
+    pub fn merging(self, merges: bool) -> Writer<'n> {
+        Writer { merges, ..self }
+    }
+
+    /// From now on, vertices have no tangents.
+    #[must_use]
+    pub fn without_tangents(mut self, without: bool) -> Writer<'n> {
+        self.materials.no_tangents = without;
+        self
     }
 
     /// Tells what the model is made from.
@@ -68,6 +88,16 @@ impl<'n> Writer<'n> {
         if self.joins && self.materials.flat {
             return self.join(part, images);
         }
+        if self.merges {
+            let houses = MergedHouses::of(part, self.merged);
+            self.merged += houses.count();
+            return self.add_nodes(houses.part(part), images);
+        }
+        self.add_nodes(part, images)
+    }
+
+    /// Adds houses as they are.
+    fn add_nodes(&mut self, part: ScenePart<'_>, images: &dyn Images) -> io::Result<()> {
         for id in part.nodes.iter().filter_map(|node| node.mesh) {
             let materials = (&mut self.materials, images);
             self.shapes.mesh(id, part, materials, self.new)?;
