@@ -247,7 +247,10 @@ fn glb_reads_back() {
         extras(4),
         r#"{"kind":"part","code":"GDE 2","storey":1,"facade":1,"ja":"格子戸","en":"lattice door","span":[5,10],"line":3,"column":6,"id":"町家/s1/f1/-400.50"}"#
     );
-    assert_eq!(extras(6), r#"{"kind":"roof","shape":"KIR","id":"町家/roof"}"#);
+    assert_eq!(
+        extras(6),
+        r#"{"kind":"roof","shape":"KIR","id":"町家/roof"}"#
+    );
     let door = &root.meshes[0].primitives[0];
     let index = |s| door.attributes[&::gltf::json::validation::Checked::Valid(s)].value();
     use ::gltf::json::mesh::Semantic;

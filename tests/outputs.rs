@@ -118,7 +118,12 @@ fn nodes_tell_where_they_are_written() {
     let parts = nodes(&model).iter().map(|node| &node["extras"]);
     for part in parts.filter(|extras| extras["kind"] == "part") {
         let code = part["code"].as_str().unwrap();
-        let known = run.catalog.parts().iter().find(|p| p.code() == code).unwrap();
+        let known = run
+            .catalog
+            .parts()
+            .iter()
+            .find(|p| p.code() == code)
+            .unwrap();
         assert_eq!(part["ja"], *known.ja);
         assert_eq!(part["en"], *known.en);
         assert!(part["facade"].is_u64() && part["line"].is_u64(), "{part}");
@@ -132,7 +137,9 @@ fn names_of_nodes_are_unique() {
         let model = described(&run.scene);
         let mut known: BTreeMap<&str, usize> = BTreeMap::new();
         for node in nodes(&model) {
-            *known.entry(node["extras"]["id"].as_str().unwrap()).or_insert(0) += 1;
+            *known
+                .entry(node["extras"]["id"].as_str().unwrap())
+                .or_insert(0) += 1;
         }
         let twice: Vec<_> = known.iter().filter(|(_, n)| **n > 1).collect();
         assert!(twice.is_empty(), "{}: {twice:?}", stem(&path));
@@ -156,7 +163,10 @@ fn names_of_nodes_stay_when_neighbours_change() {
     let changed = house("GSI  TOD  KTU  KSK");
     let two = format!("20 0\n9\n\n{}%\n{changed}", "KTU  KTU\n".repeat(4));
     let after = ids(&compile("a.hsd", two.as_bytes()));
-    assert_eq!(after.keys().filter(|id| before.contains_key(*id)).count(), before.len());
+    assert_eq!(
+        after.keys().filter(|id| before.contains_key(*id)).count(),
+        before.len()
+    );
     let same = before.iter().filter(|(id, code)| after[*id] == **code);
     assert_eq!(same.count(), before.len() - 1, "{before:?} {after:?}");
 }
@@ -166,7 +176,12 @@ fn merged(scene: &Scene, tangents: bool) -> Value {
     let writer = gltf::Writer::new(&in_memory).unwrap().merging(true);
     let mut writer = writer.without_tangents(!tangents);
     writer.add(scene.whole(), &NoImages).unwrap();
-    json(&writer.glb(&scene.materials, &NoImages, &[]).unwrap().bytes())
+    json(
+        &writer
+            .glb(&scene.materials, &NoImages, &[])
+            .unwrap()
+            .bytes(),
+    )
 }
 
 /// The primitives that are drawn, and their triangles.
@@ -176,7 +191,11 @@ fn draws(model: &Value) -> (usize, u64) {
         model["accessors"][accessor]["count"].as_u64().unwrap() / 3
     };
     let shown = nodes(model).iter().filter_map(|node| node["mesh"].as_u64());
-    let primitives = shown.flat_map(|m| model["meshes"][m as usize]["primitives"].as_array().unwrap());
+    let primitives = shown.flat_map(|m| {
+        model["meshes"][m as usize]["primitives"]
+            .as_array()
+            .unwrap()
+    });
     primitives.fold((0, 0), |(n, sum), p| (n + 1, sum + indices(p)))
 }
 
@@ -190,7 +209,10 @@ fn merged_houses_have_a_primitive_for_each_material() {
         let houses = run.building.houses.len();
         assert_eq!(nodes(&whole).len(), houses, "{name}");
         let materials = whole["materials"].as_array().unwrap().len();
-        assert!(few <= materials * houses && few * 4 < many, "{name}: {many} to {few}");
+        assert!(
+            few <= materials * houses && few * 4 < many,
+            "{name}: {many} to {few}"
+        );
         let of = |model: &Value| nodes(model)[0]["extras"].clone();
         assert_eq!(of(&apart), of(&whole), "{name}");
     }

@@ -99,7 +99,10 @@ fn plain_files(source: &Source, world: &dyn World, detail: Detail) -> Files {
     let mut files = obj::obj(&compiled.scene, &library, "a");
     files.extend(gltf(&compiled.scene, &library, "a"));
     let own = files.into_iter().map(|f| (f.name, f.bytes.into_owned()));
-    let stl = ("a.stl".to_owned(), stl::stl(&compiled.scene, stl::Print::default()));
+    let stl = (
+        "a.stl".to_owned(),
+        stl::stl(&compiled.scene, stl::Print::default()),
+    );
     own.chain([stl]).collect()
 }
 

@@ -19,7 +19,6 @@ use super::{Failure, Outcome};
 use crate::backend::gltf::{Glb, Ktx2};
 use crate::backend::images::Library;
 use crate::backend::spool::in_memory;
-use crate::backend::stl;
 use crate::cli::files::input::{Inputs, STDIN};
 use crate::cli::files::output;
 use crate::cli::files::output::Model;
@@ -34,12 +33,12 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use job::{Job, each};
 use statistics::{statistics, summary};
-use streamed::{Finished, Started};
 use std::cell::OnceCell;
 use std::io::{self, IsTerminal, Write};
 use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+use streamed::{Finished, Started};
 
 /// Build 3D models from house files.
 ///
@@ -71,7 +70,7 @@ pub(super) struct Build {
     /// Write a .glb for the web: several times smaller, but requires instancing, meshopt and KTX2 support.
     ///
     /// Houses, storeys and parts have no nodes of their own and no extras. Encoding the textures takes some seconds.
-    /// Blender cannot read such a file.
+    /// Blender, as of 5.1, cannot read such a file.
     #[arg(long, conflicts_with = "textures_beside")]
     compress: bool,
 
@@ -212,9 +211,7 @@ impl Build {
         library.bake(&scene.baked);
         driver::flaws(&compiled, &mut out);
         if job.model == Model::Stl {
-            let mut printed = stl::Writer::new(self.format_args.print(), &in_memory)?;
-            printed.add(compiled.scene.whole())?;
-            self.format_args.report_thin(printed.thin(), &mut out);
+            self.format_args.print_scene(scene.whole(), &mut out)?;
         }
         let list = out.into_sorted();
         let beside = compiled.included.iter().map(Source::name);
@@ -241,12 +238,7 @@ impl Build {
             }
             let mut model = Started::new(job.model, self, &in_memory)?;
             model.add(scene.whole(), &library)?;
-            let made = Finished {
-                materials: &scene.materials,
-                library: &library,
-                grown: &[],
-                provenance: &scene.provenance,
-            };
+            let made = Finished::scene(scene, &library);
             let files = model.finish(made, &job.output, self.textures_beside)?;
             output::write_model(&job.output, files, &read)
         })?;

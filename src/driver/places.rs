@@ -68,7 +68,11 @@ impl<'a> Places<'a> {
 }
 
 /// Returns what a run makes its model from.
-pub(super) fn provenance(sources: &[&Source], included: &[Source], options: &Options) -> Provenance {
+pub(super) fn provenance(
+    sources: &[&Source],
+    included: &[Source],
+    options: &Options,
+) -> Provenance {
     let given = Provenance {
         seed: options.expand.seed,
         parameters: options.parameters.clone(),

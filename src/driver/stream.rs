@@ -173,14 +173,10 @@ fn run_houses(
     };
     let tessellator = Tessellator::new(catalog, shapes);
     let places = Places::new(feed, included);
-    let mut scene = SceneBuilder::new(options.detail);
-    if options.own_meshes {
-        scene.forget_twins();
-    }
     let mut town = Town {
         world,
         options,
-        scene,
+        scene: empty_scene(options),
         library: Library::default(),
         counter: Counter::default(),
         grounds: SpilledGrounds::new(apart, new),
@@ -219,6 +215,15 @@ fn run_houses(
         houses,
         stats: counter.stats(),
     })
+}
+
+/// Returns a scene for the houses of a run.
+fn empty_scene(options: &Options) -> SceneBuilder {
+    let mut scene = SceneBuilder::new(options.detail);
+    if options.own_meshes {
+        scene.forget_twins();
+    }
+    scene
 }
 
 /// Houses that are made but not yet written.

@@ -69,9 +69,16 @@ mod tests {
                 .collect();
             Provenance::default().with_files(sources.iter()).files
         };
-        assert_eq!(names(&["shop.hsd", "parts/door.hsd"]), ["shop.hsd", "parts/door.hsd"]);
         assert_eq!(
-            names(&["/home/town/shop.hsd", "/home/town/in/door.hsd", "/etc/x.hsd"]),
+            names(&["shop.hsd", "parts/door.hsd"]),
+            ["shop.hsd", "parts/door.hsd"]
+        );
+        assert_eq!(
+            names(&[
+                "/home/town/shop.hsd",
+                "/home/town/in/door.hsd",
+                "/etc/x.hsd"
+            ]),
             ["shop.hsd", "in/door.hsd", "x.hsd"]
         );
         assert_eq!(names(&["/x.hsd", "C:\\a\\b.hsd"]), ["x.hsd", "b.hsd"]);

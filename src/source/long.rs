@@ -194,7 +194,9 @@ impl LongFile {
                 let next = layout.cuts.partition_point(|cut| *cut <= start);
                 let next = next.min(self.pieces());
                 let number = next.checked_sub(1)?;
-                let places = self.cut_places.get_or_init(|| self.places().unwrap_or_default());
+                let places = self
+                    .cut_places
+                    .get_or_init(|| self.places().unwrap_or_default());
                 (layout.cuts[number]..layout.cuts[next], *places.get(number)?)
             }
         };

@@ -19,7 +19,10 @@ fn thin_bodies_are_told_at_the_scale_of_the_print() {
     assert!(done == 0 && told.contains("HSD0606"), "{told}");
     assert!(told.contains("thinner than 0.4 mm"), "{told}");
     assert_eq!(build(&["--scale", "1/100", "-D", "warnings"]).0, 1);
-    assert_eq!(build(&["--scale", "1:100", "--min-wall", "0"]), (0, String::new()));
+    assert_eq!(
+        build(&["--scale", "1:100", "--min-wall", "0"]),
+        (0, String::new())
+    );
     let (_, told) = build(&["--scale", "1:100", "--variants", "2"]);
     assert!(told.contains("HSD0606"), "{told}");
     assert!(build(&["--scale", "100"]).1.contains("1:100 or 1/100"));
@@ -39,7 +42,15 @@ fn options_belong_to_their_formats() {
         assert_eq!(code(&output), 2, "{option:?}");
     }
     for output in ["a.glb", "a.gltf"] {
-        let all = ["build", "sound.hsd", "-o", output, "--merge", "material", "--no-tangents"];
+        let all = [
+            "build",
+            "sound.hsd",
+            "-o",
+            output,
+            "--merge",
+            "material",
+            "--no-tangents",
+        ];
         assert_eq!(code(&hsd(folder.path(), &all)), 0);
     }
 }

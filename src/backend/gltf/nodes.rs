@@ -8,9 +8,9 @@ use crate::backend::sound;
 use crate::backend::spool::{List, NewSpool};
 use crate::scene::{self, MeshId, ScenePart};
 use crate::source::Span;
-use identity::identities;
 use glam::DVec2;
 use gltf::json::{self, Index, Mesh, Root};
+use identity::identities;
 use serde::{Serialize, Serializer};
 use std::{io, iter};
 
@@ -126,7 +126,8 @@ impl Tree {
             let shown = node.mesh.and_then(&mesh).map(Index::new);
             let parent = part.parent(i);
             facades[i] = node.facade.or_else(|| facades[parent?]);
-            self.nodes.push(&made((node, &ids[i], facades[i]), children, shown))?;
+            self.nodes
+                .push(&made((node, &ids[i], facades[i]), children, shown))?;
         }
         Ok(())
     }

@@ -235,7 +235,9 @@ pub(super) fn made_from(provenance: &Provenance, detail: Detail) -> Extras {
     let made = MadeFrom {
         files: &provenance.files,
         seed: provenance.seed,
-        parameters: parameters.map(|(name, value)| (&**name, &**value)).collect(),
+        parameters: parameters
+            .map(|(name, value)| (&**name, &**value))
+            .collect(),
         detail: detail as usize,
     };
     to_raw_value(&made).ok()

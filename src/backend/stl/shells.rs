@@ -89,7 +89,9 @@ impl Shells {
             self.points
                 .push(self.points[corner as usize] - way * (sheet / share));
         }
-        let back = front.iter().map(|[a, b, c]| [behind[a], behind[c], behind[b]]);
+        let back = front
+            .iter()
+            .map(|[a, b, c]| [behind[a], behind[c], behind[b]]);
         self.triangles.extend(back);
         for ([a, b], times) in open {
             let (a, b) = if times > 0 { (a, b) } else { (b, a) };
@@ -297,7 +299,10 @@ mod tests {
 
     #[test]
     fn blocks_that_share_an_edge_are_closed_each() {
-        let other: Vec<[f32; 3]> = CUBE.iter().map(|[x, y, z]| [x + 1.0, y + 2.0, *z]).collect();
+        let other: Vec<[f32; 3]> = CUBE
+            .iter()
+            .map(|[x, y, z]| [x + 1.0, y + 2.0, *z])
+            .collect();
         let mut indices: Vec<u32> = SIDES.iter().flatten().copied().collect();
         indices.extend(SIDES.iter().flatten().map(|i| i + 8));
         let points: Vec<[f32; 3]> = CUBE.into_iter().chain(other).collect();

@@ -1,14 +1,17 @@
 //! Options of single formats: how a `.glb` or `.gltf` is divided, and how an `.stl` is printed.
 
 use super::Job;
-use crate::backend::stl::{Print, ThinBodies};
+use crate::backend::spool::in_memory;
+use crate::backend::stl::{self, Print, ThinBodies};
 use crate::cli::Failure;
 use crate::cli::files::output::Model;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::pictures::thin_bodies;
+use crate::scene::ScenePart;
 use crate::source::Span;
 use crate::text;
 use clap::{Args, ValueEnum};
+use std::io;
 
 /// The options of formats.
 #[derive(Clone, Copy, Debug, Args)]
@@ -20,7 +23,7 @@ pub(super) struct FormatArgs {
     #[arg(long, value_enum, value_name = "BY", conflicts_with_all = ["compress", "join"])]
     pub(super) merge: Option<Merge>,
 
-    /// Leave tangents out of a .glb or .gltf: a fifth of the geometry of textured surfaces.
+    /// Leave tangents out of a .glb or .gltf: a third of the vertices of surfaces with relief.
     ///
     /// Programs that show relief compute them then.
     #[arg(long, conflicts_with_all = ["compress", "join"])]
@@ -64,6 +67,11 @@ impl FormatArgs {
         Ok(())
     }
 
+    /// Returns true if a model needs meshes of its own for each house.
+    pub(super) fn has_own_meshes(&self, model: Model) -> bool {
+        self.merge.is_some() || matches!(model, Model::Obj | Model::Stl)
+    }
+
     /// Returns how an `.stl` is printed.
     pub(super) fn print(&self) -> Print {
         let usual = Print::default();
@@ -71,6 +79,18 @@ impl FormatArgs {
             scale: self.scale.unwrap_or(usual.scale),
             min_wall: self.min_wall.unwrap_or(usual.min_wall),
         }
+    }
+
+    /// Reports bodies of a scene that are too thin.
+    pub(super) fn print_scene(
+        &self,
+        scene: ScenePart<'_>,
+        out: &mut Diagnostics,
+    ) -> io::Result<()> {
+        let mut printed = stl::Writer::new(self.print(), &in_memory)?;
+        printed.add(scene)?;
+        self.report_thin(printed.thin(), out);
+        Ok(())
     }
 
     /// Reports bodies that are too thin.
@@ -88,7 +108,12 @@ impl FormatArgs {
 fn scale(text: &str) -> Result<f64, &'static str> {
     let wrong = "expected a scale, as in 1:100 or 1/100";
     let (model, real) = text.split_once([':', '/']).ok_or(wrong)?;
-    let number = |t: &str| t.trim().parse().ok().filter(|x: &f64| (1e-6..1e9).contains(x));
+    let number = |t: &str| {
+        t.trim()
+            .parse()
+            .ok()
+            .filter(|x: &f64| (1e-6..1e9).contains(x))
+    };
     match (number(model), number(real)) {
         (Some(model), Some(real)) => Ok(real / model),
         _ => Err(wrong),

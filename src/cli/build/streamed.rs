@@ -10,8 +10,8 @@ use crate::cli::Failure;
 use crate::cli::files::input::{Inputs, STDIN};
 use crate::cli::files::output::{self, Files, Model, folder_of};
 use crate::diagnostic::Diagnostics;
-use crate::driver::{self, Feed};
-use crate::scene::{Material, Provenance, ScenePart};
+use crate::driver::{self, Feed, Streamed};
+use crate::scene::{Material, Provenance, Scene, ScenePart};
 use crate::source::Source;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -36,9 +36,7 @@ impl Build {
         let inputs = Inputs::in_pieces(&job.inputs, &limits, &mut out)?;
         let world = self.input_args.world(&job.inputs);
         let options = driver::Options {
-            own_meshes: self.join
-                || self.format_args.merge.is_some()
-                || matches!(job.model, Model::Obj | Model::Stl),
+            own_meshes: self.join || self.format_args.has_own_meshes(job.model),
             ..self.options(job.seed, &inputs, &mut out)?
         };
         let folder = spool_folder(&job.output);
@@ -74,12 +72,7 @@ impl Build {
         }
         let mut times = std::mem::take(&mut town.times);
         let (size, sizes) = driver::timed(&mut times, "write", || {
-            let made = Finished {
-                materials: &town.materials,
-                library: &town.library,
-                grown: &town.grown,
-                provenance: &town.provenance,
-            };
+            let made = Finished::town(&town);
             let files = model.finish(made, &job.output, self.textures_beside);
             let files = files.map_err(failed)?;
             let sizes = files.sizes();
@@ -105,6 +98,28 @@ pub(super) struct Finished<'t> {
     /// The factors by which distances from the upper edge of each baked page have grown; none of a whole scene.
     pub(super) grown: &'t [f32],
     pub(super) provenance: &'t Provenance,
+}
+
+impl<'t> Finished<'t> {
+    /// Returns what is left of a streamed run.
+    fn town(town: &'t Streamed) -> Finished<'t> {
+        Finished {
+            materials: &town.materials,
+            library: &town.library,
+            grown: &town.grown,
+            provenance: &town.provenance,
+        }
+    }
+
+    /// Returns what is known of a whole scene.
+    pub(super) fn scene(scene: &'t Scene, library: &'t Library) -> Finished<'t> {
+        Finished {
+            materials: &scene.materials,
+            library,
+            grown: &[],
+            provenance: &scene.provenance,
+        }
+    }
 }
 
 /// A model that takes houses one after another.

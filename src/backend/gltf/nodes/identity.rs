@@ -62,7 +62,9 @@ fn own(node: &Node, parent: Option<&Node>) -> CompactString {
             }
         }
         _ => {
-            let storey = node.storey.filter(|_| parent.is_some_and(|p| p.storey.is_none()));
+            let storey = node
+                .storey
+                .filter(|_| parent.is_some_and(|p| p.storey.is_none()));
             let storey = storey.map_or(CompactString::default(), |s| format_compact!("{s}"));
             match [x, y, z] {
                 [0, 0, 0] => format_compact!("{kind}{storey}"),
