@@ -25,7 +25,6 @@ pub use reading::{folded, narrow};
 pub use search::Query;
 use serde::{Serialize, Serializer};
 use std::collections::BTreeSet;
-use std::sync::Arc;
 use value::Mm;
 
 /// Index of a part in its [`Catalog`].
@@ -81,11 +80,11 @@ pub struct PartDef {
     code: CodeText,
     class: char,
     /// The Japanese name.
-    pub ja: Arc<str>,
+    pub ja: Box<str>,
     /// The romanised Japanese name.
     pub romaji: Box<str>,
     /// The English name.
-    pub en: Arc<str>,
+    pub en: Box<str>,
     /// Other names by which a search finds it, in any script.
     pub aliases: Box<[Box<str>]>,
     width: f64,
@@ -200,9 +199,9 @@ impl Serialize for PartDef {
         out.serialize_field("code", self.code())?;
         out.serialize_field("class", &self.class())?;
         out.serialize_field("opening", &self.opening())?;
-        out.serialize_field("ja", &*self.ja)?;
+        out.serialize_field("ja", &self.ja)?;
         out.serialize_field("romaji", &self.romaji)?;
-        out.serialize_field("en", &*self.en)?;
+        out.serialize_field("en", &self.en)?;
         out.serialize_field("aliases", &self.aliases)?;
         out.serialize_field("width", &self.width)?;
         out.serialize_field("from", &rounded(self.from))?;

@@ -19,6 +19,7 @@ use crate::source::Span;
 use compact_str::CompactString;
 use glam::{DVec2, DVec3};
 use serde::Serialize;
+use std::num::NonZeroU32;
 use std::sync::Arc;
 
 /// The input of every back end.
@@ -296,15 +297,15 @@ pub struct Node {
     pub storey: Option<u32>,
     /// `extras.facade`: the number of a wall in its storey.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub facade: Option<u32>,
+    pub facade: Option<NonZeroU32>,
     /// The names of a part.
     #[serde(skip)]
-    pub names: Option<PartNames>,
+    pub names: Option<Arc<PartNames>>,
     /// `extras.span`: a byte range of the source.
     pub span: Option<Span>,
     /// The name of the file of the span, for a house and for what is written in another file than its house.
     #[serde(skip)]
-    pub file: Option<Arc<str>>,
+    pub file: Option<Arc<String>>,
     /// Where the span begins, if the sources are at hand.
     #[serde(skip)]
     pub place: Option<Place>,

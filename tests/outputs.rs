@@ -102,7 +102,9 @@ fn nodes_tell_where_they_are_written() {
     for path in texts("examples") {
         let run = compile_file(&path);
         for node in run.scene.nodes.iter().filter(|n| n.kind != Kind::Ground) {
-            let place = node.place.map(|p| (p.line as usize, p.column as usize));
+            let place = node
+                .place
+                .map(|p| (p.line.get() as usize, p.column as usize));
             let span = node.span.map(|span| run.file(span).line_column(span));
             assert_eq!(place, span, "{} {}", stem(&path), node.name);
         }

@@ -35,6 +35,7 @@ fn streamed(
         &mut out,
         (&mut sink, new),
     )?;
+    writer.made_from(&town.provenance);
     let glb = writer.glb(&town.materials, &town.library, &town.grown)?;
     Ok((glb.bytes(), format!("{:?}", out.into_sorted())))
 }
@@ -135,6 +136,7 @@ fn plain_streams(source: &Source, world: &dyn World, detail: Detail) -> io::Resu
     let (text, beside) = writers.0.finish(materials, images, grown, "a");
     let mut files = owned(beside);
     files.push(poured("a.obj", |out| text.write(out))?);
+    writers.1.made_from(&town.provenance);
     let made = writers.1.gltf(materials, images, grown, "a")?;
     files.extend(owned(made.images));
     let buffer = made.buffer.expect("houses have vertices");

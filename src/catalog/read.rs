@@ -8,7 +8,6 @@ use crate::diagnostic::messages::catalog as say;
 use crate::diagnostic::messages::xml as elements;
 use crate::diagnostic::{Diagnostics, Noun, noun};
 use crate::source::Spanned;
-use std::sync::Arc;
 
 /// The maximum width of a part, U.
 const WIDEST: f64 = 100.0;
@@ -183,7 +182,7 @@ impl<'a> Head<'a> {
     }
 
     /// Returns a name; by default the code of the part.
-    fn name(&self, name: &str, code: &CodeText) -> Arc<str> {
+    fn name(&self, name: &str, code: &CodeText) -> Box<str> {
         match self.text(name) {
             "" => code.as_str().trim_end().into(),
             text => text.into(),

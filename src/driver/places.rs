@@ -6,6 +6,7 @@ use super::pieces::Feed;
 use crate::scene::{Node, Place, Provenance};
 use crate::source::{FileId, Lines, LongFile, PieceLines, Source, Span};
 use std::collections::HashMap;
+use std::num::NonZeroU32;
 use std::sync::Arc;
 
 /// The lines of all sources of a run.
@@ -13,7 +14,7 @@ pub(super) struct Places<'a> {
     whole: HashMap<FileId, (&'a Source, Lines<&'a str>)>,
     long: &'a [Arc<LongFile>],
     /// The names of the files by their numbers.
-    names: Vec<Arc<str>>,
+    names: Vec<Arc<String>>,
 }
 
 impl<'a> Places<'a> {
@@ -26,7 +27,7 @@ impl<'a> Places<'a> {
         Places {
             whole: whole.map(lines).collect(),
             long: feed.long,
-            names: names.files.into_iter().map(Arc::from).collect(),
+            names: names.files.into_iter().map(Arc::new).collect(),
         }
     }
 
@@ -36,7 +37,10 @@ impl<'a> Places<'a> {
         let mut home = None;
         for node in nodes {
             let place = node.span.and_then(|span| self.place(span, &mut near));
-            node.place = place.map(|(line, column)| Place { line, column });
+            node.place = place.and_then(|(line, column)| {
+                let line = NonZeroU32::new(line)?;
+                Some(Place { line, column })
+            });
             let file = node.span.map(|span| span.file);
             if node.parent.is_none() || (file.is_some() && file != home) {
                 let name = file.and_then(|file| self.names.get(file.0 as usize));

@@ -1,24 +1,24 @@
 //! What a model was made from, and where in it each thing is written: for people who look at it in other programs.
 
 use crate::source::Source;
-use std::sync::Arc;
+use std::num::NonZeroU32;
 
 /// A place in a source file as people name it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
     /// The line, from 1.
-    pub line: u32,
+    pub line: NonZeroU32,
     /// The column in characters, from 1.
     pub column: u32,
 }
 
-/// The names of a part; a town has a million parts and some hundred names.
+/// The names of a part.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PartNames {
     /// The Japanese name.
-    pub ja: Arc<str>,
+    pub ja: Box<str>,
     /// The English name.
-    pub en: Arc<str>,
+    pub en: Box<str>,
 }
 
 /// What a model was made from.

@@ -25,6 +25,8 @@ use crate::tessellate::wall::member::LintelRoom;
 use crate::tessellate::{Level, Walker, part, turn_of};
 use compact_str::{CompactString, ToCompactString, format_compact};
 use glam::dvec3;
+use std::num::NonZeroU32;
+use std::sync::Arc;
 
 /// A wall with the properties that its units need of each other.
 pub(super) struct Line<'a> {
@@ -278,7 +280,7 @@ impl Walker<'_> {
         let node = self.node(Some(level.node), Kind::Facade, name, at);
         node.turn = turn_of(wall.direction);
         node.storey = Some(level.storey.number);
-        node.facade = Some(wall.facade);
+        node.facade = NonZeroU32::new(wall.facade);
         node.span = Some(wall.span);
         self.last()
     }
@@ -330,7 +332,7 @@ impl Walker<'_> {
     fn unit(&mut self, level: Level<'_>, slot: Slot<'_>, unit: &Unit) {
         let place = slot.number.0 + slot.within * 1000;
         self.store.weather = self.unit_weather(place, &unit.content, slot.z);
-        let (mesh, code, part): (MeshId, &str, Option<&PartDef>) = match &unit.content {
+        let (mesh, code, names): (MeshId, &str, Option<Arc<PartNames>>) = match &unit.content {
             Content::Void => return,
             Content::Split(split) => return self.split(level, slot, split),
             Content::Part(id) => {
@@ -338,7 +340,9 @@ impl Walker<'_> {
                 if self.catalog.is_void(*id) {
                     return;
                 }
-                (self.part(slot, unit, *id, part), part.code(), Some(part))
+                let names = self.names.entry(*id);
+                let names = names.or_insert_with(|| Arc::new(names_of(part))).clone();
+                (self.part(slot, unit, *id, part), part.code(), Some(names))
             }
             Content::Picture(id) => (self.picture(slot, unit, *id), "picture", None),
         };
@@ -347,8 +351,8 @@ impl Walker<'_> {
         let at = dvec3(slot.x, 0.0, slot.z.0);
         let node = self.node(Some(slot.facade), Kind::Part, name, at);
         node.mesh = Some(mesh);
-        node.code = part.map(|_| code.into());
-        node.names = part.map(names_of);
+        node.code = names.as_ref().map(|_| code.into());
+        node.names = names;
         node.storey = Some(level.storey.number);
         node.span = Some(unit.span);
     }

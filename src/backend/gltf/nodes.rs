@@ -12,6 +12,7 @@ use glam::DVec2;
 use gltf::json::{self, Index, Mesh, Root};
 use identity::identities;
 use serde::{Serialize, Serializer};
+use std::num::NonZeroU32;
 use std::{io, iter};
 
 /// A glTF node. Its translation is f64, unlike in the `gltf` crate: f32 would lose millimetres on a house with map
@@ -125,7 +126,8 @@ impl Tree {
             let children = links[i].first_child.map(|first| Children(first, &links));
             let shown = node.mesh.and_then(&mesh).map(Index::new);
             let parent = part.parent(i);
-            facades[i] = node.facade.or_else(|| facades[parent?]);
+            let own = node.facade.map(NonZeroU32::get);
+            facades[i] = own.or_else(|| facades[parent?]);
             self.nodes
                 .push(&made((node, &ids[i], facades[i]), children, shown))?;
         }
@@ -170,8 +172,8 @@ fn made<'a>(
             en: node.names.as_ref().map(|names| &*names.en),
             span: node.span,
             file: node.span.map(|s| s.file.0).filter(|file| *file > 0),
-            source: node.file.as_deref(),
-            line: node.place.map(|place| place.line),
+            source: node.file.as_ref().map(|name| name.as_str()),
+            line: node.place.map(|place| place.line.get()),
             column: node.place.map(|place| place.column),
             shape: node.shape.as_deref(),
             id,

@@ -58,10 +58,10 @@ impl Shells {
             false => sheet,
         };
         self.thicknesses.push(thickness);
+        self.triangles.extend_from_slice(&body);
         if !open.is_empty() {
             self.back(&body, open, sheet);
         }
-        self.triangles.extend(body);
     }
 
     /// Adds the back of a sheet, and its edges.

@@ -85,7 +85,7 @@ fn card(part: &PartDef, out: &mut String) {
     };
     let (w, h) = picture.dimensions();
     let data = BASE64_STANDARD.encode(texture::jpeg(&picture, 85));
-    let [ja, romaji, en, made] = [&*part.ja, &part.romaji, &part.en, &part.made].map(escaped);
+    let [ja, romaji, en, made] = [&part.ja, &part.romaji, &part.en, &part.made].map(|t| escaped(t));
     let heights = match (part.from, part.to) {
         (Some(from), Some(to)) => format!("{}–{} shaku", rounded(from), rounded(to)),
         _ => "full storey".to_owned(),

@@ -1,10 +1,11 @@
-//! Names by which other programs know a thing again when a model is built anew: `shop/s1/f2/91` is what stands 0.91 m from
-//! the right end of the second facade of the first storey. They come from places, so that they stay when neighbours come,
+//! Names by which other programs know a thing again when a model is built anew: `shop/s1/f2/91` is what has its
+//! left end 0.91 m from the right end of the second facade of the first storey. They come from places, so that they stay when neighbours come,
 //! go or change.
 
 use crate::scene::{Kind, Node, ScenePart};
 use compact_str::{CompactString, format_compact};
 use std::collections::HashMap;
+use std::num::NonZeroU32;
 
 /// Centimetres of a metre: places are rounded to them.
 const CENTIMETRES: f64 = 100.0;
@@ -53,9 +54,18 @@ fn own(node: &Node, parent: Option<&Node>) -> CompactString {
             let letter = node.name.chars().next().unwrap_or('s');
             format_compact!("{letter}{}", node.storey.unwrap_or(0))
         }
-        Kind::Facade => format_compact!("f{}", node.facade.unwrap_or(0)),
+        Kind::Facade => format_compact!("f{}", node.facade.map_or(0, NonZeroU32::get)),
         _ if in_facade => {
-            let word = if node.kind == Kind::Part { "" } else { kind };
+            let word = match node.kind {
+                Kind::Part => CompactString::default(),
+                // A sill, a wall plate; what is numbered has its number from its neighbours.
+                Kind::Member => {
+                    let numbered = |c: char| c.is_ascii_digit() || c == '.' || c == ' ';
+                    let name = node.called().trim_end_matches(numbered);
+                    name.replace([' ', '/'], "-").into()
+                }
+                _ => CompactString::from(kind),
+            };
             match z {
                 0 => format_compact!("{word}{}", -x),
                 z => format_compact!("{word}{}.{z}", -x),
