@@ -155,7 +155,7 @@ pub fn compile(
     let scene = timed(&mut times, "tessellate", || {
         let mut scene = scene(&building, &catalog, options.shapes());
         let feed = Feed::whole(sources);
-        Places::new(feed, &included).tell(scene.nodes.iter_mut());
+        Places::new(feed, &included, options).tell(scene.nodes.iter_mut());
         scene.provenance = provenance(sources, &included, options);
         let message = |place: &Span| too_many_triangles(*place, limits.triangles);
         scene

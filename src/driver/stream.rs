@@ -172,7 +172,7 @@ fn run_houses(
         ..options.shapes()
     };
     let tessellator = Tessellator::new(catalog, shapes);
-    let places = Places::new(feed, included);
+    let places = Places::new(feed, included, options);
     let mut town = Town {
         world,
         options,

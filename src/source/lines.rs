@@ -15,8 +15,11 @@ pub struct Lines<T> {
 impl<T: AsRef<str>> Lines<T> {
     /// Finds the lines of a text whose first character has this line and column, both from 1.
     pub fn new(text: T, first: (u32, u32)) -> Lines<T> {
-        let ends = text.as_ref().bytes().zip(1..).filter(|(b, _)| *b == b'\n');
-        let starts = [0].into_iter().chain(ends.map(|(_, next)| next)).collect();
+        let ends = text.as_ref().match_indices('\n');
+        let starts = [0]
+            .into_iter()
+            .chain(ends.map(|(at, _)| at as u32 + 1))
+            .collect();
         Lines {
             text,
             starts,

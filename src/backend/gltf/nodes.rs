@@ -6,7 +6,7 @@ mod identity;
 use crate::backend::number::Number;
 use crate::backend::sound;
 use crate::backend::spool::{List, NewSpool};
-use crate::scene::{self, MeshId, ScenePart};
+use crate::scene::{self, Detail, MeshId, ScenePart};
 use crate::source::Span;
 use glam::DVec2;
 use gltf::json::{self, Index, Mesh, Root};
@@ -60,7 +60,8 @@ struct Extras<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     shape: Option<&'a str>,
     /// A name that stays when neighbours change.
-    id: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    id: Option<&'a str>,
 }
 
 /// The children of a node: the first child, and the links to its siblings.
@@ -108,7 +109,12 @@ impl Tree {
         let written: Vec<usize> = (0..kept.len()).filter(|i| kept[*i]).collect();
         let mut links = vec![Link::default(); kept.len()];
         let mut facades = vec![None; kept.len()];
-        let ids = identities(part, &kept);
+        // Few details are for towns, in which what is told of each part would be half of the file.
+        let fine = part.detail >= Detail::Openings;
+        let told: Vec<bool> = (0..kept.len())
+            .map(|i| kept[i] && (fine || part.parent(i).is_none()))
+            .collect();
+        let ids = identities(part, &told);
         for (number, i) in (self.nodes.count()..).zip(&written) {
             links[*i].number = number;
             if part.parent(*i).is_none() {
@@ -127,7 +133,7 @@ impl Tree {
             let shown = node.mesh.and_then(&mesh).map(Index::new);
             let parent = part.parent(i);
             let own = node.facade.map(NonZeroU32::get);
-            facades[i] = own.or_else(|| facades[parent?]);
+            facades[i] = own.or_else(|| facades[parent?]).filter(|_| fine);
             self.nodes
                 .push(&made((node, &ids[i], facades[i]), children, shown))?;
         }
@@ -153,7 +159,7 @@ impl Tree {
     }
 }
 
-/// Makes a node with its name and the number of its facade.
+/// Makes a node with its name, if it has one, and the number of its facade.
 fn made<'a>(
     (node, id, facade): (&'a scene::Node, &'a str, Option<u32>),
     children: Option<Children<'a>>,
@@ -161,6 +167,10 @@ fn made<'a>(
 ) -> Node<'a> {
     let at = [node.at.x, node.at.z, -node.at.y].map(Number);
     let stays = at.iter().all(|x| x.millionths() == 0);
+    let told = !id.is_empty();
+    let names = node.names.as_ref().filter(|_| told);
+    let file = node.file.as_ref().filter(|_| told);
+    let place = node.place.filter(|_| told);
     Node {
         children,
         extras: Extras {
@@ -168,15 +178,15 @@ fn made<'a>(
             code: node.code.as_deref(),
             storey: node.storey,
             facade,
-            ja: node.names.as_ref().map(|names| &*names.ja),
-            en: node.names.as_ref().map(|names| &*names.en),
+            ja: names.map(|names| &*names.ja),
+            en: names.map(|names| &*names.en),
             span: node.span,
             file: node.span.map(|s| s.file.0).filter(|file| *file > 0),
-            source: node.file.as_ref().map(|name| name.as_str()),
-            line: node.place.map(|place| place.line.get()),
-            column: node.place.map(|place| place.column),
+            source: file.map(|name| name.as_str()),
+            line: place.map(|place| place.line.get()),
+            column: place.map(|place| place.column),
             shape: node.shape.as_deref(),
-            id,
+            id: told.then_some(id),
         },
         mesh,
         name: node.called(),

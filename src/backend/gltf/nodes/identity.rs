@@ -10,12 +10,12 @@ use std::num::NonZeroU32;
 /// Centimetres of a metre: places are rounded to them.
 const CENTIMETRES: f64 = 100.0;
 
-/// Returns the names of the nodes that are kept.
-pub(super) fn identities(part: ScenePart<'_>, kept: &[bool]) -> Vec<CompactString> {
-    let mut names: Vec<CompactString> = Vec::with_capacity(kept.len());
+/// Returns the names of some nodes and all above them; others have an empty one.
+pub(super) fn identities(part: ScenePart<'_>, named: &[bool]) -> Vec<CompactString> {
+    let mut names: Vec<CompactString> = Vec::with_capacity(named.len());
     let mut taken: HashMap<CompactString, u32> = HashMap::new();
     for (i, node) in part.nodes.iter().enumerate() {
-        if !kept[i] {
+        if !named[i] {
             names.push(CompactString::default());
             continue;
         }
