@@ -58,5 +58,7 @@ fn obj_text(bencher: Bencher<'_, '_>) {
 
 #[divan::bench]
 fn stl_bytes(bencher: Bencher<'_, '_>) {
-    houses(bencher, |scene| stl::stl(scene).len());
+    houses(bencher, |scene| {
+        stl::stl(scene, stl::Print::default()).len()
+    });
 }

@@ -8,6 +8,7 @@ pub mod cityjson;
 pub mod dump;
 pub mod flat;
 pub mod gltf;
+pub mod merged;
 pub(crate) mod names;
 pub mod number;
 pub mod obj;

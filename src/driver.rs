@@ -16,6 +16,8 @@ mod overlaps;
 mod parts;
 mod pieces;
 #[cfg(feature = "models")]
+mod places;
+#[cfg(feature = "models")]
 mod stream;
 #[cfg(feature = "models")]
 mod tile;

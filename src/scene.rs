@@ -7,16 +7,19 @@
 
 mod label;
 mod part;
+mod provenance;
 mod stats;
 
 pub use label::Label;
 pub use part::ScenePart;
+pub use provenance::{PartNames, Place, Provenance};
 pub use stats::{Counter, Stats};
 
 use crate::source::Span;
 use compact_str::CompactString;
 use glam::{DVec2, DVec3};
 use serde::Serialize;
+use std::num::NonZeroU32;
 use std::sync::Arc;
 
 /// The input of every back end.
@@ -41,6 +44,9 @@ pub struct Scene {
     /// The places of houses left out, since they would show too many triangles.
     #[serde(skip)]
     pub oversized: Vec<Span>,
+    /// What it was made from.
+    #[serde(skip)]
+    pub provenance: Provenance,
 }
 
 /// The level of detail: how joinery is divided into geometry and images.
@@ -289,8 +295,20 @@ pub struct Node {
     pub code: Option<Label>,
     /// `extras.storey`.
     pub storey: Option<u32>,
+    /// `extras.facade`: the number of a wall in its storey.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub facade: Option<NonZeroU32>,
+    /// The names of a part.
+    #[serde(skip)]
+    pub names: Option<Arc<PartNames>>,
     /// `extras.span`: a byte range of the source.
     pub span: Option<Span>,
+    /// The name of the file of the span, for a house and for what is written in another file than its house.
+    #[serde(skip)]
+    pub file: Option<Arc<String>>,
+    /// Where the span begins, if the sources are at hand.
+    #[serde(skip)]
+    pub place: Option<Place>,
     /// `extras.shape` of a roof.
     pub shape: Option<Label>,
 }
@@ -307,7 +325,11 @@ impl Node {
             mesh: None,
             code: None,
             storey: None,
+            facade: None,
+            names: None,
             span: None,
+            file: None,
+            place: None,
             shape: None,
         }
     }

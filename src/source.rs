@@ -7,12 +7,14 @@
 
 mod cache;
 mod limits;
+mod lines;
 mod long;
 mod reference;
 
 pub use crate::source::cache::{CacheFull, SourceCache};
 pub use limits::Limits;
-pub use long::{Layout, LongFile};
+pub use lines::Lines;
+pub use long::{Layout, LongFile, PieceLines};
 #[cfg(feature = "models")]
 pub(crate) use reference::reference;
 

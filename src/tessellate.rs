@@ -25,9 +25,9 @@ mod weather;
 use crate::ast::StoreyKind;
 use crate::building::fittings::{Fitting, FittingKind};
 use crate::building::{Building, Built, Ceiling, Fixture, House, Ring, Room, Soffit, Storey};
-use crate::catalog::Catalog;
+use crate::catalog::{Catalog, PartId};
 use crate::geometry::{Heading, SAME};
-use crate::scene::{Detail, Kind, Node, NodeId, Scene, Shown};
+use crate::scene::{Detail, Kind, Node, NodeId, PartNames, Scene, Shown};
 use crate::source::Limits;
 use crate::tessellate::roof::mesh_key::Roofs;
 use crate::tessellate::wall::Line;
@@ -42,6 +42,8 @@ use glam::{DVec2, DVec3, dvec2, dvec3};
 use rayon::prelude::*;
 use rooms::{FixtureMeshes, MatMeshes};
 use std::cell::OnceCell;
+use std::collections::HashMap;
+use std::sync::Arc;
 use store::Store;
 use store::bank::Bank;
 use weather::Weather;
@@ -132,6 +134,7 @@ impl<'c> Tessellator<'c> {
             rooms: Rooms::default(),
             fixtures: FixtureMeshes::default(),
             mats: MatMeshes::default(),
+            names: HashMap::new(),
             aged: None,
             air: None,
             nodes: Vec::with_capacity(budget::nodes(houses)),
@@ -173,6 +176,8 @@ struct Walker<'a> {
     rooms: Rooms,
     fixtures: FixtureMeshes,
     mats: MatMeshes,
+    /// The names of the parts so far.
+    names: HashMap<PartId, Arc<PartNames>>,
     nodes: Vec<Node>,
     /// The house in the making.
     root: NodeId,

@@ -5,10 +5,13 @@ mod plain;
 use glam::{dvec2, dvec3};
 use hsd::backend::{Images, NoImages, PictureBytes, SurfaceFiles, dump, gltf, obj, sound, stl};
 use hsd::scene::{
-    Detail, Image, Kind, Material, MaterialId, Mesh, MeshId, Node, NodeId, Primitive, Scene,
+    Detail, Image, Kind, Material, MaterialId, Mesh, MeshId, Node, NodeId, PartNames, Place,
+    Primitive, Scene,
 };
 use hsd::source::{FileId, Span};
 use std::borrow::Cow;
+use std::num::NonZeroU32;
+use std::sync::Arc;
 
 struct Pictures {
     png: Vec<u8>,
@@ -92,7 +95,11 @@ fn node(parent: Option<u32>, kind: Kind, name: &str, mesh: Option<u32>) -> Node 
         mesh: mesh.map(MeshId),
         code: None,
         storey: None,
+        facade: None,
+        names: None,
         span: None,
+        file: None,
+        place: None,
         shape: None,
     }
 }
@@ -114,6 +121,14 @@ fn scene() -> Scene {
             file: FileId(0),
             start,
             end: start + 5,
+        }),
+        names: Some(Arc::new(PartNames {
+            ja: "格子戸".into(),
+            en: "lattice door".into(),
+        })),
+        place: Some(Place {
+            line: NonZeroU32::new(3).unwrap(),
+            column: start + 1,
         }),
         ..node(Some(2), Kind::Part, "GDE 2", Some(0))
     };
@@ -140,8 +155,14 @@ fn scene() -> Scene {
                 turn: dvec2(0.0, 1.0),
                 ..node(None, Kind::House, "町家", None)
             },
-            node(Some(0), Kind::Storey, "storey 1", None),
-            node(Some(1), Kind::Facade, "facade 1", None),
+            Node {
+                storey: Some(1),
+                ..node(Some(0), Kind::Storey, "storey 1", None)
+            },
+            Node {
+                facade: NonZeroU32::new(1),
+                ..node(Some(1), Kind::Facade, "facade 1", None)
+            },
             part(1.0, 0),
             part(4.0, 5),
             node(Some(2), Kind::Part, "sign", Some(1)),
@@ -155,6 +176,7 @@ fn scene() -> Scene {
         baked: vec![],
         mirrored: vec![],
         oversized: vec![],
+        provenance: Default::default(),
     }
 }
 
@@ -222,12 +244,15 @@ fn glb_reads_back() {
         (2, 3, 4)
     );
     let extras = |i: usize| root.nodes[i].extras.as_ref().unwrap().get().to_owned();
-    assert_eq!(extras(0), r#"{"kind":"house"}"#);
+    assert_eq!(extras(0), r#"{"kind":"house","id":"町家"}"#);
     assert_eq!(
         extras(4),
-        r#"{"kind":"part","code":"GDE 2","storey":1,"span":[5,10]}"#
+        r#"{"kind":"part","code":"GDE 2","storey":1,"facade":1,"ja":"格子戸","en":"lattice door","span":[5,10],"line":3,"column":6,"id":"町家/s1/f1/-400.50"}"#
     );
-    assert_eq!(extras(6), r#"{"kind":"roof","shape":"KIR"}"#);
+    assert_eq!(
+        extras(6),
+        r#"{"kind":"roof","shape":"KIR","id":"町家/roof"}"#
+    );
     let door = &root.meshes[0].primitives[0];
     let index = |s| door.attributes[&::gltf::json::validation::Checked::Valid(s)].value();
     use ::gltf::json::mesh::Semantic;
@@ -308,7 +333,8 @@ fn outputs_are_the_same_twice() {
         obj::obj(&scene, &images, "a"),
         obj::obj(&scene, &images, "a")
     );
-    assert_eq!(stl::stl(&scene), stl::stl(&scene));
+    let print = stl::Print::default();
+    assert_eq!(stl::stl(&scene, print), stl::stl(&scene, print));
 }
 
 #[test]
@@ -339,7 +365,7 @@ fn far_houses_keep_their_micrometres() {
 #[test]
 fn a_node_is_small() {
     // A town has half a million.
-    assert!(size_of::<Node>() <= 152, "{}", size_of::<Node>());
+    assert!(size_of::<Node>() <= 160, "{}", size_of::<Node>());
 }
 
 #[test]
@@ -392,7 +418,7 @@ fn plain_colours_need_no_coordinates() {
 fn an_empty_scene_is_a_file() {
     let (root, bin) = read(&gltf::glb(&Scene::default(), &NoImages));
     assert_eq!((root.nodes.len(), root.buffers.len(), bin.len()), (0, 0, 0));
-    assert_eq!(stl::stl(&Scene::default()).len(), 84);
+    assert_eq!(stl::stl(&Scene::default(), stl::Print::default()).len(), 84);
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod folders;
 mod languages;
 mod leftovers;
 mod plan;
+mod printing;
 mod render;
 
 use hsd::fs::FolderWorld;

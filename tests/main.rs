@@ -47,6 +47,7 @@ mod monuments;
 mod order;
 mod outdoors;
 mod outlines;
+mod outputs;
 mod parse_legacy;
 mod parse_legacy_robust;
 mod parse_xml;

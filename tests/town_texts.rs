@@ -27,10 +27,14 @@ fn model(path: &Path) -> (Value, Vec<u8>) {
 
 /// Removes where things are written: a town file and the text of its houses are different files.
 fn without_places(json: &mut Value) {
+    if let Some(asset) = json["asset"].as_object_mut() {
+        asset.remove("extras");
+    }
     for node in json["nodes"].as_array_mut().expect("nodes") {
         if let Some(extras) = node.get_mut("extras").and_then(Value::as_object_mut) {
-            extras.remove("span");
-            extras.remove("file");
+            for name in ["span", "file", "source", "line", "column"] {
+                extras.remove(name);
+            }
         }
     }
 }

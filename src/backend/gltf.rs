@@ -89,6 +89,7 @@ impl<'a> Model<'a> {
     /// Lays out a whole scene.
     fn of(scene: &'a Scene, images: &'a dyn Images) -> Model<'a> {
         let mut writer = Writer::new(&in_memory).expect("memory takes every byte");
+        writer.made_from(&scene.provenance);
         let added = writer.add(scene.whole(), images);
         let model = added.and_then(|()| writer.model(&scene.materials, images, &[]));
         model.expect("memory takes every byte")

@@ -1,6 +1,7 @@
 //! `hsd build`: builds 3D models from house files.
 
 mod bake;
+mod format;
 pub(in crate::cli) mod draw;
 mod job;
 pub(in crate::cli) mod plan;
@@ -17,6 +18,7 @@ use super::{Failure, Outcome};
 #[cfg(feature = "compress")]
 use crate::backend::gltf::{Glb, Ktx2};
 use crate::backend::images::Library;
+use crate::backend::spool::in_memory;
 use crate::cli::files::input::{Inputs, STDIN};
 use crate::cli::files::output;
 use crate::cli::files::output::Model;
@@ -36,6 +38,7 @@ use std::io::{self, IsTerminal, Write};
 use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+use streamed::{Finished, Started};
 
 /// Build 3D models from house files.
 ///
@@ -67,6 +70,7 @@ pub(super) struct Build {
     /// Write a .glb for the web: several times smaller, but requires instancing, meshopt and KTX2 support.
     ///
     /// Houses, storeys and parts have no nodes of their own and no extras. Encoding the textures takes some seconds.
+    /// Blender, as of 5.1, cannot read such a file.
     #[arg(long, conflicts_with = "textures_beside")]
     compress: bool,
 
@@ -95,6 +99,9 @@ pub(super) struct Build {
 
     #[command(flatten)]
     bake_args: bake::BakeArgs,
+
+    #[command(flatten)]
+    format_args: format::FormatArgs,
 
     /// Rebuild whenever a source file or an image changes, until interrupted.
     #[arg(long)]
@@ -130,6 +137,7 @@ impl Build {
         for job in &jobs {
             self.check_compress(job)?;
             self.check_join(job)?;
+            self.format_args.check(job)?;
             job.check_overwrite()?;
             job.check_terminal()?;
         }
@@ -202,6 +210,9 @@ impl Build {
         let mut library = driver::pictures(paths, building, &world, &limits, &mut out);
         library.bake(&scene.baked);
         driver::flaws(&compiled, &mut out);
+        if job.model == Model::Stl {
+            self.format_args.print_scene(scene.whole(), &mut out)?;
+        }
         let list = out.into_sorted();
         let beside = compiled.included.iter().map(Source::name);
         let beside = beside.chain(paths.iter().map(String::as_str));
@@ -225,8 +236,10 @@ impl Build {
             if self.compress {
                 return compressed(scene, &library, &job.output);
             }
-            let beside = self.textures_beside;
-            let files = job.model.files(scene, &library, &job.output, beside);
+            let mut model = Started::new(job.model, self, &in_memory)?;
+            model.add(scene.whole(), &library)?;
+            let made = Finished::scene(scene, &library);
+            let files = model.finish(made, &job.output, self.textures_beside)?;
             output::write_model(&job.output, files, &read)
         })?;
         if progress.verbose || self.stats {

@@ -3,6 +3,7 @@
 use super::house::Expansion;
 use super::overlaps::{Ground, SpilledGrounds};
 use super::pieces::Feed;
+use super::places::{Places, provenance};
 use super::{
     Options, Read, arrange, beside, documents, documents_of, house, refuse_towns,
     spare_expressions, timed, variants,
@@ -152,7 +153,10 @@ pub fn compile(
         None => out.append(found),
     }
     let scene = timed(&mut times, "tessellate", || {
-        let scene = scene(&building, &catalog, options.shapes());
+        let mut scene = scene(&building, &catalog, options.shapes());
+        let feed = Feed::whole(sources);
+        Places::new(feed, &included, options).tell(scene.nodes.iter_mut());
+        scene.provenance = provenance(sources, &included, options);
         let message = |place: &Span| too_many_triangles(*place, limits.triangles);
         scene
             .oversized

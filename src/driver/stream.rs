@@ -5,6 +5,7 @@ use super::house::{BATCH, Batch, Expansion, FeatureHouse};
 use super::models::{not_shown, use_by};
 use super::overlaps::{Ground, SpilledGrounds};
 use super::pieces::Feed;
+use super::places::{Places, provenance};
 use super::{Options, Read, beside, documents_of, refuse_towns, spare_expressions, timed};
 use crate::backend::images::Library;
 use crate::backend::sound;
@@ -16,7 +17,7 @@ use crate::diagnostic::messages::limits::too_many_triangles;
 use crate::diagnostic::messages::pictures as say;
 use crate::program::PictureId;
 use crate::roof::KeptRoofs;
-use crate::scene::{Counter, Material, ScenePart, Stats};
+use crate::scene::{Counter, Material, Provenance, ScenePart, Stats};
 use crate::source::{Source, Span, World};
 use crate::tessellate::{self, HouseDrafts, SceneBuilder, Tessellator};
 use std::borrow::Cow;
@@ -38,6 +39,8 @@ pub struct Streamed {
     pub grown: Vec<f32>,
     /// The paths of part textures.
     pub pictures: Vec<String>,
+    /// What the model is made from.
+    pub provenance: Provenance,
     /// The number of houses.
     pub houses: usize,
     /// Their triangles, meshes and nodes.
@@ -127,6 +130,7 @@ struct Left {
     library: Library,
     grown: Vec<f32>,
     pictures: Vec<String>,
+    provenance: Provenance,
     houses: usize,
     stats: Stats,
 }
@@ -145,6 +149,7 @@ impl Left {
             library: self.library,
             grown: self.grown,
             pictures: self.pictures,
+            provenance: self.provenance,
             houses: self.houses,
             stats: self.stats,
             times,
@@ -167,14 +172,11 @@ fn run_houses(
         ..options.shapes()
     };
     let tessellator = Tessellator::new(catalog, shapes);
-    let mut scene = SceneBuilder::new(options.detail);
-    if options.own_meshes {
-        scene.forget_twins();
-    }
+    let places = Places::new(feed, included, options);
     let mut town = Town {
         world,
         options,
-        scene,
+        scene: empty_scene(options),
         library: Library::default(),
         counter: Counter::default(),
         grounds: SpilledGrounds::new(apart, new),
@@ -186,7 +188,7 @@ fn run_houses(
         sink,
     };
     timed(times, "houses", || {
-        town.build(&mut expansion, &tessellator, catalog)?;
+        town.build(&mut expansion, (&tessellator, &places), catalog)?;
         town.lay(ground)
     })?;
     let Town {
@@ -209,9 +211,19 @@ fn run_houses(
         library,
         grown,
         pictures: pictures.into_iter().map(|p| p.path).collect(),
+        provenance: provenance(feed.sources, included, options),
         houses,
         stats: counter.stats(),
     })
+}
+
+/// Returns a scene for the houses of a run.
+fn empty_scene(options: &Options) -> SceneBuilder {
+    let mut scene = SceneBuilder::new(options.detail);
+    if options.own_meshes {
+        scene.forget_twins();
+    }
+    scene
 }
 
 /// Houses that are made but not yet written.
@@ -231,7 +243,7 @@ impl Made {
     fn of(
         batch: Batch,
         number: usize,
-        tessellator: &Tessellator<'_>,
+        (tessellator, places): (&Tessellator<'_>, &Places<'_>),
         (catalog, roofs): (&Catalog, Option<&KeptRoofs>),
     ) -> Made {
         let images = batch.images.clone();
@@ -239,8 +251,10 @@ impl Made {
             let (built, found): (Vec<Option<Built>>, Vec<Diagnostics>) = houses.into_iter().unzip();
             let built: Vec<Built> = built.into_iter().flatten().collect();
             let uses = |id: usize| built.iter().find_map(|b| use_by(b, PictureId(id as u32)));
+            let mut drafts = tessellator.houses(&built, number + first);
+            places.tell(drafts.nodes_mut());
             Made {
-                houses: vec![tessellator.houses(&built, number + first)],
+                houses: vec![drafts],
                 count: built.len(),
                 first: built.first().map(|b| b.house.span),
                 found,
@@ -298,7 +312,7 @@ impl Town<'_, '_> {
     fn build(
         &mut self,
         expansion: &mut Expansion<'_>,
-        tessellator: &Tessellator<'_>,
+        makers: (&Tessellator<'_>, &Places<'_>),
         catalog: &Catalog,
     ) -> io::Result<()> {
         let roofs = self.options.roofs.as_ref();
@@ -307,7 +321,7 @@ impl Town<'_, '_> {
         while let Some(batch) = next.take() {
             let count = batch.houses.len();
             let (made, ahead) = rayon::join(
-                || Made::of(batch, number, tessellator, (catalog, roofs)),
+                || Made::of(batch, number, makers, (catalog, roofs)),
                 || {
                     let written = match done.take() {
                         Some(made) => self.add(made, expansion),

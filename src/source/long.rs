@@ -4,10 +4,10 @@
 //! A piece is a [`Source`] like any other. Its text is what its houses need, from several places of the file; its spans
 //! count bytes of the file. How a file is divided is up to its reader; see [`Layout`].
 
-use super::{FileId, Offsets, Source, Span, Stream};
+use super::{FileId, Lines, Offsets, Source, Span, Stream};
 use std::io::{self, ErrorKind, Read, SeekFrom};
 use std::ops::Range;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 /// The lines of context around a message.
 const AROUND: usize = 3;
@@ -36,6 +36,24 @@ pub struct LongFile {
     size: u64,
     layout: Layout,
     file: Mutex<Box<dyn Stream>>,
+    /// Line and column of each cut; empty if the file cannot be read any more.
+    cut_places: OnceLock<Vec<(u32, u32)>>,
+}
+
+/// The lines of a part of a file that is read in pieces.
+#[derive(Debug)]
+pub struct PieceLines {
+    range: Range<u64>,
+    lines: Lines<String>,
+}
+
+impl PieceLines {
+    /// Returns line and column of the start of a span, both from 1; `None` if it is not in this part.
+    pub fn line_column(&self, span: Span) -> Option<(u32, u32)> {
+        let start = u64::from(span.start);
+        let at = start.checked_sub(self.range.start)?;
+        (start < self.range.end).then(|| self.lines.line_column(at as usize))
+    }
 }
 
 impl std::fmt::Debug for LongFile {
@@ -59,6 +77,7 @@ impl LongFile {
             size,
             layout,
             file: Mutex::new(file),
+            cut_places: OnceLock::new(),
         }
     }
 
@@ -164,6 +183,43 @@ impl LongFile {
             end: (span.start + first as u32).min(span.end),
             ..span
         }
+    }
+
+    /// Returns the lines of the piece, or of the head, that a span begins in; `None` if the file cannot be read any more.
+    pub fn lines_around(&self, span: Span) -> Option<PieceLines> {
+        let (start, layout) = (u64::from(span.start), &self.layout);
+        let (range, first) = match self.is_in_head(span) {
+            true => (layout.head.clone(), (1, 1)),
+            false => {
+                let next = layout.cuts.partition_point(|cut| *cut <= start);
+                let next = next.min(self.pieces());
+                let number = next.checked_sub(1)?;
+                let places = self
+                    .cut_places
+                    .get_or_init(|| self.places().unwrap_or_default());
+                (layout.cuts[number]..layout.cuts[next], *places.get(number)?)
+            }
+        };
+        let text = self.text(range.clone()).ok()?;
+        Some(PieceLines {
+            range,
+            lines: Lines::new(text, first),
+        })
+    }
+
+    /// Reads the file once; returns line and column of each cut.
+    fn places(&self) -> io::Result<Vec<(u32, u32)>> {
+        let mut place = (1, 1);
+        let mut places = vec![];
+        // The head begins behind a byte order mark.
+        let mut from = self.layout.head.start;
+        for cut in &self.layout.cuts {
+            let text = self.text(from..*cut)?;
+            place = Lines::new(&*text, place).line_column(text.len());
+            places.push(place);
+            from = *cut;
+        }
+        Ok(places)
     }
 
     fn text(&self, range: Range<u64>) -> io::Result<String> {

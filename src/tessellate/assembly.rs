@@ -28,6 +28,11 @@ pub struct HouseDrafts {
 }
 
 impl HouseDrafts {
+    /// Returns the nodes of the houses.
+    pub fn nodes_mut(&mut self) -> impl Iterator<Item = &mut Node> {
+        self.nodes.iter_mut()
+    }
+
     /// Returns about how many bytes of memory they take.
     pub fn bytes(&self) -> usize {
         let drafts = self.drafts.iter().map(|draft| draft.size());

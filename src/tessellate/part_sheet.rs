@@ -16,9 +16,11 @@ use crate::tessellate::part::detail;
 use crate::tessellate::store::Store;
 use crate::tessellate::store::bank::Bank;
 use crate::tessellate::store::look::Share;
+use crate::tessellate::wall::names_of;
 use compact_str::CompactString;
 use glam::{DVec3, dvec3};
 use image::{Rgb, RgbImage};
+use std::sync::Arc;
 
 /// Width of one U, metres: three shaku.
 const UNIT: f64 = 3.0 * SHAKU;
@@ -64,6 +66,7 @@ pub fn scene(parts: &[&PartDef], detail: Detail) -> Scene {
                 dvec3(x, 0.0, 0.0),
             );
             part.code = Some(code.into());
+            part.names = Some(Arc::new(names_of(definition)));
             part.mesh = Some(store.push(mesh));
             nodes.push(part);
             x += definition.width() * UNIT + APART;

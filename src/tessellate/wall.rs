@@ -14,7 +14,7 @@ use crate::catalog::{Catalog, PartDef, PartId, Stance};
 use crate::geometry::{SAME, SHAKU};
 use crate::material::SurfaceId;
 use crate::program::{Content, PictureId, Split, Unit};
-use crate::scene::{Kind, MeshId, NodeId};
+use crate::scene::{Kind, MeshId, NodeId, PartNames};
 use crate::tessellate::part::bay::Layer;
 use crate::tessellate::store::draft::MeshDraft;
 use crate::tessellate::store::look::{Look, Share};
@@ -25,6 +25,8 @@ use crate::tessellate::wall::member::LintelRoom;
 use crate::tessellate::{Level, Walker, part, turn_of};
 use compact_str::{CompactString, ToCompactString, format_compact};
 use glam::dvec3;
+use std::num::NonZeroU32;
+use std::sync::Arc;
 
 /// A wall with the properties that its units need of each other.
 pub(super) struct Line<'a> {
@@ -278,6 +280,7 @@ impl Walker<'_> {
         let node = self.node(Some(level.node), Kind::Facade, name, at);
         node.turn = turn_of(wall.direction);
         node.storey = Some(level.storey.number);
+        node.facade = NonZeroU32::new(wall.facade);
         node.span = Some(wall.span);
         self.last()
     }
@@ -329,7 +332,7 @@ impl Walker<'_> {
     fn unit(&mut self, level: Level<'_>, slot: Slot<'_>, unit: &Unit) {
         let place = slot.number.0 + slot.within * 1000;
         self.store.weather = self.unit_weather(place, &unit.content, slot.z);
-        let (mesh, code): (MeshId, &str) = match &unit.content {
+        let (mesh, code, names): (MeshId, &str, Option<Arc<PartNames>>) = match &unit.content {
             Content::Void => return,
             Content::Split(split) => return self.split(level, slot, split),
             Content::Part(id) => {
@@ -337,17 +340,19 @@ impl Walker<'_> {
                 if self.catalog.is_void(*id) {
                     return;
                 }
-                (self.part(slot, unit, *id, part), part.code())
+                let names = self.names.entry(*id);
+                let names = names.or_insert_with(|| Arc::new(names_of(part))).clone();
+                (self.part(slot, unit, *id, part), part.code(), Some(names))
             }
-            Content::Picture(id) => (self.picture(slot, unit, *id), "picture"),
+            Content::Picture(id) => (self.picture(slot, unit, *id), "picture", None),
         };
         let (number, half) = slot.number;
         let name = name(code.trim_end(), half, number);
         let at = dvec3(slot.x, 0.0, slot.z.0);
-        let is_part = !matches!(unit.content, Content::Picture(_));
         let node = self.node(Some(slot.facade), Kind::Part, name, at);
         node.mesh = Some(mesh);
-        node.code = is_part.then(|| code.into());
+        node.code = names.as_ref().map(|_| code.into());
+        node.names = names;
         node.storey = Some(level.storey.number);
         node.span = Some(unit.span);
     }
@@ -444,6 +449,14 @@ impl Walker<'_> {
     /// Returns true if a sub-unit is between posts.
     fn framed(&self, unit: &Unit) -> bool {
         stance(self.catalog, &unit.content).0 == Stance::Posts
+    }
+}
+
+/// Returns the names of a part.
+pub(super) fn names_of(part: &PartDef) -> PartNames {
+    PartNames {
+        ja: part.ja.clone(),
+        en: part.en.clone(),
     }
 }
 

@@ -149,7 +149,11 @@ fn lines(node: &Node, first: usize) -> impl Hash + use<'_> {
         mesh: _,
         code,
         storey,
+        facade: _,
+        names: _,
         span: _,
+        file: _,
+        place: _,
         shape,
     } = node;
     (

@@ -78,14 +78,15 @@ fn obj_tints_are_in_the_images() {
 
 #[test]
 fn stl_is_in_millimetres() {
-    let stl = stl::stl(&scene());
+    let stl = stl::stl(&scene(), stl::Print::default());
     assert_eq!(&stl[..4], b"hsd ");
     let count = u32::from_le_bytes(stl[80..84].try_into().unwrap()) as usize;
-    assert_eq!((count, stl.len()), (12, 84 + 12 * 50));
+    // Six panes of two triangles get a back, and edges of two triangles on each of four sides.
+    assert_eq!((count, stl.len()), (6 * 12, 84 + 6 * 12 * 50));
     let float = |at: usize| f32::from_le_bytes(stl[at..at + 4].try_into().unwrap());
     let triangle: Vec<f32> = (0..12).map(|k| float(84 + 4 * k)).collect();
-    // The front faces east after the quarter turn; the first door begins 1 m along it, 3.5 m up.
-    assert_eq!(triangle[..6], [1.0, 0.0, 0.0, 0.0, 1000.0, 3500.0]);
+    // The front faces east after the quarter turn, 60 mm before its back; the first door begins 1 m along it, 0.5 m up.
+    assert_eq!(triangle[..6], [1.0, 0.0, 0.0, 60.0, 1000.0, 500.0]);
 }
 
 #[test]

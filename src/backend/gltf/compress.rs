@@ -55,6 +55,7 @@ fn packed<'a>(
     new: NewSpool<'_>,
 ) -> io::Result<Model<'a>> {
     let (mut root, mut refs) = (writer::root(), MaterialRefs::default());
+    root.asset.extras = writer::made_from(&scene.provenance, scene.detail);
     let (mut accessors, mut meshes, mut nodes) =
         (List::new(new)?, List::new(new)?, List::new(new)?);
     let mut section = Section::new("packed arrays", new)?;

@@ -53,6 +53,8 @@ struct ImageTextures<'a> {
 pub(super) struct MaterialRefs {
     /// True if surfaces have no relief: seen from afar it shows nothing, and tangents are a third of a vertex.
     pub(super) flat: bool,
+    /// True if vertices have no tangents, though surfaces have relief.
+    pub(super) no_tangents: bool,
     /// By the scene's number.
     known: Vec<Option<MaterialRef>>,
     /// The scene's numbers in the order of the file.
@@ -94,7 +96,7 @@ impl MaterialRefs {
         let made = MaterialRef {
             number: Index::new(self.order.len() as u32),
             metres,
-            relief: relief && !self.flat,
+            relief: relief && !self.flat && !self.no_tangents,
             mirrors: mirrored.as_ref().is_some_and(shown),
         };
         self.order.push(id);

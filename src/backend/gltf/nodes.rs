@@ -1,14 +1,18 @@
 //! The tree of nodes: house, storey, facade, part; house, roof. Nodes make up most of the JSON, and a town has half a
 //! million: they are written directly from the scene, in types that borrow from it.
 
+mod identity;
+
 use crate::backend::number::Number;
 use crate::backend::sound;
 use crate::backend::spool::{List, NewSpool};
-use crate::scene::{self, MeshId, ScenePart};
+use crate::scene::{self, Detail, MeshId, ScenePart};
 use crate::source::Span;
 use glam::DVec2;
 use gltf::json::{self, Index, Mesh, Root};
+use identity::identities;
 use serde::{Serialize, Serializer};
+use std::num::NonZeroU32;
 use std::{io, iter};
 
 /// A glTF node. Its translation is f64, unlike in the `gltf` crate: f32 would lose millimetres on a house with map
@@ -36,12 +40,28 @@ struct Extras<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     storey: Option<u32>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    facade: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ja: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    en: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     span: Option<Span>,
     /// The file of the span, by its number in reading order; omitted for the first.
     #[serde(skip_serializing_if = "Option::is_none")]
     file: Option<u32>,
+    /// The name of the file, of houses and of what is written in another file than its house.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    source: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    line: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    column: Option<u32>,
     #[serde(skip_serializing_if = "Option::is_none")]
     shape: Option<&'a str>,
+    /// A name that stays when neighbours change.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    id: Option<&'a str>,
 }
 
 /// The children of a node: the first child, and the links to its siblings.
@@ -88,6 +108,13 @@ impl Tree {
         let kept = kept(part, |id| mesh(id).is_some());
         let written: Vec<usize> = (0..kept.len()).filter(|i| kept[*i]).collect();
         let mut links = vec![Link::default(); kept.len()];
+        let mut facades = vec![None; kept.len()];
+        // Few details are for towns, in which what is told of each part would be half of the file.
+        let fine = part.detail >= Detail::Openings;
+        let told: Vec<bool> = (0..kept.len())
+            .map(|i| kept[i] && (fine || part.parent(i).is_none()))
+            .collect();
+        let ids = identities(part, &told);
         for (number, i) in (self.nodes.count()..).zip(&written) {
             links[*i].number = number;
             if part.parent(*i).is_none() {
@@ -104,7 +131,11 @@ impl Tree {
             let node = &part.nodes[i];
             let children = links[i].first_child.map(|first| Children(first, &links));
             let shown = node.mesh.and_then(&mesh).map(Index::new);
-            self.nodes.push(&made(node, children, shown))?;
+            let parent = part.parent(i);
+            let own = node.facade.map(NonZeroU32::get);
+            facades[i] = own.or_else(|| facades[parent?]).filter(|_| fine);
+            self.nodes
+                .push(&made((node, &ids[i], facades[i]), children, shown))?;
         }
         Ok(())
     }
@@ -128,22 +159,34 @@ impl Tree {
     }
 }
 
+/// Makes a node with its name, if it has one, and the number of its facade.
 fn made<'a>(
-    node: &'a scene::Node,
+    (node, id, facade): (&'a scene::Node, &'a str, Option<u32>),
     children: Option<Children<'a>>,
     mesh: Option<Index<Mesh>>,
 ) -> Node<'a> {
     let at = [node.at.x, node.at.z, -node.at.y].map(Number);
     let stays = at.iter().all(|x| x.millionths() == 0);
+    let told = !id.is_empty();
+    let names = node.names.as_ref().filter(|_| told);
+    let file = node.file.as_ref().filter(|_| told);
+    let place = node.place.filter(|_| told);
     Node {
         children,
         extras: Extras {
             kind: node.kind.word(),
             code: node.code.as_deref(),
             storey: node.storey,
+            facade,
+            ja: names.map(|names| &*names.ja),
+            en: names.map(|names| &*names.en),
             span: node.span,
             file: node.span.map(|s| s.file.0).filter(|file| *file > 0),
+            source: file.map(|name| name.as_str()),
+            line: place.map(|place| place.line.get()),
+            column: place.map(|place| place.column),
             shape: node.shape.as_deref(),
+            id: told.then_some(id),
         },
         mesh,
         name: node.called(),

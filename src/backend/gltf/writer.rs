@@ -5,10 +5,14 @@ use super::materials::{MaterialRefs, Materials};
 use super::nodes::{Tree, kept};
 use super::shapes::Shapes;
 use super::{Glb, Gltf, Model};
+use crate::backend::merged::MergedHouses;
 use crate::backend::spool::{NewSpool, in_memory};
 use crate::backend::{Images, OutFile, sound};
-use crate::scene::{Detail, Material, MeshId, Scene, ScenePart};
-use gltf::json::{Asset, Root};
+use crate::scene::{Detail, Material, MeshId, Provenance, Scene, ScenePart};
+use gltf::json::{Asset, Extras, Root};
+use serde::Serialize;
+use serde_json::value::to_raw_value;
+use std::collections::BTreeMap;
 use std::io;
 use std::ops::Range;
 
@@ -22,6 +26,12 @@ pub struct Writer<'n> {
     /// The houses that are still to be written, if houses have common meshes.
     pub(super) group: Group,
     joins: bool,
+    merges: bool,
+    /// The number of houses that were merged.
+    merged: u32,
+    /// The level of detail of the houses.
+    detail: Detail,
+    provenance: Provenance,
 }
 
 impl<'n> Writer<'n> {
@@ -36,6 +46,10 @@ impl<'n> Writer<'n> {
             tree: Tree::new(new)?,
             group: Group::default(),
             joins: false,
+            merges: false,
+            merged: 0,
+            detail: Detail::default(),
+            provenance: Provenance::default(),
         })
     }
 
@@ -46,14 +60,44 @@ impl<'n> Writer<'n> {
         Writer { joins, ..self }
     }
 
+    /// From now on, each house is one mesh with a primitive for each material. As for [`joining`](Writer::joining), the meshes
+    /// of all houses must be in the parts that show them.
+    #[must_use]
+    pub fn merging(self, merges: bool) -> Writer<'n> {
+        Writer { merges, ..self }
+    }
+
+    /// From now on, vertices have no tangents.
+    #[must_use]
+    pub fn without_tangents(mut self, without: bool) -> Writer<'n> {
+        self.materials.no_tangents = without;
+        self
+    }
+
+    /// Tells what the model is made from.
+    pub fn made_from(&mut self, provenance: &Provenance) {
+        self.provenance = provenance.clone();
+    }
+
     /// Adds houses. Images must be there, except baked pages, which are needed at the end only.
     ///
     /// # Errors Those of the spools.
     pub fn add(&mut self, part: ScenePart<'_>, images: &dyn Images) -> io::Result<()> {
+        self.detail = part.detail;
         self.materials.flat = part.detail == Detail::Body;
         if self.joins && self.materials.flat {
             return self.join(part, images);
         }
+        if self.merges {
+            let houses = MergedHouses::of(part, self.merged);
+            self.merged += houses.count();
+            return self.add_nodes(houses.part(part), images);
+        }
+        self.add_nodes(part, images)
+    }
+
+    /// Adds houses as they are.
+    fn add_nodes(&mut self, part: ScenePart<'_>, images: &dyn Images) -> io::Result<()> {
         for id in part.nodes.iter().filter_map(|node| node.mesh) {
             let materials = (&mut self.materials, images);
             self.shapes.mesh(id, part, materials, self.new)?;
@@ -132,6 +176,7 @@ impl<'n> Writer<'n> {
         self.write_group()?;
         self.shapes.stretch(grown)?;
         let mut root = root();
+        root.asset.extras = made_from(&self.provenance, self.detail);
         if self.group.is_used() {
             root.extensions_used.push(FEATURES.to_owned());
         }
@@ -161,6 +206,7 @@ pub(crate) fn glb_of_houses<'a>(
 ) -> Glb<'a> {
     let write = || {
         let mut writer = Writer::new(&in_memory)?;
+        writer.made_from(&scene.provenance);
         // Names of images are those of the whole model.
         writer.number_materials(scene.whole(), images);
         for house in houses {
@@ -169,6 +215,32 @@ pub(crate) fn glb_of_houses<'a>(
         writer.model(&scene.materials, images, &[])
     };
     Glb::beside_of(write().expect("memory takes every byte"), stem).0
+}
+
+/// Returns the extras of an asset; none if nothing is known of its files.
+pub(super) fn made_from(provenance: &Provenance, detail: Detail) -> Extras {
+    #[derive(Serialize)]
+    struct MadeFrom<'a> {
+        files: &'a [String],
+        #[serde(skip_serializing_if = "Option::is_none")]
+        seed: Option<u64>,
+        #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+        parameters: BTreeMap<&'a str, &'a str>,
+        detail: usize,
+    }
+    if provenance.files.is_empty() {
+        return None;
+    }
+    let parameters = provenance.parameters.iter();
+    let made = MadeFrom {
+        files: &provenance.files,
+        seed: provenance.seed,
+        parameters: parameters
+            .map(|(name, value)| (&**name, &**value))
+            .collect(),
+        detail: detail as usize,
+    };
+    to_raw_value(&made).ok()
 }
 
 /// Returns an empty root.

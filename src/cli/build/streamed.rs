@@ -11,7 +11,7 @@ use crate::cli::files::input::{Inputs, STDIN};
 use crate::cli::files::output::{self, Files, Model, folder_of};
 use crate::diagnostic::Diagnostics;
 use crate::driver::{self, Feed, Streamed};
-use crate::scene::ScenePart;
+use crate::scene::{Material, Provenance, Scene, ScenePart};
 use crate::source::Source;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -36,13 +36,13 @@ impl Build {
         let inputs = Inputs::in_pieces(&job.inputs, &limits, &mut out)?;
         let world = self.input_args.world(&job.inputs);
         let options = driver::Options {
-            own_meshes: self.join || matches!(job.model, Model::Obj | Model::Stl),
+            own_meshes: self.join || self.format_args.has_own_meshes(job.model),
             ..self.options(job.seed, &inputs, &mut out)?
         };
         let folder = spool_folder(&job.output);
         let new = || spool(&folder);
         let failed = |error| Failure::at(job.output.display(), error);
-        let mut model = Started::new(job.model, self.join, &new).map_err(failed)?;
+        let mut model = Started::new(job.model, self, &new).map_err(failed)?;
         let accepted = inputs.accepted();
         let mut town = driver::stream(
             Feed {
@@ -55,6 +55,9 @@ impl Build {
             (&mut |part, images| model.add(part, images), &new),
         )
         .map_err(failed)?;
+        if let Started::Stl(printed) = &model {
+            self.format_args.report_thin(printed.thin(), &mut out);
+        }
         let list = out.into_sorted();
         let included = std::mem::take(&mut town.included);
         let beside = included.iter().map(Source::name);
@@ -69,7 +72,8 @@ impl Build {
         }
         let mut times = std::mem::take(&mut town.times);
         let (size, sizes) = driver::timed(&mut times, "write", || {
-            let files = model.finish(&town, &job.output, self.textures_beside);
+            let made = Finished::town(&town);
+            let files = model.finish(made, &job.output, self.textures_beside);
             let files = files.map_err(failed)?;
             let sizes = files.sizes();
             let size = output::write_model(&job.output, files, &read)?;
@@ -87,8 +91,39 @@ impl Build {
     }
 }
 
+/// What a model needs when all its houses are there.
+pub(super) struct Finished<'t> {
+    pub(super) materials: &'t [Material],
+    pub(super) library: &'t Library,
+    /// The factors by which distances from the upper edge of each baked page have grown; none of a whole scene.
+    pub(super) grown: &'t [f32],
+    pub(super) provenance: &'t Provenance,
+}
+
+impl<'t> Finished<'t> {
+    /// Returns what is left of a streamed run.
+    fn town(town: &'t Streamed) -> Finished<'t> {
+        Finished {
+            materials: &town.materials,
+            library: &town.library,
+            grown: &town.grown,
+            provenance: &town.provenance,
+        }
+    }
+
+    /// Returns what is known of a whole scene.
+    pub(super) fn scene(scene: &'t Scene, library: &'t Library) -> Finished<'t> {
+        Finished {
+            materials: &scene.materials,
+            library,
+            grown: &[],
+            provenance: &scene.provenance,
+        }
+    }
+}
+
 /// A model that takes houses one after another.
-enum Started<'n> {
+pub(super) enum Started<'n> {
     Glb(gltf::Writer<'n>),
     Gltf(gltf::Writer<'n>),
     Obj(obj::Writer),
@@ -96,16 +131,22 @@ enum Started<'n> {
 }
 
 impl<'n> Started<'n> {
-    fn new(model: Model, join: bool, new: NewSpool<'n>) -> io::Result<Started<'n>> {
+    pub(super) fn new(model: Model, build: &Build, new: NewSpool<'n>) -> io::Result<Started<'n>> {
+        let format = &build.format_args;
+        let nodes = || {
+            let writer = gltf::Writer::new(new)?.joining(build.join);
+            let writer = writer.merging(format.merge.is_some());
+            Ok::<_, io::Error>(writer.without_tangents(format.no_tangents))
+        };
         Ok(match model {
-            Model::Glb => Started::Glb(gltf::Writer::new(new)?.joining(join)),
-            Model::Gltf => Started::Gltf(gltf::Writer::new(new)?),
+            Model::Glb => Started::Glb(nodes()?),
+            Model::Gltf => Started::Gltf(nodes()?),
             Model::Obj => Started::Obj(obj::Writer::new(new)?),
-            Model::Stl => Started::Stl(stl::Writer::new(new)?),
+            Model::Stl => Started::Stl(stl::Writer::new(format.print(), new)?),
         })
     }
 
-    fn add(&mut self, part: ScenePart<'_>, images: &Library) -> io::Result<()> {
+    pub(super) fn add(&mut self, part: ScenePart<'_>, images: &Library) -> io::Result<()> {
         match self {
             Started::Glb(writer) | Started::Gltf(writer) => writer.add(part, images),
             Started::Obj(writer) => writer.add(part, images),
@@ -114,9 +155,22 @@ impl<'n> Started<'n> {
     }
 
     /// Returns the files of a model whose houses are all there.
-    fn finish<'t>(self, town: &'t Streamed, output: &Path, beside: bool) -> io::Result<Files<'t>> {
-        let (materials, images, grown) = (&town.materials, &town.library, &town.grown);
+    pub(super) fn finish<'t>(
+        mut self,
+        made: Finished<'t>,
+        output: &Path,
+        beside: bool,
+    ) -> io::Result<Files<'t>> {
+        let Finished {
+            materials,
+            library: images,
+            grown,
+            provenance,
+        } = made;
         let stem = output.file_stem().unwrap_or_default().to_string_lossy();
+        if let Started::Glb(writer) | Started::Gltf(writer) = &mut self {
+            writer.made_from(provenance);
+        }
         Ok(match self {
             Started::Glb(writer) if beside => {
                 let (glb, beside) = writer.glb_beside(materials, images, grown, &stem)?;

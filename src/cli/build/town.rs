@@ -271,6 +271,7 @@ impl Town {
         if spoiled {
             return Ok(Exit::Errors);
         }
+        writer.made_from(&streamed.provenance);
         let glb = writer.glb(&streamed.materials, &streamed.library, &streamed.grown);
         let size = output::write(&model, Files::glb(glb.map_err(failed)?))?;
         tables(&model, &mut ledger)?;

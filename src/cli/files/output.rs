@@ -1,13 +1,12 @@
 //! Writes outputs atomically: all files under temporary names first, then renamed.
 
-use crate::backend::gltf::{self, Glb, Gltf};
-use crate::backend::{Images, OutFile, obj, stl};
+use crate::backend::gltf::{Glb, Gltf};
+use crate::backend::{OutFile, obj, stl};
 use crate::cli::Failure;
 use crate::cli::files::input::STDIN;
 use crate::cli::files::reason;
 use crate::cli::files::temporary::Temporary;
 use crate::diagnostic::Text;
-use crate::scene::Scene;
 use crate::text;
 use clap::ValueEnum;
 use std::borrow::Cow;
@@ -67,30 +66,6 @@ impl Model {
             "{shown}: the extension of a model must be .glb, .gltf, .obj or .stl{folder}",
             "{shown}: モデルの拡張子は .glb、.gltf、.obj、.stl のどれかです{folder}"
         )))
-    }
-
-    /// Returns all files of a model; `path` is the main one.
-    pub(in crate::cli) fn files<'a>(
-        self,
-        scene: &'a Scene,
-        images: &'a dyn Images,
-        path: &Path,
-        beside: bool,
-    ) -> Files<'a> {
-        let stem = path
-            .file_stem()
-            .map(|s| s.to_string_lossy())
-            .unwrap_or_default();
-        match self {
-            Model::Glb if beside => {
-                let (glb, beside) = Glb::beside(scene, images, &stem);
-                Files::glb_beside(glb, beside)
-            }
-            Model::Glb => Files::glb(Glb::inside(scene, images)),
-            Model::Gltf => Files::of(gltf::gltf(scene, images, &stem)),
-            Model::Obj => Files::of(obj::obj(scene, images, &stem)),
-            Model::Stl => Files::one(Content::Bytes(stl::stl(scene).into())),
-        }
     }
 }
 
@@ -159,15 +134,6 @@ impl<'a> Files<'a> {
     /// A single file with these contents.
     pub(in crate::cli) fn bytes(bytes: Vec<u8>) -> Files<'a> {
         Files::one(Content::Bytes(bytes.into()))
-    }
-
-    /// Files from a list whose last entry is the main one.
-    fn of(mut list: Vec<OutFile<'a>>) -> Files<'a> {
-        let main = list.pop().map(|f| f.bytes).unwrap_or_default();
-        Files {
-            main: Content::Bytes(main),
-            beside: ready(list),
-        }
     }
 }
 

@@ -1,10 +1,11 @@
 //! `hsd parts --sheet`: the catalogue as an HTML page or a glTF model.
 
 use super::{class_word, rounded, with_blanks};
+use crate::backend::gltf::Glb;
 use crate::backend::images::Library;
 use crate::catalog::PartDef;
 use crate::cli::files::output;
-use crate::cli::files::output::{Files, Model};
+use crate::cli::files::output::Files;
 use crate::cli::{Exit, Failure, Outcome};
 use crate::scene::Detail;
 use crate::tessellate::part_sheet;
@@ -29,7 +30,7 @@ pub(super) fn write(parts: &[&PartDef], to: &Path) -> Outcome {
         Some("glb") => {
             let scene = part_sheet::scene(parts, Detail::Everything);
             let library = Library::default();
-            output::write(to, Model::Glb.files(&scene, &library, to, false))?;
+            output::write(to, Files::glb(Glb::inside(&scene, &library)))?;
         }
         _ => {
             let shown = to.display();

@@ -69,6 +69,25 @@ pub fn too_many_pixels(span: Span, file: &str, pixels: u64, limit: u64) -> Diagn
     ))
 }
 
+/// Bodies of a model for printing that are thinner than the printer makes them.
+#[cold]
+pub fn thin_bodies(
+    span: Span,
+    (thin, all): (u64, u64),
+    least: f64,
+    (thinnest, name): (f64, &str),
+) -> Diagnostic {
+    let thinnest = format!("{thinnest:.2}");
+    let message = text!([thin, all, least, thinnest, name]
+        "{thin} of {all} bodies are thinner than {least} mm in the model; the thinnest, of {name:?}, has {thinnest} mm",
+        "模型にすると、立体{all}個のうち{thin}個が {least} mm より薄くなります。最も薄いのは {name:?} の {thinnest} mm です"
+    );
+    Diagnostic::warning(606, span, message).help(text!(
+        "print at a larger `--scale`, build with less `--detail`, where fine joinery is a panel as thick as `--min-wall`, or give what your printer makes with `--min-wall`",
+        "`--scale` を大きくするか、`--detail` を下げるか (細かい建具は `--min-wall` の厚さの板になります)、プリンターの最小の厚さを `--min-wall` で指定してください"
+    ))
+}
+
 /// A shape with numbers that no format can hold.
 #[cold]
 pub fn shape_left_out(span: Span, name: &str) -> Diagnostic {
