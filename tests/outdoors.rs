@@ -48,7 +48,7 @@ fn every_part_for_outdoors_is_sound_and_light() {
             let flaws = flaws.filter(|flaw| !flaw.starts_with("normal against"));
             found.extend(flaws.map(|flaw| format!("{code}{size}: {flaw}")));
             let triangles = triangles(mesh).len();
-            if triangles > 1600 {
+            if triangles > 2000 {
                 found.push(format!("{code}: {triangles} triangles"));
             }
         }
