@@ -192,7 +192,6 @@ materials! {
     GRAVEL = even Ground [at(0, "gravel")];
     // Plants.
     FOLIAGE = even Ground [at(0, "foliage")];
-    DARK_FOLIAGE = even Ground [at(0, "foliage_dark")];
     EARTH = even Ground [at(0, "earth")];
     DOMA = even Ground [at(0, "doma"), at(20, "doma_old")];
 }

@@ -130,7 +130,7 @@ pub(super) static TABLE: &[Surface] = &[
     worn("gravel", &GRAVEL, 0),
     worn("pebbles", &GRAVEL, 0),
     worn("foliage", &FOLIAGE, 0),
-    worn("foliage_dark", &DARK_FOLIAGE, 0),
+    tinted(worn("foliage_dark", &FOLIAGE, 0), [0.5, 0.6, 0.52]),
     worn("stone", &STONE, 0),
     worn("stone_mossy", &STONE, 1),
     // Tiles.

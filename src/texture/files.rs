@@ -116,7 +116,7 @@ static EMBEDDED: &[(&str, &[u8])] = embed! {
     "sheet": "sheet" "sheet_rusty";
     "stone": "stone" "stone_mossy";
     "gravel": "gravel";
-    "foliage": "foliage" "foliage_dark";
+    "foliage": "foliage";
     "earth": "earth";
     "doma": "doma" "doma_old";
 };

@@ -305,7 +305,7 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "foliage",
         metres: plants::FOLIAGE,
-        looks: &[mixed("foliage"), mixed("foliage_dark")],
+        looks: &[mixed("foliage")],
         paint: plants::foliage,
     },
 ];

@@ -1,7 +1,7 @@
 //! Foliage: leaves over leaves, as a trimmed tree or hedge shows them from some paces away.
 
 use crate::texture::Maps;
-use crate::texture::color::{hex, mix, scale, smooth};
+use crate::texture::color::{hex, mix, smooth};
 use crate::texture::noise::{fbm, noise};
 use crate::texture::paint::{Hollows, Spot, Texel, paint};
 use crate::texture::surface::cells::grain;
@@ -9,16 +9,16 @@ use crate::texture::surface::cells::grain;
 /// Three shaku.
 pub(in crate::texture) const FOLIAGE: f64 = 0.909;
 
-/// Leaves in three layers, the lower ones in the shade of the upper; broad-leaved and, darker, of pines and camellias.
+/// Leaves in three layers, the lower ones in the shade of the upper. The light is in their colours; the relief is that of the
+/// clumps alone, since single leaves would make the largest picture of all.
 pub(in crate::texture) fn foliage(size: u32) -> Maps {
     paint(size, FOLIAGE, Hollows::new(0.03, 45.0), foliage_at)
 }
 
 /// One spot of [`foliage`].
-fn foliage_at(spot: Spot) -> Texel<2> {
+fn foliage_at(spot: Spot) -> Texel<1> {
     let clump = fbm(spot.u, spot.v, (5, 5), 4, 990);
     let mut light = 0.12;
-    let mut height = -0.02;
     for (layer, cells) in [40_u32, 34, 28].into_iter().enumerate() {
         let seed = 991 + 4 * layer as u32;
         let bend = |seed| 0.5 / f64::from(cells) * noise(spot.u, spot.v, (cells, cells), seed);
@@ -37,14 +37,11 @@ fn foliage_at(spot: Spot) -> Texel<2> {
         // The rib is paler, and each leaf has its own tone.
         let tone = 0.30 + 0.16 * layer as f64 + 0.35 * (leaf.id * 613.0).fract() - 0.25 * leaf.near;
         light += (tone - light) * inside;
-        height += (0.008 * layer as f64 - height) * inside;
     }
     let light = (light + 0.18 * clump).clamp(0.0, 1.0);
-    let broad = mix(hex(0x1F_2C12), hex(0x7C_9146), light);
-    let dark = mix(hex(0x14_1F12), hex(0x4C_6238), light);
     Texel {
-        height,
-        colors: [broad, scale(dark, 0.95)],
+        height: 0.01 * fbm(spot.u, spot.v, (5, 5), 2, 990),
+        colors: [mix(hex(0x1F_2C12), hex(0x7C_9146), light)],
         rough: 0.72,
         metal: 0.0,
     }
