@@ -71,7 +71,7 @@ pub struct House {
     pub platform: Option<Platform>,
     /// The finial of its roofs.
     pub finials: Vec<Finial>,
-    /// What stands beside it.
+    /// Parts on the ground beside it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub puts: Vec<Put>,
     /// Its age; `None` = no weathering.

@@ -218,7 +218,7 @@ pub struct Fittings {
     pub brackets: Option<Brackets>,
     /// Finials of its roofs.
     pub finials: Vec<Finial>,
-    /// What stands beside it.
+    /// Parts on the ground beside it.
     pub puts: Vec<Put>,
 }
 

@@ -204,10 +204,10 @@ pub enum RoofDirection {
     Right,
 }
 
-/// What the gable walls of an irimoya are.
+/// The material of an irimoya's gable walls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum GableWall {
-    /// What the wall below is.
+    /// The same as the wall below.
     Wall,
     /// Boards behind a square lattice, kitsune-goshi 狐格子.
     Lattice,
@@ -244,7 +244,7 @@ pub struct RoofStyle {
     pub ratio: Option<Spanned<f64>>,
     /// O: plain ridge ends, without onigawara.
     pub plain_ridge: Option<Spanned<bool>>,
-    /// What the gable walls of an irimoya are; XML only.
+    /// The material of an irimoya's gable walls; XML only.
     pub gable_wall: Option<Spanned<GableWall>>,
     /// Wood or paint of rafters, soffits and boards; XML only.
     pub paint: Option<Spanned<Paint>>,

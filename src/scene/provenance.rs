@@ -75,8 +75,8 @@ mod tests {
         );
         assert_eq!(
             names(&[
-                "/home/town/shop.hsd",
-                "/home/town/in/door.hsd",
+                "/maps/town/shop.hsd",
+                "/maps/town/in/door.hsd",
                 "/etc/x.hsd"
             ]),
             ["shop.hsd", "in/door.hsd", "x.hsd"]

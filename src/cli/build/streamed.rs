@@ -91,7 +91,7 @@ impl Build {
     }
 }
 
-/// What a model needs when all its houses are there.
+/// The inputs of a model that are known once all its houses are added.
 pub(super) struct Finished<'t> {
     pub(super) materials: &'t [Material],
     pub(super) library: &'t Library,

@@ -164,7 +164,7 @@ pub fn roof_style(span: Span) -> Diagnostic {
     Diagnostic::error(811, span, message).help(text!("write the roofs as `Roof` elements with `mode=\"explicit\"`, remove the settings, or keep the file in XML", "屋根を `mode=\"explicit\"` の `Roof` 要素で書くか、指定を消すか、XML のままにしてください"))
 }
 
-/// What the gable walls or the timber of a roof are.
+/// Attributes for the gable walls and the timber of a roof.
 #[cold]
 pub fn eaves_look(span: Span) -> Diagnostic {
     let message = text!(
