@@ -34,7 +34,7 @@ pub(super) struct FormatArgs {
 
     /// Warn of bodies of an .stl thinner than this in the model, millimetres [default: 0.4].
     ///
-    /// What has only a front (joinery at details 1 and 2, walls at detail 0) becomes at least as thick. Every body is closed;
+    /// A front without a back (joinery at details 1 and 2, walls at detail 0) becomes at least as thick. Every body is closed;
     /// bodies overlap and are not united, which slicers do.
     #[arg(long, value_name = "MM", value_parser = thickness)]
     min_wall: Option<f64>,

@@ -58,7 +58,7 @@ pub fn put_inside(span: Span) -> Diagnostic {
         "建物の中の地面に立っています"
     );
     let help = text!(
-        "`at` is its middle in units: to the left of the house's origin, then back; before the front the second number is negative",
+        "`at` is its middle in units: to the left of the house's origin, then back; in front of the house the second number is negative",
         "`at` は中心の位置(ユニット)で、原点から左へ、次に奥へ数えます。正面の手前では二つ目が負になります"
     );
     Diagnostic::warning(706, span, message).help(help)
