@@ -28,7 +28,7 @@ mod wkb;
 mod xml;
 
 pub use checked::{crosses, tidied};
-pub use crs::{Crs, Datum, Datums, Mismatch, Outside, Projection, Transform, on_globe};
+pub use crs::{Crs, Datum, Datums, Mismatch, Outside, Projection, Transform, on_globe, sea_level};
 pub use fault::{Fault, Faults, Kind, OtherGrid, VertexFault, Which, diagnostic};
 pub use feature::{
     Area, Chain, Column, ColumnType, Columns, Feature, Geometry, Layer, Place, Value,

@@ -58,7 +58,7 @@ fn examples_cut_anywhere() {
     let cuts: Vec<(&str, &[u8])> = examples
         .iter()
         .flat_map(|(name, bytes)| {
-            let step = 1 + bytes.len() / share(300); // the long ones in steps
+            let step = 1 + bytes.len() / share(150); // the long ones in steps
             let ends = (0..bytes.len()).step_by(step);
             ends.map(|end| (name.as_str(), &bytes[..end]))
         })
@@ -74,7 +74,7 @@ fn examples_cut_anywhere() {
 #[test]
 fn examples_changed_at_random() {
     let examples = examples();
-    assert_none(&on_all_processors(share(1_500), |index| {
+    assert_none(&on_all_processors(share(800), |index| {
         let (name, bytes) = mutation(&examples, index);
         let (_, findings) = findings_of(&name, &bytes);
         findings

@@ -8,7 +8,7 @@ use crate::support::root;
 use hsd::ast::town::Tiles;
 use hsd::backend::spool;
 use hsd::driver::Options;
-use hsd::glam::dvec3;
+use hsd::glam::{DVec3, dvec3};
 use hsd::tiles::TileStore;
 use hsd::tiles::run::{Reach, TileJob, TiledTown, run};
 use hsd::town::plan::Lodging;
@@ -64,13 +64,16 @@ pub(crate) struct Built {
     decisions: String,
     files: BTreeMap<String, Vec<u8>>,
     tileset: Value,
+    /// The other files of the tree.
+    branches: BTreeMap<String, Value>,
 }
 
 impl Built {
     /// The bytes of everything.
     pub(crate) fn all(&self) -> (String, BTreeMap<String, Vec<u8>>, String) {
         let decisions = self.decisions.clone();
-        (self.tileset.to_string(), self.files.clone(), decisions)
+        let tree = format!("{}{:?}", self.tileset, self.branches);
+        (tree, self.files.clone(), decisions)
     }
 }
 
@@ -126,7 +129,10 @@ fn build_within(
     };
     let mut town = run(job, store, &|_| {}, &mut out)?;
     assert!(!out.has_errors(), "{:?}", out.iter().collect::<Vec<_>>());
-    let tileset = serde_json::from_slice(&town.tileset(&plan)).expect("is JSON");
+    let tree = town.tileset(&plan);
+    let json = |bytes: &[u8]| serde_json::from_slice(bytes).expect("is JSON");
+    let branches = tree.branches.iter();
+    let branches = branches.map(|(name, bytes)| (name.clone(), json(bytes)));
     let files = store.files.lock().expect("no test panics").clone();
     let mut decisions = vec![];
     town.ledger.decisions.write(&mut decisions)?;
@@ -134,7 +140,8 @@ fn build_within(
         town,
         decisions: String::from_utf8(decisions).expect("is text"),
         files,
-        tileset,
+        tileset: json(&tree.root),
+        branches: branches.collect(),
     })
 }
 
@@ -191,7 +198,8 @@ fn every_feature_is_in_one_tile_of_each_level() {
     }
     assert!(built.town.tiles.len() >= 8, "{}", built.town.tiles.len());
     assert_eq!(built.town.ledger.report.built, 48);
-    assert!(!built.town.placed && built.tileset["root"]["transform"].is_null());
+    assert!(built.town.zero.is_none() && built.tileset["root"]["transform"].is_null());
+    assert!(built.branches.is_empty());
     let stems: Vec<&str> = built.town.tiles.iter().map(|t| &*t.tile).collect();
     assert!(
         stems.contains(&"-1_0") && stems.contains(&"0_-1"),
@@ -378,6 +386,20 @@ fn only_what_has_changed_is_made_again() {
 }
 
 #[test]
+fn a_tree_of_many_tiles_is_several_files() {
+    let folder = map(50);
+    let rules = "<for each=\"houses\"><Place type=\"kura\" on=\"centre\"/></for>";
+    let text = text(rules, "<Tiles size=\"6\" detail=\"0\"/>");
+    let built = build(&text, folder.path(), &Memory::default(), 2).expect("nothing fails");
+    assert!(built.town.tiles.len() > 512, "{}", built.town.tiles.len());
+    assert!(built.branches.len() >= 4, "{}", built.branches.len());
+    let found = checked(&built);
+    assert_eq!(found.keys[&0].len(), 600);
+    let again = build(&text, folder.path(), &Memory::default(), 1).expect("nothing fails");
+    assert!(again.branches == built.branches && again.tileset == built.tileset);
+}
+
+#[test]
 fn a_town_with_a_plane_stands_on_the_globe() {
     let Some(data) = root()
         .parent()
@@ -398,6 +420,15 @@ fn a_town_with_a_plane_stands_on_the_globe() {
         .expect("is placed");
     let m: Vec<f64> = transform.iter().filter_map(Value::as_f64).collect();
     let place = dvec3(m[12], m[13], m[14]);
+    assert_eq!(built.town.zero, Some(0.0));
+    let text = text.replace("<Town>", "<Town geoid=\"yes\">");
+    let from_sea = build(&text, &data, &Memory::default(), 2).expect("nothing fails");
+    let rise = from_sea.town.zero.expect("is placed");
+    assert!((rise - 36.7).abs() < 0.3, "{rise}");
+    let raised = &from_sea.tileset["root"]["transform"];
+    let raised = [12, 13, 14].map(|n| raised[n].as_f64().expect("a number"));
+    assert!((DVec3::from_array(raised).distance(place) - rise).abs() < 1e-6);
+    assert_eq!(from_sea.files, built.files, "the tiles are the same");
     // Kyoto, at 135.75 E 35.00 N.
     let lon = place.y.atan2(place.x).to_degrees();
     assert!((lon - 135.75).abs() < 0.05, "{lon}");

@@ -20,6 +20,8 @@ pub struct Town {
     pub seed: u64,
     /// Metres east and north in the plane that are 0 0 of the model.
     pub origin: Option<Spanned<(f64, f64)>>,
+    /// True if its heights count from the sea where it is put on the globe, rather than from the ellipsoid.
+    pub geoid: bool,
     /// Its maps, in the order of the file.
     pub layers: Vec<Layer>,
     /// Its tables.

@@ -1,6 +1,7 @@
 //! The root of 3D Tiles 1.1: `tileset.json`, a tree of boxes with the files in them.
 //!
-//! Near tiles hang below a box without content, four boxes below a larger one, so that a viewer need not look at each. The
+//! Near tiles hang below a box without content, four boxes below a larger one, so that a viewer need not look at each. Boxes
+//! with hundreds of tiles below them are files of their own, so that of a large town a viewer reads what it comes near. The
 //! levels of a tile hang below one another and replace each other. Boxes lie in the frame of the town, metres east, north and
 //! up; the root's transform places it on the globe. Every box contains those below it, and no error is less than those
 //! below it.
@@ -8,6 +9,7 @@
 use crate::scene::Detail;
 use glam::DVec3;
 use serde_json::{Value, json};
+use twox_hash::XxHash3_128;
 
 /// A tile.
 #[derive(Clone, Debug)]
@@ -30,17 +32,44 @@ pub struct TileLevel {
 /// The most tiles that hang below one box.
 const TOGETHER: usize = 4;
 
-/// Returns the bytes of `tileset.json`. Tiles without levels are left out.
-pub fn tileset(tiles: &[TilePlace], transform: Option<[f64; 16]>) -> Vec<u8> {
+/// So many boxes that hold tiles, or files of boxes, become a file of their own.
+const APART: usize = 128;
+
+/// The files of the tree.
+#[derive(Debug)]
+pub struct TreeFiles {
+    /// `tileset.json`, which names the others.
+    pub root: Vec<u8>,
+    /// The others, which stand beside it: their names, made of what is in them, and their bytes.
+    pub branches: Vec<(String, Vec<u8>)>,
+}
+
+impl TreeFiles {
+    /// Returns true for a name as branches have it.
+    pub fn is_branch(name: &str) -> bool {
+        name.starts_with("branch-") && name.ends_with(".json")
+    }
+}
+
+/// Returns the tree of some tiles. Tiles without levels are left out.
+pub fn tileset(tiles: &[TilePlace], transform: Option<[f64; 16]>) -> TreeFiles {
     let nodes = tiles.iter().filter_map(tile).collect();
-    let mut root = grouped(nodes).unwrap_or_else(|| Node {
+    let mut branches = vec![];
+    let mut root = grouped(nodes, &mut branches).unwrap_or_else(|| Node {
         bounds: [DVec3::ZERO; 2],
         error: 0.0,
         json: json!({}),
+        weight: 0,
     });
     if let Some(transform) = transform {
         root.json["transform"] = json!(transform);
     }
+    let root = file(root);
+    TreeFiles { root, branches }
+}
+
+/// Returns the file of a tree.
+fn file(mut root: Node) -> Vec<u8> {
     root.json["refine"] = json!("REPLACE");
     let error = root.error;
     let json = json!({
@@ -58,9 +87,29 @@ struct Node {
     bounds: [DVec3; 2],
     error: f64,
     json: Value,
+    /// The tiles and the files of boxes in it, as far as they are not in such a file.
+    weight: usize,
 }
 
 impl Node {
+    /// Moves what is in it to a file of its own, if it is much.
+    fn apart(self, branches: &mut Vec<(String, Vec<u8>)>) -> Node {
+        if self.weight < APART {
+            return self;
+        }
+        let (bounds, error) = (self.bounds, self.error);
+        let bytes = file(self);
+        let name = format!("branch-{:016x}.json", XxHash3_128::oneshot(&bytes) as u64);
+        let json = json!({ "content": { "uri": name } });
+        branches.push((name, bytes));
+        Node {
+            bounds,
+            error,
+            json,
+            weight: 1,
+        }
+    }
+
     fn written(mut self) -> Value {
         self.json["boundingVolume"] = json!({ "box": volume(self.bounds) });
         self.json["geometricError"] = json!(self.error);
@@ -90,6 +139,7 @@ fn tile(place: &TilePlace) -> Option<Node> {
             bounds: level.bounds,
             error: 0.0,
             json: json!({ "content": { "uri": level.file } }),
+            weight: 1,
         };
         if let Some(child) = near {
             node.bounds = union(node.bounds, child.bounds);
@@ -101,22 +151,26 @@ fn tile(place: &TilePlace) -> Option<Node> {
     near
 }
 
-/// Hangs nodes below boxes until one is left.
-fn grouped(mut nodes: Vec<Node>) -> Option<Node> {
+/// Hangs nodes below boxes until one is left; large boxes below it go to `branches`.
+fn grouped(mut nodes: Vec<Node>, branches: &mut Vec<(String, Vec<u8>)>) -> Option<Node> {
     if nodes.len() > TOGETHER {
         let quarters = halves(nodes, |p| p.x).into_iter();
         let quarters = quarters.flat_map(|half| halves(half, |p| p.y));
-        nodes = quarters.filter_map(grouped).collect();
+        let below = quarters.filter_map(|quarter| grouped(quarter, branches));
+        let below: Vec<Node> = below.collect();
+        nodes = below.into_iter().map(|n| n.apart(branches)).collect();
     }
     let bounds = nodes.iter().map(|n| n.bounds).reduce(union)?;
     let errors = nodes.iter().map(|n| n.error);
     // From where a box is this small on the screen, what is in it may be left out.
     let error = errors.fold((bounds[1] - bounds[0]).length(), f64::max);
+    let weight = nodes.iter().map(|n| n.weight).sum();
     let children: Vec<Value> = nodes.into_iter().map(Node::written).collect();
     Some(Node {
         bounds,
         error,
         json: json!({ "children": children }),
+        weight,
     })
 }
 

@@ -12,7 +12,7 @@ mod transform;
 mod wkt;
 mod zones;
 
-pub use globe::on_globe;
+pub use globe::{on_globe, sea_level};
 pub use transform::{Datums, Mismatch, Transform};
 
 use glam::DVec2;

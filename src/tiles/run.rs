@@ -11,11 +11,11 @@ use super::terrain::{self, Cell, Patch};
 use crate::ast::WrittenPart;
 use crate::ast::town::Tiles;
 use crate::backend::spool::NewSpool;
-use crate::backend::tileset;
+use crate::backend::tileset::{self, TreeFiles};
 use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
 use crate::driver::{Options, Read, TileDriver};
-use crate::map::on_globe;
+use crate::map::{on_globe, sea_level};
 use crate::scene::Detail;
 use crate::source::Source;
 use crate::town::run::Chunk;
@@ -106,8 +106,8 @@ pub struct TiledTown {
     pub kept: usize,
     /// Types and files that were read.
     pub included: Vec<Source>,
-    /// True if it stands somewhere on the globe.
-    pub placed: bool,
+    /// How far its height 0 is above the ellipsoid, metres; `None` if it stands nowhere on the globe.
+    pub zero: Option<f64>,
 }
 
 /// The result of a thread for one tile, or for one cell of the ground.
@@ -156,7 +156,7 @@ pub fn run(
         tiles: vec![],
         kept: 0,
         included: vec![],
-        placed: false,
+        zero: None,
     };
     maker.all((&tiles, &pieces), progress, &mut |done| {
         if let Some(chunk) = done.chunk {
@@ -172,28 +172,30 @@ pub fn run(
         Ok(())
     })?;
     let (ledger, included) = town.ledger.finish(job.plan, out)?;
-    let frame = &job.plan.frame;
-    let transform = on_globe(&frame.crs, frame.origin);
     Ok(TiledTown {
         ledger,
         included,
-        placed: transform.is_some(),
+        zero: zero(job.plan),
         ..town
     })
 }
 
 impl TiledTown {
-    /// Returns `tileset.json`.
-    pub fn tileset(&self, plan: &Plan) -> Vec<u8> {
-        let places: Vec<_> = self.tiles.iter().map(TileRecord::place).collect();
+    /// Returns its tree.
+    pub fn tileset(&self, plan: &Plan) -> TreeFiles {
         let frame = &plan.frame;
-        tileset::tileset(&places, on_globe(&frame.crs, frame.origin))
+        let transform = |zero| on_globe(&frame.crs, frame.origin, zero);
+        self.tree(self.zero.and_then(transform))
     }
 
-    /// Returns the root of tiles that stand nowhere on the globe, for a viewer in the frame of the town.
-    pub fn local_tileset(&self) -> Vec<u8> {
+    /// Returns the tree of tiles that stand nowhere on the globe, for a viewer in the frame of the town.
+    pub fn local_tileset(&self) -> TreeFiles {
+        self.tree(None)
+    }
+
+    fn tree(&self, transform: Option<[f64; 16]>) -> TreeFiles {
         let places: Vec<_> = self.tiles.iter().map(TileRecord::place).collect();
-        tileset::tileset(&places, None)
+        tileset::tileset(&places, transform)
     }
 
     /// Returns the names of all files in the folders of tiles and textures.
@@ -204,6 +206,13 @@ impl TiledTown {
         };
         self.tiles.iter().flat_map(own).collect()
     }
+}
+
+/// Returns how far the height 0 of a town is above the ellipsoid, metres; `None` for one in local metres.
+fn zero(plan: &Plan) -> Option<f64> {
+    let frame = &plan.frame;
+    let sea = sea_level(&frame.crs, frame.origin)?;
+    Some(if plan.town.geoid { sea } else { 0.0 })
 }
 
 /// Returns the levels of detail, from far to near.

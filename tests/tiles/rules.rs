@@ -113,8 +113,13 @@ fn check(tile: &Value, above: Option<&Value>, level: usize, built: &Built, found
     }
     let mut next = level;
     if let Some(uri) = tile["content"]["uri"].as_str() {
-        next += 1;
         assert!(found.uris.insert(uri.to_owned()), "{uri} is named once");
+        if let Some(branch) = built.branches.get(uri) {
+            assert!(tile["children"].is_null(), "a file of boxes is a leaf");
+            root_of(branch);
+            return check(&branch["root"], Some(tile), level, built, found);
+        }
+        next += 1;
         let glb = Glb::new(
             built
                 .files
@@ -155,17 +160,23 @@ fn check(tile: &Value, above: Option<&Value>, level: usize, built: &Built, found
     }
 }
 
+/// Checks what a file says of its tree as a whole.
+fn root_of(tileset: &Value) {
+    assert_eq!(tileset["asset"]["version"], "1.1");
+    assert_eq!(tileset["root"]["refine"], "REPLACE");
+    let whole = tileset["geometricError"].as_f64();
+    assert!(whole >= tileset["root"]["geometricError"].as_f64());
+}
+
 pub(crate) fn checked(built: &Built) -> Found {
     let mut found = Found::default();
-    assert_eq!(built.tileset["asset"]["version"], "1.1");
-    assert_eq!(built.tileset["root"]["refine"], "REPLACE");
-    let whole = built.tileset["geometricError"].as_f64();
-    assert!(whole >= built.tileset["root"]["geometricError"].as_f64());
+    root_of(&built.tileset);
     check(&built.tileset["root"], None, 0, built, &mut found);
     for keys in found.keys.values_mut() {
         keys.sort();
     }
     let contents = built.files.keys().filter(|name| name.ends_with(".glb"));
-    assert_eq!(contents.count(), found.uris.len(), "no tile is forgotten");
+    let named = contents.count() + built.branches.len();
+    assert_eq!(named, found.uris.len(), "no tile is forgotten");
     found
 }

@@ -3,6 +3,7 @@
 use super::streamed;
 use crate::ast;
 use crate::backend::spool::Spool;
+use crate::backend::tileset::TreeFiles;
 use crate::cli::Failure;
 use crate::cli::files::output::{write_all, write_poured};
 use crate::cli::files::temporary::Temporary;
@@ -17,7 +18,7 @@ use crate::tiles::run::{self, TileJob, TileParts, TiledTown};
 use crate::town::stream::Ledger;
 use crate::town::{Plan, TownInput};
 use indicatif::{ProgressBar, ProgressStyle};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
@@ -43,7 +44,14 @@ impl Folder {
     }
 
     /// Removes the files that the town does not have: of other inputs, or left by a run that was killed.
-    fn sweep(&self, town: &TiledTown) -> io::Result<()> {
+    fn sweep(&self, town: &TiledTown, branches: &BTreeSet<String>) -> io::Result<()> {
+        for entry in fs::read_dir(&self.0)? {
+            let entry = entry?;
+            let name = entry.file_name().to_string_lossy().into_owned();
+            if TreeFiles::is_branch(&name) && !branches.contains(&name) {
+                fs::remove_file(entry.path())?;
+            }
+        }
         let own = town.files();
         for folder in FOLDERS {
             for entry in fs::read_dir(self.0.join(folder))? {
@@ -154,10 +162,15 @@ pub(super) fn build(
     let made = run::run(job, &folder, &|features| bar.inc(features as u64), &mut out);
     bar.finish_and_clear();
     let mut made = made.map_err(failed)?;
-    let tileset = made.tileset(plan);
+    let tree = made.tileset(plan);
     tables(wish.output, &mut made.ledger)?;
-    write_all(vec![(wish.output.join("tileset.json"), tileset)])?;
-    folder.sweep(&made).map_err(failed)?;
+    // The root comes last: whoever reads it finds what it names.
+    for (name, bytes) in &tree.branches {
+        folder.commit(name, bytes).map_err(failed)?;
+    }
+    write_all(vec![(wish.output.join("tileset.json"), tree.root)])?;
+    let branches = tree.branches.into_iter().map(|(name, _)| name);
+    folder.sweep(&made, &branches.collect()).map_err(failed)?;
     if !wish.quiet {
         for line in lines(wish, &made) {
             writeln!(io::stderr(), "{}", line.in_language(language))?;
@@ -201,12 +214,16 @@ fn lines(wish: &Wish<'_>, made: &TiledTown) -> Vec<Text> {
             "  うち {kept} 枚は前からあったものです"
         ));
     }
-    lines.push(match made.placed {
-        true => text!(
-            "  heights: 0 is the ellipsoid of the globe, which in Japan lies some 25 to 45 m below sea level",
-            "  高さ: 0 は地球楕円体の面です。日本では海面より 25〜45 m ほど低くなります"
+    lines.push(match made.zero {
+        Some(0.0) => text!(
+            "  heights: 0 is the ellipsoid of the globe, which in Japan lies some 25 to 45 m below sea level; `geoid=\"yes\"` of `Town` counts from the sea",
+            "  高さ: 0 は地球楕円体の面です。日本では海面より 25〜45 m ほど低くなります。`Town` の `geoid=\"yes\"` で海面からになります"
         ),
-        false => text!(
+        Some(zero) => text!([zero]
+            "  heights: 0 is the sea, which stands {zero} m above the ellipsoid of the globe here (EGM96)",
+            "  高さ: 0 は海面です。ここでは地球楕円体より {zero} m 高い面です(EGM96)"
+        ),
+        None => text!(
             "  the maps are in local metres, so the tiles stand nowhere on the globe: name a plane with `crs` to place them",
             "  地図が局所座標なので、タイルは地球上に置かれません。置くには `crs` で座標系を指定してください"
         ),

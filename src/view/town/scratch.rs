@@ -65,7 +65,13 @@ impl Scratch {
             format!("decisions-{edition}.csv"),
             format!("report-{edition}.json"),
         ];
-        let root = made.local_tileset();
+        let tree = made.local_tileset();
+        for (name, bytes) in &tree.branches {
+            if !self.folder.join(name).is_file() {
+                self.write(name, bytes)?;
+            }
+        }
+        let root = tree.root;
         // A page that shows the same tiles need not load them again.
         if root == self.root.1 {
             names[0].clone_from(&self.root.0);
@@ -77,6 +83,7 @@ impl Scratch {
         self.write(&names[2], &serde_json::to_vec(&made.ledger.report)?)?;
         let mut own = made.files();
         own.extend(names.clone());
+        own.extend(tree.branches.into_iter().map(|(name, _)| name));
         self.own.rotate_right(1);
         self.own[0] = own;
         self.sweep()?;

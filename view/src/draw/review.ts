@@ -47,7 +47,7 @@ export class Review {
       h('div', { class: 'buttons' }, act(strings.previousDoubt, 'P', 'previous-doubt', () => this.step(-1)), act(strings.nextDoubt, 'N', 'next-doubt', () => this.step(1))),
       this.#list, h('div', { class: 'buttons' }, ...this.#acts.slice(0, 2)),
       h('div', { class: 'buttons', role: 'group', 'aria-label': strings.kindOfDoubt }, ...kinds),
-      h('div', { class: 'buttons' }, button(strings.undo, () => void this.#session.undo(), { title: 'Ctrl+Z', 'data-do': 'undo-doubt' }), button(strings.redo, () => void this.#session.redo(), { title: 'Ctrl+Shift+Z', 'data-do': 'redo-doubt' })),
+      h('div', { class: 'buttons' }, button(strings.undo, () => void this.#after(this.#session.undo()), { title: 'Ctrl+Z', 'data-do': 'undo-doubt' }), button(strings.redo, () => void this.#after(this.#session.redo()), { title: 'Ctrl+Shift+Z', 'data-do': 'redo-doubt' })),
       this.#session.status, h('p', { class: 'quiet' }, strings.doubtHelp));
     this.element.querySelector('h2')!.append(' ', this.#count);
     this.element.hidden = true;
@@ -88,7 +88,13 @@ export class Review {
     } else this.#app.highlight(null);
     this.#fill();
     this.#draw();
-    this.#session.report(strings.doubtOf(index + 1, this.#doubts.length, this.#told(doubt)));
+    this.#tell();
+  }
+
+  /** Tells which wall in doubt is shown. */
+  #tell() {
+    const doubt = this.current === null ? undefined : this.#doubts[this.current];
+    this.#session.report(doubt ? strings.doubtOf(this.current! + 1, this.#doubts.length, this.#told(doubt)) : strings.noDoubts);
   }
 
   /** The text has changed: what comes after a settled wall is shown, or what an undo has brought back. */
@@ -102,7 +108,7 @@ export class Review {
         this.#shown = now;
         if (this.current !== null) return this.go(this.current);
         this.#app.highlight(null);
-        this.#session.report(strings.noDoubts);
+        this.#tell();
       }
     }
     this.#fill();
@@ -157,8 +163,13 @@ export class Review {
     if (this.current === null || this.#busy || !this.#app.serverInfo.writes) return;
     this.#busy = true;
     this.#showPlan();
-    await this.#session.send(edit(this.current));
+    await this.#after(this.#session.send(edit(this.current)));
     this.#busy = false;
+  }
+
+  /** The page may show a change before the answer to it, whose message then stands where the wall was told. */
+  async #after(edit: Promise<boolean>) {
+    if (await edit && (this.current !== null || !this.#doubts.length)) this.#tell();
   }
 
   #key(event: KeyboardEvent) {
@@ -185,8 +196,8 @@ export class Review {
     const { key, ctrlKey, metaKey, shiftKey, target } = event, letter = key.toLowerCase();
     const here = [this.element, this.#plan.element].some(place => place.contains(target as Node));
     if (event.defaultPrevented || !(ctrlKey || metaKey) || !here || isField(target) || this.element.hidden) return;
-    if (letter === 'z' && !shiftKey) void this.#session.undo();
-    else if (letter === 'z' || letter === 'y') void this.#session.redo();
+    if (letter === 'z' && !shiftKey) void this.#after(this.#session.undo());
+    else if (letter === 'z' || letter === 'y') void this.#after(this.#session.redo());
     else return;
     event.preventDefault();
   }

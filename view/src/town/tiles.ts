@@ -63,6 +63,14 @@ function boxOf({ boundingVolume: { box } }: TileJson): THREE.Box3 | null {
   return new THREE.Box3(middle.clone().sub(half), middle.add(half));
 }
 
+/** Of a box of many tiles, which is a file of its own, the part that is near to a point; a box of one tile as it is. */
+function nearTo(point: THREE.Vector3, box: THREE.Box3): THREE.Box3 {
+  const { x, z } = box.getSize(new THREE.Vector3());
+  if (Math.max(x, z) < 3 * PART) return box;
+  const { min, max } = box, near = box.clampPoint(point, new THREE.Vector3()), half = PART / 2;
+  return new THREE.Box3(new THREE.Vector3(near.x - half, min.y, near.z - half), new THREE.Vector3(near.x + half, max.y, near.z + half)).intersect(box);
+}
+
 /** A surface that was hit: of a feature, or of the ground. */
 export interface TileHit {
   feature: TownFeature | null;
@@ -176,9 +184,9 @@ export class TownTiles {
       const ball = new THREE.Sphere();
       if (this.#tiles.getBoundingSphere(ball)) this.box.setFromCenterAndSize(ball.center.applyMatrix4(group.matrixWorld), new THREE.Vector3().setScalar(ball.radius * 2));
     }
-    const tiles = (root ? contentsOf(root) : []).flatMap(tile => boxOf(tile)?.applyMatrix4(up) ?? []);
-    const to = (point: THREE.Vector3) => (a: THREE.Box3, b: THREE.Box3) => a.distanceToPoint(point) - b.distanceToPoint(point);
-    const first = tiles.sort(to(this.box.getCenter(new THREE.Vector3())))[0]?.getCenter(new THREE.Vector3());
+    const centre = this.box.getCenter(new THREE.Vector3());
+    const tiles = (root ? contentsOf(root) : []).flatMap(tile => boxOf(tile)?.applyMatrix4(up) ?? []).map(box => nearTo(centre, box));
+    const first = tiles.sort((a, b) => a.distanceToPoint(centre) - b.distanceToPoint(centre))[0]?.getCenter(new THREE.Vector3());
     for (const tile of tiles) if (first && tile.getCenter(new THREE.Vector3()).distanceTo(first) < PART) this.middle.union(tile);
     this.onRoot();
     this.onChange();

@@ -21,7 +21,7 @@ KTU  KTU  KTU  KTU
 `;
 
 let preview: Preview, page: Page;
-const { text, tool, status, at, pull: drag, becomes } = drawing('plain.hsd', () => ({ preview, page }));
+const { text, tool, status, at, pull: drag, becomes, restore } = drawing('plain.hsd', () => ({ preview, page }));
 
 before(async () => {
   preview = await Preview.of([['plain.hsd', HOUSE]]);
@@ -33,7 +33,7 @@ before(async () => {
 });
 after(async () => { await preview?.close(); });
 beforeEach(async () => {
-  if (preview.read('plain.hsd') !== HOUSE) await preview.save(page, 'plain.hsd', HOUSE);
+  await restore(HOUSE);
   await drawn();
   // Room for drags, at the edge of which the sheet would move along.
   await page.evaluate(() => { hsd.plan.fit(); hsd.plan.sheet.zoom(1.5); });

@@ -18,6 +18,8 @@ export interface Drawing {
   drag: (from: Place, to: Place) => Promise<void>;
   /** Waits until the text holds what is wanted, and page and model show that text. */
   becomes: (wanted: string | ((text: string) => boolean), what?: string) => Promise<void>;
+  /** Puts a text back if the file has another one, and waits until page and model show it. */
+  restore: (original: string) => Promise<void>;
 }
 
 /** Works on the page of a file. Places are units of its first house, left and back, or metres east and north. */
@@ -35,16 +37,20 @@ export function drawing(file: string, now: () => { preview: Preview; page: Page 
     await mouse.move((p.x + q.x) / 2, (p.y + q.y) / 2, { steps: 3 });
     await mouse.move(q.x, q.y, { steps: 3 });
   };
+  const becomes: Drawing['becomes'] = async (wanted, what = `the text has ${wanted}`) => {
+    const holds = typeof wanted === 'string' ? (text: string) => text.includes(wanted) : wanted, { page } = now();
+    await until(() => holds(text()), what).catch(async error => { throw new Error(`${(error as Error).message}; ${await status()}\n${text()}`); });
+    await until(() => page.evaluate(text => [hsd.plan.state, hsd.app.state].every(state => state?.sources[0]?.text === text) && hsd.reload?.revision === hsd.revision, text()), 'the page shows it');
+    await page.waitForTimeout(60);
+  };
   return {
-    text, status, at, pull,
+    text, status, at, pull, becomes,
     tool: name => now().page.locator(`.tools input[value=${name}]`).check(),
     click: async (...place) => { const { x, y } = await at(...place); await now().page.mouse.click(x, y); },
     drag: async (from, to) => { await pull(from, to); await now().page.mouse.up(); },
-    becomes: async (wanted, what = `the text has ${wanted}`) => {
-      const holds = typeof wanted === 'string' ? (text: string) => text.includes(wanted) : wanted, { page } = now();
-      await until(() => holds(text()), what).catch(async error => { throw new Error(`${(error as Error).message}; ${await status()}\n${text()}`); });
-      await until(() => page.evaluate(text => [hsd.plan.state, hsd.app.state].every(state => state?.sources[0]?.text === text) && hsd.reload?.revision === hsd.revision, text()), 'the page shows it');
-      await page.waitForTimeout(60);
+    restore: async original => {
+      if (text() !== original) await now().preview.save(now().page, file, original);
+      await becomes(text => text === original, 'the text is put back');
     },
   };
 }

@@ -31,7 +31,7 @@ const HOUSE = `<Houses>
 `;
 
 let preview: Preview, page: Page;
-const { text, status, click, drag, becomes } = drawing('fixtures.hsd', () => ({ preview, page }));
+const { text, status, click, drag, becomes, restore } = drawing('fixtures.hsd', () => ({ preview, page }));
 
 before(async () => {
   preview = await Preview.of([['fixtures.hsd', HOUSE]]);
@@ -43,7 +43,7 @@ before(async () => {
 });
 after(async () => { await preview?.close(); });
 beforeEach(async () => {
-  if (text() !== HOUSE) await preview.save(page, 'fixtures.hsd', HOUSE);
+  await restore(HOUSE);
   await page.locator('.tools input[value=part]').check();
   await page.locator('.tools input[value=fixture]').check();
 });
@@ -74,7 +74,7 @@ test('the panel knows the usual size of every kind', async () => {
   const kinds = await panel('kind').locator('option').evaluateAll(all => all.map(o => (o as HTMLOptionElement).value));
   assert.equal(kinds.length, 9);
   for (const kind of kinds) {
-    if (text() !== HOUSE) await preview.save(page, 'fixtures.hsd', HOUSE);
+    await restore(HOUSE);
     await next(kind, 'L');
     await click(2, 2);
     await becomes(t => t.includes(`<Fixture kind="${kind}"`), `${kind} is placed`);

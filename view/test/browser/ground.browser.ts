@@ -18,7 +18,7 @@ const TOWN = `<Houses>
 `;
 
 let preview: Preview, page: Page;
-const { text, tool, status, at, drag, becomes } = drawing('town.hsd', () => ({ preview, page }), true);
+const { text, tool, status, at, drag, becomes, restore } = drawing('town.hsd', () => ({ preview, page }), true);
 
 before(async () => {
   preview = await Preview.of([['town.hsd', TOWN], ['plain.hsd', '0 0 180\n9\n\nKSK  KSK  KSK\nKSK\nKSK  KSK  KSK\nKSK\n']]);
@@ -29,7 +29,7 @@ before(async () => {
 });
 after(async () => { await preview?.close(); });
 beforeEach(async () => {
-  if (text() !== TOWN) await preview.save(page, 'town.hsd', TOWN);
+  await restore(TOWN);
   await until(() => page.evaluate(text => hsd.plan.state?.sources[0]?.text === text && hsd.plan.drawn.walls.size > 0, TOWN), 'the plan is drawn');
   await does(page, 'fit').click();
 });

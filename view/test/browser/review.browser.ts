@@ -53,7 +53,7 @@ const metres = 10 / 11 / UNIT;
 const PLAN = { plan: 1, sheets: [{ storey: 1, picture: 'read.sheet-1.png', to_house: [-metres, 0, 0, -metres, X * metres, Y * metres] }] };
 
 let preview: Preview, page: Page;
-const { text, at, becomes, status } = drawing('read.hsd', () => ({ preview, page }));
+const { text, at, becomes, restore, status } = drawing('read.hsd', () => ({ preview, page }));
 const options = () => page.locator('.doubt-list [role=option]').allTextContents();
 const told = () => page.locator('.review-status').textContent();
 
@@ -65,7 +65,7 @@ before(async () => {
 });
 after(async () => { await preview?.close(); });
 beforeEach(async () => {
-  if (text() !== HOUSE) await preview.save(page, 'read.hsd', HOUSE);
+  await restore(HOUSE);
   await until(async () => (await options()).length === 3, 'three walls are in doubt');
 });
 

@@ -24,7 +24,7 @@ const HOUSE = `<Houses>
 `;
 
 let preview: Preview, page: Page;
-const { text, tool, status, click, drag, becomes } = drawing('rooms.hsd', () => ({ preview, page }));
+const { text, tool, status, click, drag, becomes, restore } = drawing('rooms.hsd', () => ({ preview, page }));
 
 before(async () => {
   preview = await Preview.of([['rooms.hsd', HOUSE]]);
@@ -36,7 +36,7 @@ before(async () => {
 });
 after(async () => { await preview?.close(); });
 beforeEach(async () => {
-  if (text() !== HOUSE) await preview.save(page, 'rooms.hsd', HOUSE);
+  await restore(HOUSE);
   await until(() => page.evaluate(text => hsd.plan.drawn.walls.size > 0 && hsd.plan.state?.sources[0]?.text === text, HOUSE), 'the plan is drawn');
   await page.evaluate(() => { hsd.plan.fit(); hsd.plan.sheet.zoom(1.3); });
   await tool('part');

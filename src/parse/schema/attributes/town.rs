@@ -1,6 +1,6 @@
 //! The attributes of the elements of towns (docs/contract.md 10).
 
-use super::{FAR, LENGTH};
+use super::{FAR, LENGTH, TRUTH};
 use crate::ast::town::{FieldType, GapAt, PlaceOn};
 use crate::parse::schema::kinds::Kind::{Choice, Number, Point, Text, Whole};
 use crate::parse::schema::kinds::{AttributeSchema, may, must, words};
@@ -15,6 +15,7 @@ pub(in crate::parse::schema) const TOWN: &[AttributeSchema] = &[
     may("crs", Text, "", "the plane in which it is built, such as `EPSG:6674`; without, the zone of Japan or of UTM that the first layer lies in", "町を作る平面座標系。`EPSG:6674` など。無ければ最初のレイヤーが入る平面直角座標系か UTM"),
     may("seed", Whole(0, u64::MAX), "0", "key of all draws: another seed, another town on the same maps", "抽選の種。変えると同じ地図の別の町になる"),
     may("origin", Point(-FAR, FAR), "", "metres east and north in `crs` that are 0 0 of the model; without, the centre of the first layer, rounded to 1 km", "モデルの原点。`crs` での東と北(m)。無ければ最初のレイヤーの中心を 1 km に丸めた点").metres(),
+    may("geoid", TRUTH, "no", "in tiles, heights count from the sea, which is raised over the ellipsoid by the geoid (EGM96)", "タイルで、高さを海面から数える。海面は楕円体からジオイド高(EGM96)だけ上がる"),
 ];
 #[rustfmt::skip]
 pub(in crate::parse::schema) const LAYER: &[AttributeSchema] = &[
