@@ -241,8 +241,9 @@ fn by_best_legend<'l>(
         let (thin, flat) = (size.x < SLIM * grid.unit, size.y < SLIM * grid.unit);
         thin && off.x < ON_LINE || flat && off.y < ON_LINE
     });
+    let lines = strokes::Lines::of(&walls, ink, grid);
     let read = |legend| {
-        let units = strokes::read(&walls, ink, grid, legend, pen);
+        let units = strokes::read(&lines, grid, legend, pen);
         (units.with_cells(&straight, grid), legend)
     };
     let read: Vec<(Units, &Legend)> = legends.par_iter().map(read).collect();

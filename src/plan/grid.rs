@@ -4,6 +4,7 @@ mod period;
 
 use super::sheet::Ink;
 use glam::{DMat3, DVec2, dvec2};
+use image::GrayImage;
 use period::{Strokes, extent, in_phase, near, thick};
 
 /// How far off a unit may be that is known, a share.
@@ -183,14 +184,19 @@ fn stroke_near(
 
 /// The ink at the pixel nearest to a place; none outside.
 pub fn dark_at(ink: &Ink, at: DVec2) -> u8 {
-    let (x, y) = (at.x.floor(), at.y.floor());
-    let inside =
-        x >= 0.0 && y >= 0.0 && x < f64::from(ink.dark.width()) && y < f64::from(ink.dark.height());
-    if inside {
-        ink.dark.get_pixel(x as u32, y as u32)[0]
-    } else {
-        0
+    level_at(&ink.dark, at)
+}
+
+/// The level at the pixel nearest to a place; none outside.
+pub(super) fn level_at(levels: &GrayImage, at: DVec2) -> u8 {
+    // Not `floor`, which is a call on processors of the common kind: there are millions of places.
+    if at.x >= 0.0 && at.y >= 0.0 {
+        let (x, y) = (at.x as u32, at.y as u32);
+        if x < levels.width() && y < levels.height() {
+            return levels.as_raw()[y as usize * levels.width() as usize + x as usize];
+        }
     }
+    0
 }
 
 /// The map that takes the units of strokes to their pixels, without the strokes farthest off; projective if it leans.

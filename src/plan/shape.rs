@@ -1,5 +1,7 @@
 //! The house that the strokes stand round: its outline, its courts, its rooms.
 
+mod settle;
+
 use super::legend::Role;
 use super::strokes::{Read, Units};
 use std::collections::{BTreeMap, BTreeSet};
@@ -79,22 +81,6 @@ impl Lines<'_> {
         ]
     }
 
-    /// Whether a room has no ink in it, and is open to the outside along most of where it meets it.
-    fn is_recess(&self, room: &BTreeSet<(i32, i32)>, cells: &BTreeSet<(i32, i32)>) -> bool {
-        if room.iter().any(|c| self.units.is_inked(*c)) {
-            return false;
-        }
-        let (mut gaps, mut walls) = (0, 0);
-        for (at, upright, beyond) in room.iter().flat_map(|c| Lines::sides(*c)) {
-            if !cells.contains(&beyond) {
-                let is_gap = self.joined.contains_key(&(at, upright));
-                gaps += usize::from(is_gap);
-                walls += usize::from(!is_gap);
-            }
-        }
-        gaps > walls
-    }
-
     /// Whether a room without ink in it lies outside a drawing whose strokes are all known: it is open to the outside, and no wall
     /// of it stands between outside and outside.
     fn is_outside(&self, room: &BTreeSet<(i32, i32)>, cells: &BTreeSet<(i32, i32)>) -> bool {
@@ -108,6 +94,29 @@ impl Lines<'_> {
         let (gaps, walls): (Vec<_>, Vec<_>) =
             sides.partition(|(at, upright, _)| self.joined.contains_key(&(*at, *upright)));
         !gaps.is_empty() && walls.is_empty()
+    }
+
+    /// What is enclosed where all strokes are known: a recess in a wall looks like a room with an open front; nothing is drawn in it.
+    fn closed(&mut self) -> BTreeSet<(i32, i32)> {
+        let mut cells = self.enclosed();
+        loop {
+            // Ways between rooms part nothing where all strokes are known.
+            let drawn = Lines {
+                units: self.units,
+                joined: BTreeMap::new(),
+            };
+            let open: Vec<BTreeSet<(i32, i32)>> = rooms(&cells, &drawn)
+                .into_iter()
+                .filter(|r| self.is_outside(r, &cells))
+                .collect();
+            if open.is_empty() {
+                return cells;
+            }
+            for room in open {
+                self.open(&room, &cells);
+                cells.retain(|c| !room.contains(c));
+            }
+        }
     }
 
     /// Takes back that gaps before a room are ways.
@@ -167,35 +176,11 @@ impl Shape {
             joined: BTreeMap::new(),
         };
         lines.joined = gaps(&lines);
-        let mut cells = lines.enclosed();
-        let is_outside = if is_drawn {
-            Lines::is_outside
+        let cells = if is_drawn {
+            lines.closed()
         } else {
-            Lines::is_recess
+            settle::settled(&lines)
         };
-        // A recess in a wall looks like a room with an open front; nothing is drawn in it.
-        loop {
-            if !is_drawn {
-                lines.keep_outer(&cells, true);
-            }
-            // Ways between rooms part nothing where all strokes are known.
-            let drawn = Lines {
-                units,
-                joined: BTreeMap::new(),
-            };
-            let rooms = rooms(&cells, if is_drawn { &drawn } else { &lines });
-            let open: Vec<BTreeSet<(i32, i32)>> = rooms
-                .into_iter()
-                .filter(|r| is_outside(&lines, r, &cells))
-                .collect();
-            if open.is_empty() {
-                break;
-            }
-            for room in open {
-                lines.open(&room, &cells);
-                cells.retain(|c| !room.contains(c));
-            }
-        }
         let cells = largest(cells);
         lines.keep_outer(&cells, !is_drawn);
         let mut shape = Shape {

@@ -5,10 +5,13 @@ use super::legend::{Legend, Role};
 use super::sheet::Ink;
 use glam::DVec2;
 pub use nib::Nib;
-use patch::Patch;
+use patch::{Patch, Raw};
+use rayon::prelude::*;
+use learnt::Learnt;
 use runs::{Habits, Line, Sum};
 use std::collections::BTreeSet;
 
+mod learnt;
 mod nib;
 mod patch;
 mod proof;
@@ -126,28 +129,57 @@ struct Strip {
     posts: Vec<f64>,
 }
 
-/// Level and upright lines.
-fn strips(ink: &Ink, all: &Ink, grid: &Grid, is_by_hand: bool) -> [Vec<Strip>; 2] {
-    let ((u0, u1), (v0, v1)) = (grid.across, grid.down);
-    let post = |(u, v): (i32, i32)| patch::post(all, grid, f64::from(u), f64::from(v));
-    let strip = |from: (i32, i32), count: i32, upright: bool| {
-        let at = |k: i32| match upright {
-            true => (from.0, from.1 + k),
-            false => (from.0 + k, from.1),
+/// All lines of a grid as they were sampled, whatever legend they are read by.
+pub struct Lines {
+    sides: [Vec<RawStrip>; 2],
+}
+
+struct RawStrip {
+    units: Vec<Raw>,
+    posts: Vec<f64>,
+}
+
+impl Lines {
+    /// Level and upright lines; `ink` is that of walls, `all` has what slants too.
+    pub fn of(ink: &Ink, all: &Ink, grid: &Grid) -> Lines {
+        let ((u0, u1), (v0, v1)) = (grid.across, grid.down);
+        let post = |(u, v): (i32, i32)| patch::post(all, grid, f64::from(u), f64::from(v));
+        let (wide, high) = ((u1 - u0) as usize + 1, (v1 - v0) as usize + 1);
+        let posts: Vec<f64> = (0..wide * high)
+            .into_par_iter()
+            .map(|k| post((u0 + (k % wide) as i32, v0 + (k / wide) as i32)))
+            .collect();
+        let strip = |from: (i32, i32), count: i32, upright: bool| {
+            let at = |k: i32| match upright {
+                true => (from.0, from.1 + k),
+                false => (from.0 + k, from.1),
+            };
+            let unit = |k: i32| {
+                let from = DVec2::new(f64::from(at(k).0), f64::from(at(k).1));
+                Raw::of((ink, all), grid, from, upright)
+            };
+            let post = |k: i32| posts[(at(k).1 - v0) as usize * wide + (at(k).0 - u0) as usize];
+            RawStrip {
+                units: (0..count).map(unit).collect(),
+                posts: (0..=count).map(post).collect(),
+            }
         };
-        let patch = |k: i32| {
-            let from = DVec2::new(f64::from(at(k).0), f64::from(at(k).1));
-            Patch::of((ink, all), grid, from, upright, is_by_hand)
-        };
-        Strip {
-            patches: (0..count).map(patch).collect(),
-            posts: (0..=count).map(|k| post(at(k))).collect(),
+        let level = (v0..=v1).into_par_iter().map(|v| strip((u0, v), u1 - u0, false));
+        let upright = (u0..=u1).into_par_iter().map(|u| strip((u, v0), v1 - v0, true));
+        Lines {
+            sides: [level.collect(), upright.collect()],
         }
-    };
-    [
-        (v0..=v1).map(|v| strip((u0, v), u1 - u0, false)).collect(),
-        (u0..=u1).map(|u| strip((u, v0), v1 - v0, true)).collect(),
-    ]
+    }
+
+    fn strips(&self, is_by_hand: bool) -> [Vec<Strip>; 2] {
+        self.sides.each_ref().map(|side| {
+            let strip = |raw: &RawStrip| Strip {
+                patches: raw.units.iter().map(|r| Patch::of(r, is_by_hand)).collect(),
+                posts: raw.posts.clone(),
+            };
+            side.iter().map(strip).collect()
+        })
+    }
 }
 
 /// The nib under which the symbols of a legend agree best with the fullest lines of a sheet.
@@ -177,23 +209,39 @@ pub fn pen(ink: &Ink, grid: &Grid) -> Nib {
     Nib::of(ink, grid)
 }
 
-/// Reads the units of a grid by a legend; `ink` is that of walls, `all` has what slants too, `nib` is about what it is drawn with.
-pub fn read(ink: &Ink, all: &Ink, grid: &Grid, legend: &Legend, nib: Nib) -> Units {
-    let strips = strips(ink, all, grid, legend.is_by_hand);
+/// Reads the units of a grid by a legend; `nib` is about what it is drawn with.
+pub fn read(lines: &Lines, grid: &Grid, legend: &Legend, nib: Nib) -> Units {
+    let strips = lines.strips(legend.is_by_hand);
     let nib = fitting(&strips, legend, nib);
-    let stamps = stamp::stamps(legend, nib);
-    let lines: [Vec<Line>; 2] =
-        strips.map(|side| side.iter().map(|s| Line::of(s, &stamps, nib)).collect());
+    let mut stamps = stamp::stamps(legend, nib);
+    let rows = strips[0].len();
+    let strips: Vec<Strip> = strips.into_iter().flatten().collect();
+    let mut lines: Vec<Line> = strips.iter().map(|s| Line::of(s, &stamps, nib)).collect();
     // One hand draws one thing in one way: what a first look finds often is likelier at the second.
     let mut habits = Habits::none(&stamps);
-    for line in lines.iter().flatten() {
+    for line in &lines {
         let runs = line.best(&stamps, &habits);
         runs.iter().for_each(|run| habits.note(run));
     }
     habits.settle(&stamps);
+    // The second look is at how this sheet itself draws them.
+    let mut learnt = Learnt::default();
+    for (strip, line) in strips.iter().zip(&lines) {
+        for run in line.best(&stamps, &habits) {
+            learnt.take(&run, &strip.patches, &stamps);
+        }
+    }
+    let first = stamps.len();
+    stamps.extend(learnt.stamps(&stamps));
+    for (strip, line) in strips.iter().zip(&mut lines) {
+        line.extend(strip, &stamps[first..], nib);
+    }
+    habits.own(&stamps, first);
     let mut sum = Sum::default();
     let mut reads = |line: &Line| line.reads(&line.best(&stamps, &habits), &mut sum);
-    let mut lines = lines.map(|side| side.iter().map(&mut reads).collect());
+    let mut level: Vec<Vec<Read>> = lines.iter().map(&mut reads).collect();
+    let upright = level.split_off(rows);
+    let mut lines = [level, upright];
     settle(&mut lines);
     let [level, upright] = lines;
     Units {

@@ -1,6 +1,6 @@
 //! The ink round a unit of the grid, and the posts at its ends.
 
-use super::super::grid::{Grid, dark_at};
+use super::super::grid::{Grid, dark_at, level_at};
 use super::super::sheet::Ink;
 use glam::DVec2;
 
@@ -37,20 +37,37 @@ pub(super) struct Patch {
     pub(super) is_inked: bool,
 }
 
-impl Patch {
-    /// `is_by_hand` tells of strokes that sway about the lines of the grid.
-    pub(super) fn of(
-        (ink, all): (&Ink, &Ink),
-        grid: &Grid,
-        from: DVec2,
-        upright: bool,
-        is_by_hand: bool,
-    ) -> Patch {
+/// Ink as it was sampled, before strokes that sway are straightened.
+#[derive(Clone)]
+pub(super) struct Raw {
+    black: Vec<f32>,
+    red: Vec<f32>,
+    arc: f64,
+    leaf: f64,
+}
+
+impl Raw {
+    /// The ink of a unit that begins at a crossing; `all` has what slants too.
+    pub(super) fn of((ink, all): (&Ink, &Ink), grid: &Grid, from: DVec2, upright: bool) -> Raw {
         let place = |along: f64, across: f64| match upright {
             false => grid.at(from.x + along, from.y + across),
             true => grid.at(from.x + across, from.y + along),
         };
-        let (mut black, mut red) = sampled(ink, &place);
+        let (black, red) = sampled(ink, &place);
+        Raw {
+            black,
+            red,
+            arc: arc(all, &place),
+            leaf: leaf(all, &place),
+        }
+    }
+}
+
+impl Patch {
+    /// `is_by_hand` tells of strokes that sway about the lines of the grid.
+    pub(super) fn of(raw: &Raw, is_by_hand: bool) -> Patch {
+        let (mut black, mut red) = (raw.black.clone(), raw.red.clone());
+        let (arc, leaf) = (raw.arc, raw.leaf);
         if is_by_hand {
             straighten(&mut black, &mut red);
         }
@@ -65,7 +82,6 @@ impl Patch {
                 .sum::<f32>()
         };
         let (blacks, reds) = (middle(&black), middle(&red));
-        let (arc, leaf) = (arc(all, &place), leaf(all, &place));
         let is_inked = blacks + reds > 3.0 || arc > 0.5 || leaf > 0.5;
         let tones = |ink: &[f32]| soft(ink, ALONG).into_iter().map(tone).collect::<Vec<u8>>();
         let (black, red) = (tones(&black), tones(&red));
@@ -106,7 +122,7 @@ fn sampled(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> (Vec<f32>, Vec<f32>)
                 ((j as f64 + b) / ACROSS as f64 * 2.0 - 1.0) * REACH,
             );
             dark += f64::from(dark_at(ink, at)) / 4.0;
-            colour += f64::from(red_at(ink, at)) / 4.0;
+            colour += f64::from(level_at(&ink.red, at)) / 4.0;
         }
         let share = ((dark - f64::from(ink.threshold) * 0.35) / full).clamp(0.0, 1.0);
         let of_red = (colour / full * 2.0).clamp(0.0, 1.0).min(share);
@@ -118,7 +134,7 @@ fn sampled(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> (Vec<f32>, Vec<f32>)
 
 /// A share of ink as a number of 0 to 255.
 pub(super) fn tone(share: f32) -> u8 {
-    (share * 255.0).round() as u8
+    (share * 255.0 + 0.5) as u8
 }
 
 fn sums(ink: &[u8]) -> [u32; 4] {
@@ -140,17 +156,6 @@ pub(super) fn skip() -> usize {
 /// How far sample `j` lies across, units.
 pub(super) fn across(j: usize) -> f64 {
     ((j as f64 + 0.5) / ACROSS as f64 * 2.0 - 1.0) * REACH
-}
-
-fn red_at(ink: &Ink, at: DVec2) -> u8 {
-    let (x, y) = (at.x.floor(), at.y.floor());
-    let inside =
-        x >= 0.0 && y >= 0.0 && x < f64::from(ink.red.width()) && y < f64::from(ink.red.height());
-    if inside {
-        ink.red.get_pixel(x as u32, y as u32)[0]
-    } else {
-        0
-    }
 }
 
 /// Moves the columns of a patch so that the middle of its strokes lies on the line of the grid.
@@ -312,15 +317,11 @@ pub(super) fn post(ink: &Ink, grid: &Grid, u: f64, v: f64) -> f64 {
 pub(super) fn soft(values: &[f32], along: usize) -> Vec<f32> {
     let across = values.len() / along;
     let mut out = vec![0.0; values.len()];
-    for j in 0..across {
-        let near = j.saturating_sub(SOFT)..=(j + SOFT).min(across - 1);
-        for i in 0..along {
-            let mut sum = 0.0;
-            for k in near.clone() {
-                let weight = (SOFT + 1 - k.abs_diff(j)) as f32;
-                sum += weight * values[k * along + i];
-            }
-            out[j * along + i] = sum / ((SOFT + 1) * (SOFT + 1)) as f32;
+    for (j, to) in out.chunks_exact_mut(along).enumerate() {
+        for k in j.saturating_sub(SOFT)..=(j + SOFT).min(across - 1) {
+            let weight = (SOFT + 1 - k.abs_diff(j)) as f32 / ((SOFT + 1) * (SOFT + 1)) as f32;
+            let pairs = to.iter_mut().zip(&values[k * along..(k + 1) * along]);
+            pairs.for_each(|(value, from)| *value += weight * from);
         }
     }
     out

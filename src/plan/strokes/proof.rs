@@ -9,6 +9,7 @@ pub(super) const NOISE: f64 = 3.0;
 
 /// The difference between a symbol and its counterpart. Both halves of the symbol have to show it: a line of something else
 /// beside a wall may look like one leaf.
+#[derive(Clone)]
 pub(super) struct Proof {
     /// By units, halves of the symbol, and places; nothing where a unit lies in the other half.
     differences: Vec<[Vec<i16>; 2]>,

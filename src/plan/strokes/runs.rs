@@ -21,6 +21,13 @@ const STRANGE: f64 = 0.2;
 /// The share of all runs of a role from which on a way to draw is a habit.
 const USUAL: f64 = 0.3;
 
+/// How well a run has to agree, and by how much better than with another role, so that the sheet's own way to draw is learnt
+/// from it.
+const LEARNT: f64 = 0.7;
+const LEARNT_LEAD: f64 = 0.06;
+/// What it costs to be drawn otherwise than the sheet draws the same thing elsewhere.
+const FOREIGN: f64 = 0.1;
+
 /// What it counts that a symbol agrees better than itself in a mirror.
 const CLEAR: f64 = 1.0;
 /// How much better it has to.
@@ -49,6 +56,12 @@ pub(super) struct Run {
 }
 
 impl Run {
+    /// The stamp that it was read by, and its units, if there is no doubt of it.
+    pub(super) fn clear(&self) -> Option<(usize, std::ops::Range<usize>)> {
+        let is_clear = self.value > LEARNT && self.lead > LEARNT_LEAD;
+        self.stamp.filter(|_| is_clear).map(|k| (k, self.from..self.end))
+    }
+
     /// How much better than clutter it agrees with the ink.
     pub(super) fn agreement(&self) -> f64 {
         match self.stamp {
@@ -71,6 +84,17 @@ impl Habits {
             weights: vec![0.0; stamps.len()],
             costs: vec![0.0; stamps.len()],
         }
+    }
+
+    /// Draws the conclusion of what the sheet itself shows, from a place in the list of stamps on: of a role of which its own
+    /// way to draw is known, the others are less likely.
+    pub(super) fn own(&mut self, stamps: &[Stamp], first: usize) {
+        let is_owned = |role: Role| stamps[first..].iter().any(|s| s.role == role);
+        for (stamp, cost) in stamps[..first].iter().zip(&mut self.costs) {
+            *cost += if is_owned(stamp.role) { FOREIGN } else { 0.0 };
+        }
+        self.costs.resize(stamps.len(), 0.0);
+        self.weights.resize(stamps.len(), 0.0);
     }
 
     pub(super) fn note(&mut self, run: &Run) {
@@ -151,6 +175,18 @@ impl Line {
                 .iter()
                 .map(|p| if p.is_inked { all(p) } else { Vec::new() })
                 .collect(),
+        }
+    }
+
+    /// Adds how well its units agree with more stamps.
+    pub(super) fn extend(&mut self, strip: &Strip, stamps: &[Stamp], nib: Nib) {
+        for (patch, all) in strip.patches.iter().zip(&mut self.likeness) {
+            if patch.is_inked {
+                let units = stamps
+                    .iter()
+                    .flat_map(|s| (0..s.units).map(|unit| s.likeness(unit, patch, nib)));
+                all.extend(units.map(|(likeness, proof)| (likeness as f32, proof)));
+            }
         }
     }
 

@@ -11,6 +11,7 @@ const SPREADS: usize = 7;
 const APART: f64 = 1.6;
 
 /// A symbol as ink.
+#[derive(Clone)]
 pub(super) struct Stamp {
     pub(super) role: Role,
     pub(super) units: usize,
@@ -43,11 +44,12 @@ pub(super) fn stamps(legend: &Legend, nib: Nib) -> Vec<Stamp> {
                 continue;
             }
             let first = out.len();
+            let upright = Stamp {
+                kind: (place, k),
+                ..stamp(symbol, units, spread, nib)
+            };
             for (turned, mirrored) in [(false, false), (true, false), (false, true), (true, true)] {
-                let stamp = Stamp {
-                    kind: (place, k),
-                    ..stamp(symbol, units, spread, nib, turned, mirrored)
-                };
+                let stamp = upright.flipped(turned, mirrored);
                 let alike = |s: &Stamp| s.ink == stamp.ink && s.way == stamp.way;
                 if !out[first..].iter().any(alike) {
                     out.push(stamp);
@@ -62,10 +64,12 @@ pub(super) fn stamps(legend: &Legend, nib: Nib) -> Vec<Stamp> {
 /// Gives the stamps of a symbol what they have to prove.
 fn oppose(stamps: &mut [Stamp], symbol: &Symbol, nib: Nib, spread: f64) {
     if let Some(pair) = opposites(symbol) {
-        for own in stamps {
-            let ink = |s: &Symbol| stamp(s, own.units, spread, nib, false, false).whole();
-            own.proof = Some(Proof::of(&ink(&pair[0]), &ink(&pair[1])));
-        }
+        let Some(units) = stamps.first().map(|s| s.units) else {
+            return;
+        };
+        let ink = |s: &Symbol| stamp(s, units, spread, nib).whole();
+        let proof = Proof::of(&ink(&pair[0]), &ink(&pair[1]));
+        stamps.iter_mut().for_each(|own| own.proof = Some(proof.clone()));
     } else if let [one, other] = stamps {
         // One is the other in a mirror: the ink must be on the right sides.
         one.proof = Some(Proof::of(&one.whole(), &other.whole()));
@@ -85,29 +89,18 @@ fn narrowest(symbol: &Symbol) -> f64 {
     pairs.filter(|d| *d > 0.0).fold(f64::INFINITY, f64::min)
 }
 
-fn stamp(
-    symbol: &Symbol,
-    units: usize,
-    spread: f64,
-    nib: Nib,
-    turned: bool,
-    mirrored: bool,
-) -> Stamp {
+fn stamp(symbol: &Symbol, units: usize, spread: f64, nib: Nib) -> Stamp {
     let along = ALONG * units;
     let ink = [false, true].map(|is_red| {
         let mut ink = vec![0.0_f32; along * ACROSS];
         for (mark, drawn) in symbol.marks.iter().filter(|(_, p)| p.is_red == is_red) {
-            let Some((mut rows, mut columns)) = covered(*mark, spread, nib.width, units) else {
+            let Some((rows, columns)) = covered(*mark, spread, nib.width, units) else {
                 continue;
             };
-            if mirrored {
-                rows.reverse();
-            }
-            if turned {
-                columns.reverse();
-            }
-            for (at, value) in ink.iter_mut().enumerate() {
-                *value = value.max(rows[at / along] * columns[at % along] * drawn.ink as f32);
+            for (row, values) in rows.iter().zip(ink.chunks_exact_mut(along)).filter(|r| *r.0 > 0.0) {
+                let row = row * drawn.ink as f32;
+                let pairs = values.iter_mut().zip(&columns);
+                pairs.for_each(|(value, column)| *value = value.max(row * column));
             }
         }
         let ink = soft(&blurred(ink, along, nib.blur), along);
@@ -147,23 +140,30 @@ fn blurred(ink: Vec<f32>, along: usize, blur: f64) -> Vec<f32> {
     let rows = bell(blur / (2.0 * REACH) * ACROSS as f64);
     let columns = bell(blur * ALONG as f64);
     let mut down = vec![0.0; ink.len()];
-    for (at, value) in ink.iter().enumerate().filter(|(_, v)| **v > 0.0) {
-        let (j, i) = (at / along, at % along);
+    for (j, from) in ink.chunks_exact(along).enumerate() {
+        if from.iter().all(|v| *v == 0.0) {
+            continue;
+        }
         for (k, weight) in rows.iter().enumerate() {
             let row = j + k;
             if row >= rows.len() / 2 && row - rows.len() / 2 < ACROSS {
-                down[(row - rows.len() / 2) * along + i] += value * weight;
+                let row = (row - rows.len() / 2) * along;
+                let pairs = down[row..row + along].iter_mut().zip(from);
+                pairs.for_each(|(to, value)| *to += value * weight);
             }
         }
     }
     let mut out = vec![0.0; ink.len()];
+    let reach = columns.len() / 2;
+    let mut wide = vec![0.0; along + 2 * reach];
     for (from, to) in down.chunks_exact(along).zip(out.chunks_exact_mut(along)) {
-        for (i, value) in to.iter_mut().enumerate() {
-            // Strokes go on beyond the ends.
-            let place = |k: usize| (i + k).saturating_sub(columns.len() / 2).min(along - 1);
-            *value = (0..columns.len())
-                .map(|k| columns[k] * from[place(k)])
-                .sum();
+        // Strokes go on beyond the ends.
+        wide[..reach].fill(from[0]);
+        wide[reach..reach + along].copy_from_slice(from);
+        wide[reach + along..].fill(from[along - 1]);
+        for (k, weight) in columns.iter().enumerate() {
+            let pairs = to.iter_mut().zip(&wide[k..k + along]);
+            pairs.for_each(|(value, from)| *value += from * weight);
         }
     }
     out
@@ -237,6 +237,45 @@ fn cells(count: usize, low: f64, high: f64) -> Vec<f32> {
 }
 
 impl Stamp {
+    /// Whether it is told by the way of a leaf.
+    pub(super) fn is_way(&self) -> bool {
+        self.way.is_some()
+    }
+
+    /// The same symbol with other ink: its black ink and its red ink, for each unit of it.
+    pub(super) fn with_ink(&self, ink: [Vec<Vec<u8>>; 2]) -> Stamp {
+        Stamp {
+            mirrored: None,
+            ink,
+            ..self.clone()
+        }
+    }
+
+    /// The same from the other end, or from the other side.
+    fn flipped(&self, turned: bool, mirrored: bool) -> Stamp {
+        let ink = self.ink.each_ref().map(|units| {
+            let mut units: Vec<Vec<u8>> = units
+                .iter()
+                .map(|unit| {
+                    let mut rows: Vec<&[u8]> = unit.chunks_exact(ALONG).collect();
+                    if mirrored {
+                        rows.reverse();
+                    }
+                    let row = |row: &[u8]| match turned {
+                        true => row.iter().rev().copied().collect::<Vec<u8>>(),
+                        false => row.to_vec(),
+                    };
+                    rows.into_iter().flat_map(row).collect()
+                })
+                .collect();
+            if turned {
+                units.reverse();
+            }
+            units
+        });
+        Stamp { ink, ..self.clone() }
+    }
+
     /// Its ink of both colours, unit by unit.
     fn whole(&self) -> Vec<Vec<i16>> {
         let both = |(a, b): (&u8, &u8)| (i16::from(*a) + i16::from(*b)).min(255);
