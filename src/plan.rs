@@ -242,17 +242,13 @@ fn by_best_legend<'l>(
         thin && off.x < ON_LINE || flat && off.y < ON_LINE
     });
     let lines = strokes::Lines::of(&walls, ink, grid);
-    let read = |legend| {
-        let units = strokes::read(&lines, grid, legend, pen);
-        (units.with_cells(&straight, grid), legend)
+    let look = |legend| (strokes::Look::of(&lines, legend, pen), legend);
+    let looks: Vec<(strokes::Look, &Legend)> = legends.par_iter().map(look).collect();
+    let better = |a: (strokes::Look, &'l Legend), b: (strokes::Look, &'l Legend)| {
+        if b.0.likeness > a.0.likeness { b } else { a }
     };
-    let read: Vec<(Units, &Legend)> = legends.par_iter().map(read).collect();
-    let better = |a: (Units, &'l Legend), b: (Units, &'l Legend)| match b.0.likeness > a.0.likeness
-    {
-        true => b,
-        false => a,
-    };
-    read.into_iter().reduce(better)
+    let (best, legend) = looks.into_iter().reduce(better)?;
+    Some((best.units(grid).with_cells(&straight, grid), legend))
 }
 
 /// Whether what was found is a house: not a few strokes of something else that happen to close, nor ruled paper.

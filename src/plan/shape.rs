@@ -42,11 +42,20 @@ pub struct Shape {
 /// A side of a cell: where it begins, whether it is upright, and the cell beyond it.
 type CellSide = ((i32, i32), bool, (i32, i32));
 
+/// A gap between walls that was closed.
+#[derive(Clone, Copy)]
+struct Gap {
+    /// Whether walls of its line stand at both ends and it is no wider than a door.
+    is_door: bool,
+    /// Units.
+    length: i32,
+}
+
 /// What parts two cells.
 #[derive(Clone)]
 struct Lines<'a> {
     units: &'a Units,
-    joined: BTreeMap<((i32, i32), bool), bool>,
+    joined: BTreeMap<((i32, i32), bool), Gap>,
 }
 
 impl Lines<'_> {
@@ -130,10 +139,23 @@ impl Lines<'_> {
 
     /// Takes back gaps inside, but for doors where they are kept: walls that face each other across a room are no reason for one between them.
     fn keep_outer(&mut self, cells: &BTreeSet<(i32, i32)>, keeps_doors: bool) {
-        self.joined.retain(|((u, v), upright), is_door| {
+        self.joined.retain(|((u, v), upright), gap| {
             let other = if *upright { (u - 1, *v) } else { (*u, v - 1) };
-            keeps_doors && *is_door || cells.contains(&(*u, *v)) != cells.contains(&other)
+            keeps_doors && gap.is_door || cells.contains(&(*u, *v)) != cells.contains(&other)
         });
+    }
+
+    /// Takes every side of the house where nothing is drawn for a way.
+    fn close(&mut self, cells: &BTreeSet<(i32, i32)>) {
+        for (at, upright, beyond) in cells.iter().flat_map(|c| Lines::sides(*c)) {
+            if !cells.contains(&beyond) && !self.parts(at, upright) {
+                let gap = Gap {
+                    is_door: false,
+                    length: 1,
+                };
+                self.joined.insert((at, upright), gap);
+            }
+        }
     }
 
     /// Cells beside a cell that no wall parts from it.
@@ -183,6 +205,7 @@ impl Shape {
         };
         let cells = largest(cells);
         lines.keep_outer(&cells, !is_drawn);
+        lines.close(&cells);
         let mut shape = Shape {
             cells,
             ..Shape::default()
@@ -226,9 +249,8 @@ impl Shape {
     }
 }
 
-/// Units without strokes between walls of one line, or between such a wall and a corner: each with whether walls of its line
-/// stand at both ends and it is no wider than a door.
-fn gaps(lines: &Lines<'_>) -> BTreeMap<((i32, i32), bool), bool> {
+/// Units without strokes between walls of one line, or between such a wall and a corner.
+fn gaps(lines: &Lines<'_>) -> BTreeMap<((i32, i32), bool), Gap> {
     let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
     let mut out = BTreeMap::new();
     for upright in [false, true] {
@@ -261,9 +283,11 @@ fn gaps(lines: &Lines<'_>) -> BTreeMap<((i32, i32), bool), bool> {
                 }
                 if end - k <= GAP && (stands(end) || crosses(end)) {
                     let is_door = stands(k - 1) && stands(end) && end - k <= DOOR;
-                    (k..end).for_each(|j| {
-                        out.insert((at(j), upright), is_door);
-                    });
+                    let gap = Gap {
+                        is_door,
+                        length: end - k,
+                    };
+                    out.extend((k..end).map(|j| ((at(j), upright), gap)));
                 }
                 k = end;
             }

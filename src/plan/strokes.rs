@@ -9,9 +9,11 @@ use patch::{Patch, Raw};
 use rayon::prelude::*;
 use learnt::Learnt;
 use runs::{Habits, Line, Sum};
+use stamp::Stamp;
 use std::collections::BTreeSet;
 
 mod learnt;
+mod loose;
 mod nib;
 mod patch;
 mod proof;
@@ -209,48 +211,83 @@ pub fn pen(ink: &Ink, grid: &Grid) -> Nib {
     Nib::of(ink, grid)
 }
 
-/// Reads the units of a grid by a legend; `nib` is about what it is drawn with.
-pub fn read(lines: &Lines, grid: &Grid, legend: &Legend, nib: Nib) -> Units {
-    let strips = lines.strips(legend.is_by_hand);
-    let nib = fitting(&strips, legend, nib);
-    let mut stamps = stamp::stamps(legend, nib);
-    let rows = strips[0].len();
-    let strips: Vec<Strip> = strips.into_iter().flatten().collect();
-    let mut lines: Vec<Line> = strips.iter().map(|s| Line::of(s, &stamps, nib)).collect();
-    // One hand draws one thing in one way: what a first look finds often is likelier at the second.
-    let mut habits = Habits::none(&stamps);
-    for line in &lines {
-        let runs = line.best(&stamps, &habits);
-        runs.iter().for_each(|run| habits.note(run));
-    }
-    habits.settle(&stamps);
-    // The second look is at how this sheet itself draws them.
-    let mut learnt = Learnt::default();
-    for (strip, line) in strips.iter().zip(&lines) {
-        for run in line.best(&stamps, &habits) {
-            learnt.take(&run, &strip.patches, &stamps);
+/// A first look at all lines of a grid by a legend.
+pub struct Look {
+    /// How well the symbols of the legend agree with the ink, 0 to 1.
+    pub likeness: f64,
+    /// How many of the strips are level.
+    rows: usize,
+    strips: Vec<Strip>,
+    stamps: Vec<Stamp>,
+    lines: Vec<Line>,
+    habits: Habits,
+    nib: Nib,
+}
+
+impl Look {
+    /// Looks at the units of a grid by a legend; `nib` is about what it is drawn with.
+    pub fn of(lines: &Lines, legend: &Legend, nib: Nib) -> Look {
+        let strips = lines.strips(legend.is_by_hand);
+        let nib = fitting(&strips, legend, nib);
+        let stamps = stamp::stamps(legend, nib);
+        let rows = strips[0].len();
+        let strips: Vec<Strip> = strips.into_iter().flatten().collect();
+        let lines: Vec<Line> = strips.iter().map(|s| Line::of(s, &stamps, nib)).collect();
+        // One hand draws one thing in one way: what a first look finds often is likelier at the second.
+        let mut habits = Habits::none(&stamps);
+        for line in &lines {
+            let runs = line.best(&stamps, &habits);
+            runs.iter().for_each(|run| habits.note(run));
+        }
+        habits.settle(&stamps);
+        let mut sum = Sum::default();
+        for line in &lines {
+            line.reads(&line.best(&stamps, &habits), &mut sum);
+        }
+        Look {
+            likeness: sum.mean(),
+            rows,
+            strips,
+            stamps,
+            lines,
+            habits,
+            nib,
         }
     }
-    let first = stamps.len();
-    stamps.extend(learnt.stamps(&stamps));
-    for (strip, line) in strips.iter().zip(&mut lines) {
-        line.extend(strip, &stamps[first..], nib);
-    }
-    habits.own(&stamps, first);
-    let mut sum = Sum::default();
-    let mut reads = |line: &Line| line.reads(&line.best(&stamps, &habits), &mut sum);
-    let mut level: Vec<Vec<Read>> = lines.iter().map(&mut reads).collect();
-    let upright = level.split_off(rows);
-    let mut lines = [level, upright];
-    settle(&mut lines);
-    let [level, upright] = lines;
-    Units {
-        across: grid.across,
-        down: grid.down,
-        level,
-        upright,
-        likeness: sum.mean(),
-        inked: BTreeSet::new(),
+
+    /// The second look, at how this sheet itself draws things, and what it finds.
+    pub fn units(mut self, grid: &Grid) -> Units {
+        let mut learnt = Learnt::default();
+        for (strip, line) in self.strips.iter().zip(&self.lines) {
+            for run in line.best(&self.stamps, &self.habits) {
+                learnt.take(&run, &strip.patches, &self.stamps);
+            }
+        }
+        let first = self.stamps.len();
+        self.stamps.extend(learnt.stamps(&self.stamps));
+        for (strip, line) in self.strips.iter().zip(&mut self.lines) {
+            line.extend(strip, &self.stamps[first..], self.nib);
+        }
+        self.habits.own(&self.stamps, first);
+        let reads = |line: &Line| {
+            let runs = line.best(&self.stamps, &self.habits);
+            line.reads(&runs, &mut Sum::default())
+        };
+        let mut level: Vec<Vec<Read>> = self.lines.iter().map(reads).collect();
+        let upright = level.split_off(self.rows);
+        let mut lines = [level, upright];
+        settle(&mut lines);
+        let posts = self.strips[..self.rows].iter().map(|s| s.posts.clone());
+        loose::remove(&mut lines, &posts.collect::<Vec<_>>());
+        let [level, upright] = lines;
+        Units {
+            across: grid.across,
+            down: grid.down,
+            level,
+            upright,
+            likeness: self.likeness,
+            inked: BTreeSet::new(),
+        }
     }
 }
 

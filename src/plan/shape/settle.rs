@@ -12,6 +12,8 @@ const UNDRAWN: f64 = 0.5;
 const STRAY: f64 = 0.7;
 /// What a cell outside counts that has ink in it: mats, writing.
 const LEFT_OUT: f64 = 0.2;
+/// The share of that where it does not hold on to the house.
+const APART: f64 = 0.1;
 /// The lead over another reading from which on there is no doubt of a wall.
 const CLEAR: f64 = 0.2;
 
@@ -25,22 +27,50 @@ struct Region {
 
 /// The cells of the house: of those that walls and gaps enclose, the regions with which the outline is best.
 pub(super) fn settled(lines: &Lines<'_>) -> BTreeSet<(i32, i32)> {
-    let regions = regions(lines);
+    let (regions, number) = regions(lines);
     // The first is what lies round the drawing.
     let mut is_in: Vec<bool> = (0..regions.len()).map(|k| k > 0).collect();
+    let groups = groups(lines, &number, regions.len());
     loop {
-        let gain = |k: usize| (change(&regions, &is_in, k), k);
-        let best = (1..regions.len())
-            .filter(|k| touches(&regions[*k], &is_in, !is_in[*k]))
-            .map(gain)
-            .min_by(|a, b| a.0.total_cmp(&b.0));
-        match best {
-            Some((change, k)) if change < -1e-9 => is_in[k] = !is_in[k],
-            _ => break,
+        let mut best = (-1e-9, None);
+        for group in &groups {
+            let is_mixed = group.iter().any(|k| is_in[*k] != is_in[group[0]]);
+            if is_mixed || !group.iter().any(|k| touches(&regions[*k], &is_in, !is_in[*k])) {
+                continue;
+            }
+            let change = change(&regions, &is_in, group);
+            if change < best.0 {
+                best = (change, Some(group));
+            }
         }
+        let Some(group) = best.1 else { break };
+        group.iter().for_each(|k| is_in[*k] = !is_in[*k]);
     }
     let kept = regions.into_iter().zip(is_in).filter(|r| r.1);
     kept.flat_map(|(region, _)| region.cells).collect()
+}
+
+/// What changes sides together: each region, and regions that only wider gaps part: gaps cross a recess at every wall beside it.
+fn groups(
+    lines: &Lines<'_>,
+    number: &BTreeMap<(i32, i32), usize>,
+    count: usize,
+) -> BTreeSet<Vec<usize>> {
+    let mut out: BTreeSet<Vec<usize>> = (1..count).map(|k| vec![k]).collect();
+    for widest in [0, 1, 2] {
+        let mut some = lines.clone();
+        some.joined
+            .retain(|_, gap| gap.is_door || gap.length <= widest);
+        let mut left: BTreeSet<(i32, i32)> = lines.enclosed();
+        let enclosed = left.clone();
+        while let Some(&first) = left.iter().next() {
+            let cells = flood(first, |c| enclosed.contains(&c), |c| some.beside(c).collect());
+            left.retain(|c| !cells.contains(c));
+            let group: BTreeSet<usize> = cells.iter().map(|c| number[c]).collect();
+            out.insert(group.into_iter().collect());
+        }
+    }
+    out
 }
 
 /// Whether a region lies beside one that is in, or out.
@@ -48,26 +78,31 @@ fn touches(region: &Region, is_in: &[bool], wanted: bool) -> bool {
     region.sides.iter().any(|s| is_in[s.0] == wanted)
 }
 
-/// By how much the whole gets worse if a region changes sides.
-fn change(regions: &[Region], is_in: &[bool], k: usize) -> f64 {
-    let region = &regions[k];
-    let cost = |mine: bool| {
+/// By how much the whole gets worse if some regions, all on one side, change it.
+fn change(regions: &[Region], is_in: &[bool], group: &[usize]) -> f64 {
+    let cost = |k: usize, mine: bool| {
         let side = |(other, undrawn, stray): &(usize, f64, f64)| {
-            let theirs = if *other == k { mine } else { is_in[*other] };
+            // What lies between two of the group is met from both.
+            let (theirs, share) = match group.contains(other) {
+                true if *other != k => (mine, 0.5),
+                true => (mine, 1.0),
+                false => (is_in[*other], 1.0),
+            };
             match (mine, theirs) {
                 (true, true) => 0.0,
-                (false, false) => *stray,
-                _ => *undrawn,
+                (false, false) => *stray * share,
+                _ => *undrawn * share,
             }
         };
-        let inked = if mine { 0.0 } else { region.inked };
-        region.sides.iter().map(side).sum::<f64>() + inked
+        let inked = if mine { 0.0 } else { regions[k].inked };
+        regions[k].sides.iter().map(side).sum::<f64>() + inked
     };
-    cost(!is_in[k]) - cost(is_in[k])
+    let changes = group.iter().map(|k| cost(*k, !is_in[*k]) - cost(*k, is_in[*k]));
+    changes.sum()
 }
 
 /// The regions of a drawing; the first is what lies round it.
-fn regions(lines: &Lines<'_>) -> Vec<Region> {
+fn regions(lines: &Lines<'_>) -> (Vec<Region>, BTreeMap<(i32, i32), usize>) {
     let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
     let within = |(u, v): (i32, i32)| u >= u0 - 1 && u <= u1 && v >= v0 - 1 && v <= v1;
     let mut number: BTreeMap<(i32, i32), usize> = BTreeMap::new();
@@ -80,16 +115,18 @@ fn regions(lines: &Lines<'_>) -> Vec<Region> {
         number.extend(group.iter().map(|c| (*c, groups.len())));
         groups.push(group);
     }
+    let main = connected(lines);
     let region = |(k, cells): (usize, BTreeSet<(i32, i32)>)| {
         let mut sides = Vec::new();
         for (at, upright, beyond) in cells.iter().flat_map(|c| Lines::sides(*c)) {
             let Some(&other) = number.get(&beyond) else {
                 continue;
             };
-            let strength = strength(lines.read(at, upright));
+            let is_main = main.contains(&(at, upright));
+            let strength = if is_main { 1.0 } else { APART } * strength(lines.read(at, upright));
             // What lies within is met from both of its sides.
             let times = if other == k { 0.5 } else { 1.0 };
-            let undrawn = UNDRAWN * (1.0 - strength);
+            let undrawn = UNDRAWN * (1.0 - closes(lines.read(at, upright).role));
             if other != k || strength > 0.0 {
                 sides.push((other, undrawn * times, STRAY * strength * times));
             }
@@ -101,7 +138,45 @@ fn regions(lines: &Lines<'_>) -> Vec<Region> {
             cells,
         }
     };
-    groups.into_iter().enumerate().map(region).collect()
+    let regions = groups.into_iter().enumerate().map(region).collect();
+    (regions, number)
+}
+
+/// The largest number of units of wall that hold on to each other: the house. Chains of dimensions stand apart.
+fn connected(lines: &Lines<'_>) -> BTreeSet<((i32, i32), bool)> {
+    let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
+    let all = (v0..=v1).flat_map(|v| (u0..=u1).map(move |u| (u, v)));
+    let stands = |at: (i32, i32), upright: bool| lines.read(at, upright).role.parts();
+    let beside = |(u, v): (i32, i32)| {
+        let ends = [
+            ((u + 1, v), stands((u, v), false)),
+            ((u - 1, v), stands((u - 1, v), false)),
+            ((u, v + 1), stands((u, v), true)),
+            ((u, v - 1), stands((u, v - 1), true)),
+        ];
+        let ends = ends.into_iter().filter(|end| end.1);
+        ends.map(|end| end.0).collect::<Vec<_>>()
+    };
+    let mut left: BTreeSet<(i32, i32)> = all.collect();
+    let mut most = BTreeSet::new();
+    while let Some(&first) = left.iter().next() {
+        let crossings = flood(first, |_| true, beside);
+        left.retain(|c| !crossings.contains(c));
+        if crossings.len() > most.len() {
+            most = crossings;
+        }
+    }
+    let sides = most.into_iter().flat_map(|c| [(c, false), (c, true)]);
+    sides.filter(|(at, upright)| stands(*at, *upright)).collect()
+}
+
+/// How well a unit closes a house, 0 to 1.
+fn closes(role: Role) -> f64 {
+    match role {
+        Role::Empty | Role::Mat => 0.0,
+        Role::Hinged | Role::Open => 0.6,
+        Role::Wall | Role::Slide | Role::Window | Role::Lattice => 1.0,
+    }
 }
 
 /// How sure it is that a wall stands there, 0 to 1.

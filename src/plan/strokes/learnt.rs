@@ -1,6 +1,7 @@
 //! How a sheet itself draws things: the mean of what a first look was sure of. The symbols of a legend are a first guess; the
 //! width of walls, the blur and the tone of a sheet are its own.
 
+use super::super::legend::Role;
 use super::patch::{ACROSS, ALONG, Patch, skip};
 use super::runs::Run;
 use super::stamp::Stamp;
@@ -8,6 +9,9 @@ use std::collections::BTreeMap;
 
 /// The fewest times that a thing is drawn in a way that is learnt.
 const LEAST: u32 = 3;
+
+/// One in so many units of a role have to be drawn in a way that is learnt.
+const USUAL: u32 = 4;
 
 /// Ink that was read by a stamp, summed.
 struct Sum {
@@ -29,7 +33,8 @@ impl Learnt {
             return;
         };
         let stamp = &stamps[k];
-        if stamp.is_way() {
+        // Of two that differ only by their sides the mean is neither.
+        if stamp.is_way() || stamp.mirrored.is_some() {
             return;
         }
         let empty = || vec![vec![0; ALONG * ACROSS]; stamp.units];
@@ -49,7 +54,15 @@ impl Learnt {
 
     /// Stamps of what was seen often enough.
     pub(super) fn stamps(&self, stamps: &[Stamp]) -> Vec<Stamp> {
-        let often = self.sums.iter().filter(|(_, sum)| sum.times >= LEAST);
+        let units = |k: usize, sum: &Sum| sum.times * stamps[k].units as u32;
+        let of_role = |role: Role| {
+            let alike = self.sums.iter().filter(|(k, _)| stamps[**k].role == role);
+            alike.map(|(k, sum)| units(*k, sum)).sum::<u32>()
+        };
+        // What is drawn so now and then is something else that looks like it.
+        let often = self.sums.iter().filter(|(k, sum)| {
+            sum.times >= LEAST && USUAL * units(**k, sum) >= of_role(stamps[**k].role)
+        });
         let learnt = often.map(|(k, sum)| {
             let units = stamps[*k].units;
             let mean = |unit: usize, ink: &[u32]| -> Vec<u8> {

@@ -26,7 +26,7 @@ const USUAL: f64 = 0.3;
 const LEARNT: f64 = 0.7;
 const LEARNT_LEAD: f64 = 0.06;
 /// What it costs to be drawn otherwise than the sheet draws the same thing elsewhere.
-const FOREIGN: f64 = 0.1;
+const FOREIGN: f64 = 0.15;
 
 /// What it counts that a symbol agrees better than itself in a mirror.
 const CLEAR: f64 = 1.0;
