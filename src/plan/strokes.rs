@@ -4,10 +4,10 @@ use super::grid::{Grid, dark_at};
 use super::legend::{Legend, Role};
 use super::sheet::Ink;
 use glam::DVec2;
+use learnt::Learnt;
 pub use nib::Nib;
 use patch::{Patch, Raw};
 use rayon::prelude::*;
-use learnt::Learnt;
 use runs::{Habits, Line, Sum};
 use stamp::Stamp;
 use std::collections::BTreeSet;
@@ -166,8 +166,12 @@ impl Lines {
                 posts: (0..=count).map(post).collect(),
             }
         };
-        let level = (v0..=v1).into_par_iter().map(|v| strip((u0, v), u1 - u0, false));
-        let upright = (u0..=u1).into_par_iter().map(|u| strip((u, v0), v1 - v0, true));
+        let level = (v0..=v1)
+            .into_par_iter()
+            .map(|v| strip((u0, v), u1 - u0, false));
+        let upright = (u0..=u1)
+            .into_par_iter()
+            .map(|u| strip((u, v0), v1 - v0, true));
         Lines {
             sides: [level.collect(), upright.collect()],
         }
@@ -244,8 +248,14 @@ impl Look {
         for line in &lines {
             line.reads(&line.best(&stamps, &habits), &mut sum);
         }
+        let has_red = legend
+            .symbols
+            .iter()
+            .flat_map(|s| &s.marks)
+            .any(|m| m.1.is_red);
+        let unexplained = if has_red { 0.0 } else { red(&strips) };
         Look {
-            likeness: sum.mean(),
+            likeness: sum.mean() * (1.0 - unexplained),
             rows,
             strips,
             stamps,
@@ -289,6 +299,19 @@ impl Look {
             inked: BTreeSet::new(),
         }
     }
+}
+
+/// The share of ink on lines of the grid that is red.
+fn red(strips: &[Strip]) -> f64 {
+    let inked = strips
+        .iter()
+        .flat_map(|s| &s.patches)
+        .filter(|p| p.is_inked);
+    let (red, all) = inked.fold((0.0, 0.0), |(red, all), p| {
+        let own = f64::from(p.reds[3]);
+        (red + own, all + own + f64::from(p.blacks[3]))
+    });
+    if all > 0.0 { red / all } else { 0.0 }
 }
 
 /// A plan has more walls than ways without doors: where the two are drawn alike, what was read as ways are walls.

@@ -7,7 +7,7 @@ use super::{Lines, flood};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a unit of the outline counts where nothing is drawn.
-const UNDRAWN: f64 = 0.5;
+const UNDRAWN: f64 = 0.3;
 /// What a unit of wall counts that stands outside.
 const STRAY: f64 = 0.7;
 /// What a cell outside counts that has ink in it: mats, writing.
@@ -35,7 +35,11 @@ pub(super) fn settled(lines: &Lines<'_>) -> BTreeSet<(i32, i32)> {
         let mut best = (-1e-9, None);
         for group in &groups {
             let is_mixed = group.iter().any(|k| is_in[*k] != is_in[group[0]]);
-            if is_mixed || !group.iter().any(|k| touches(&regions[*k], &is_in, !is_in[*k])) {
+            if is_mixed
+                || !group
+                    .iter()
+                    .any(|k| touches(&regions[*k], &is_in, !is_in[*k]))
+            {
                 continue;
             }
             let change = change(&regions, &is_in, group);
@@ -64,7 +68,11 @@ fn groups(
         let mut left: BTreeSet<(i32, i32)> = lines.enclosed();
         let enclosed = left.clone();
         while let Some(&first) = left.iter().next() {
-            let cells = flood(first, |c| enclosed.contains(&c), |c| some.beside(c).collect());
+            let cells = flood(
+                first,
+                |c| enclosed.contains(&c),
+                |c| some.beside(c).collect(),
+            );
             left.retain(|c| !cells.contains(c));
             let group: BTreeSet<usize> = cells.iter().map(|c| number[c]).collect();
             out.insert(group.into_iter().collect());
@@ -97,7 +105,9 @@ fn change(regions: &[Region], is_in: &[bool], group: &[usize]) -> f64 {
         let inked = if mine { 0.0 } else { regions[k].inked };
         regions[k].sides.iter().map(side).sum::<f64>() + inked
     };
-    let changes = group.iter().map(|k| cost(*k, !is_in[*k]) - cost(*k, is_in[*k]));
+    let changes = group
+        .iter()
+        .map(|k| cost(*k, !is_in[*k]) - cost(*k, is_in[*k]));
     changes.sum()
 }
 
@@ -167,7 +177,9 @@ fn connected(lines: &Lines<'_>) -> BTreeSet<((i32, i32), bool)> {
         }
     }
     let sides = most.into_iter().flat_map(|c| [(c, false), (c, true)]);
-    sides.filter(|(at, upright)| stands(*at, *upright)).collect()
+    sides
+        .filter(|(at, upright)| stands(*at, *upright))
+        .collect()
 }
 
 /// How well a unit closes a house, 0 to 1.

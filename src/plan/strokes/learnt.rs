@@ -33,8 +33,8 @@ impl Learnt {
             return;
         };
         let stamp = &stamps[k];
-        // Of two that differ only by their sides the mean is neither.
-        if stamp.is_way() || stamp.mirrored.is_some() {
+        // Of two that differ only by their sides the mean is neither, and ticks that are not quite in place are a bar.
+        if stamp.is_way() || stamp.mirrored.is_some() || stamp.role == Role::Lattice {
             return;
         }
         let empty = || vec![vec![0; ALONG * ACROSS]; stamp.units];
@@ -76,7 +76,8 @@ impl Learnt {
                 };
                 ink.iter().enumerate().map(tone).collect()
             };
-            let of = |ink: &Vec<Vec<u32>>| ink.iter().enumerate().map(|(u, i)| mean(u, i)).collect();
+            let of =
+                |ink: &Vec<Vec<u32>>| ink.iter().enumerate().map(|(u, i)| mean(u, i)).collect();
             stamps[*k].with_ink([of(&sum.ink[0]), of(&sum.ink[1])])
         });
         learnt.collect()

@@ -49,7 +49,12 @@ fn runs(
     while from < reads.len() {
         let end = match longest {
             1 => from + usize::from(is_meant(reads[from].role)),
-            _ => from + reads[from..].iter().take_while(|r| is_meant(r.role)).count(),
+            _ => {
+                from + reads[from..]
+                    .iter()
+                    .take_while(|r| is_meant(r.role))
+                    .count()
+            }
         };
         if end > from && end - from <= longest {
             out.push(from..end);

@@ -59,7 +59,9 @@ impl Run {
     /// The stamp that it was read by, and its units, if there is no doubt of it.
     pub(super) fn clear(&self) -> Option<(usize, std::ops::Range<usize>)> {
         let is_clear = self.value > LEARNT && self.lead > LEARNT_LEAD;
-        self.stamp.filter(|_| is_clear).map(|k| (k, self.from..self.end))
+        self.stamp
+            .filter(|_| is_clear)
+            .map(|k| (k, self.from..self.end))
     }
 
     /// How much better than clutter it agrees with the ink.
@@ -86,12 +88,17 @@ impl Habits {
         }
     }
 
-    /// Draws the conclusion of what the sheet itself shows, from a place in the list of stamps on: of a role of which its own
-    /// way to draw is known, the others are less likely.
+    /// Draws the conclusion of what the sheet itself shows, from a place in the list of stamps on: where its own way to draw
+    /// walls is known, other ways are less likely. Mats and doors are drawn in several ways on one sheet.
     pub(super) fn own(&mut self, stamps: &[Stamp], first: usize) {
-        let is_owned = |role: Role| stamps[first..].iter().any(|s| s.role == role);
+        let is_wall = |s: &Stamp| s.role == Role::Wall;
+        let is_known = stamps[first..].iter().any(is_wall);
         for (stamp, cost) in stamps[..first].iter().zip(&mut self.costs) {
-            *cost += if is_owned(stamp.role) { FOREIGN } else { 0.0 };
+            *cost += if is_known && is_wall(stamp) {
+                FOREIGN
+            } else {
+                0.0
+            };
         }
         self.costs.resize(stamps.len(), 0.0);
         self.weights.resize(stamps.len(), 0.0);

@@ -69,7 +69,9 @@ fn oppose(stamps: &mut [Stamp], symbol: &Symbol, nib: Nib, spread: f64) {
         };
         let ink = |s: &Symbol| stamp(s, units, spread, nib).whole();
         let proof = Proof::of(&ink(&pair[0]), &ink(&pair[1]));
-        stamps.iter_mut().for_each(|own| own.proof = Some(proof.clone()));
+        stamps
+            .iter_mut()
+            .for_each(|own| own.proof = Some(proof.clone()));
     } else if let [one, other] = stamps {
         // One is the other in a mirror: the ink must be on the right sides.
         one.proof = Some(Proof::of(&one.whole(), &other.whole()));
@@ -97,7 +99,11 @@ fn stamp(symbol: &Symbol, units: usize, spread: f64, nib: Nib) -> Stamp {
             let Some((rows, columns)) = covered(*mark, spread, nib.width, units) else {
                 continue;
             };
-            for (row, values) in rows.iter().zip(ink.chunks_exact_mut(along)).filter(|r| *r.0 > 0.0) {
+            for (row, values) in rows
+                .iter()
+                .zip(ink.chunks_exact_mut(along))
+                .filter(|r| *r.0 > 0.0)
+            {
                 let row = row * drawn.ink as f32;
                 let pairs = values.iter_mut().zip(&columns);
                 pairs.for_each(|(value, column)| *value = value.max(row * column));
@@ -273,7 +279,10 @@ impl Stamp {
             }
             units
         });
-        Stamp { ink, ..self.clone() }
+        Stamp {
+            ink,
+            ..self.clone()
+        }
     }
 
     /// Its ink of both colours, unit by unit.
