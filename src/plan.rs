@@ -78,6 +78,9 @@ const ON_LINE: f64 = 0.06;
 const LEAST_LIKENESS: f64 = 0.4;
 /// The ink of a wall beside that of the walls of the outline: edges of mats reach 0.57 on blurred sheets, walls have 0.6 and more.
 const THIN: f64 = 0.58;
+/// The same for windows and lattices between rooms: on scans of survey drawings most such edges have less, and hardly any true
+/// one, but board plans draw whole walls with little more.
+const THIN_PANE: f64 = 0.44;
 /// The fewest cells of a house.
 const LEAST_CELLS: usize = 4;
 
@@ -209,8 +212,10 @@ pub fn find(
         seen.units = Some(units);
         return Err(seen.at(why));
     }
-    let thinnest = THIN * Shape::of(&units).thickness();
-    let units = units.without_thin_walls(thinnest);
+    let thickness = Shape::of(&units).thickness();
+    let units = units.without_thin_walls(THIN * thickness);
+    let edges = Shape::of(&units).thin_panes(THIN_PANE * thickness);
+    let units = units.with_mats(&edges);
     let shape = Shape::of(&units);
     if !is_house(&shape, &grid) {
         (seen.units, seen.shape) = (Some(units), Some(shape));

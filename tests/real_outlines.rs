@@ -199,7 +199,7 @@ fn shared_data_outlines_are_squared_and_get_whole_roofs() {
     let [.., narrow, against, open, double, through] = sum;
     assert!(outlines > 7900 / step(), "{outlines}");
     assert!(
-        800 * refused <= outlines,
+        600 * refused <= outlines,
         "{refused} of {outlines} are refused"
     );
     assert!(

@@ -389,7 +389,7 @@ fn only_what_has_changed_is_made_again() {
 fn a_tree_of_many_tiles_is_several_files() {
     let folder = map(50);
     let rules = "<for each=\"houses\"><Place type=\"kura\" on=\"centre\"/></for>";
-    let text = text(rules, "<Tiles size=\"6\" detail=\"0\"/>");
+    let text = text(rules, "<Tiles size=\"10\" detail=\"0\"/>");
     let built = build(&text, folder.path(), &Memory::default(), 2).expect("nothing fails");
     assert!(built.town.tiles.len() > 512, "{}", built.town.tiles.len());
     assert!(built.branches.len() >= 4, "{}", built.branches.len());

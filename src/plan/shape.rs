@@ -186,6 +186,16 @@ impl Shape {
         all.get(all.len() / 2).copied().unwrap_or(0.0)
     }
 
+    /// Windows and lattices between rooms of less ink than that: the crossings at which they begin, and whether they run
+    /// downwards. They belong into the outline; the edge of a mat with a line beside it looks like them.
+    pub fn thin_panes(&self, least: f64) -> Vec<((i32, i32), bool)> {
+        let is_pane = |w: &&Wall| matches!(w.read.role, Role::Window | Role::Lattice);
+        let thin = self.inner.iter().filter(is_pane);
+        let thin = thin.filter(|w| w.read.ink < least);
+        thin.map(|w| (w.from.min(w.to), w.from.0 == w.to.0))
+            .collect()
+    }
+
     /// Finds the house in the units of a drawing whose strokes are all known: nothing but its outline is closed where nothing is
     /// drawn.
     pub fn drawn(units: &Units) -> Shape {

@@ -103,6 +103,20 @@ impl Units {
         self
     }
 
+    /// Takes units for edges of mats: the crossings at which they begin, and whether they run downwards.
+    #[must_use]
+    pub fn with_mats(mut self, units: &[((i32, i32), bool)]) -> Units {
+        for &((u, v), upright) in units {
+            let (across, down) = ((u - self.across.0) as usize, (v - self.down.0) as usize);
+            let read = match upright {
+                true => &mut self.upright[across][down],
+                false => &mut self.level[down][across],
+            };
+            read.role = Role::Mat;
+        }
+        self
+    }
+
     /// Whether there is ink in the middle of the cell below and to the right of a crossing.
     pub fn is_inked(&self, cell: (i32, i32)) -> bool {
         self.inked.contains(&cell)
@@ -301,15 +315,16 @@ impl Look {
     }
 }
 
-/// The share of ink on lines of the grid that is red.
+/// The share of ink on lines of the grid that is in red strokes. Ink on wood has a red rim, which is none.
 fn red(strips: &[Strip]) -> f64 {
     let inked = strips
         .iter()
         .flat_map(|s| &s.patches)
         .filter(|p| p.is_inked);
     let (red, all) = inked.fold((0.0, 0.0), |(red, all), p| {
-        let own = f64::from(p.reds[3]);
-        (red + own, all + own + f64::from(p.blacks[3]))
+        let (own, black) = (f64::from(p.reds[3]), f64::from(p.blacks[3]));
+        let is_red = own > black;
+        (red + if is_red { own } else { 0.0 }, all + own + black)
     });
     if all > 0.0 { red / all } else { 0.0 }
 }

@@ -128,12 +128,39 @@ impl LegacyWriter<'_> {
                 let _ = writeln!(self.text, "era {}", age.era.word());
             }
         }
+        self.fittings(house);
         self.roof_settings(&house.roofs);
         self.text.push('\n');
         for (index, storey) in house.storeys.iter().enumerate() {
             self.storey(storey, index + 1 < house.storeys.len());
         }
         self.roof_lines(&house.roofs);
+    }
+
+    /// Refuses what a house has besides outer walls and roofs, each at its element.
+    fn fittings(&mut self, house: &House) {
+        let mut found: Vec<Span> = vec![];
+        found.extend(house.platform.iter().map(|p| p.span));
+        found.extend(house.finials.iter().map(|f| f.span));
+        found.extend(house.puts.iter().map(|p| p.span));
+        for storey in &house.storeys {
+            let order = &storey.order;
+            found.extend(order.posts.iter().map(|p| p.span));
+            found.extend(order.veranda.iter().map(|v| v.span));
+            found.extend(order.brackets.iter().map(|b| b.span));
+            let inner = storey.loops.iter().filter(|walk| walk.inner);
+            found.extend(inner.map(|walk| walk.span));
+            found.extend(storey.rooms.iter().map(|r| r.span));
+            found.extend(storey.fixtures.iter().map(|f| f.span));
+        }
+        for span in found {
+            let head = self.head(span);
+            // A monument is written as one element.
+            let text = &self.source.text()[self.source.text_range(head)];
+            let name = text.trim_start_matches('<').split([' ', '/', '>']).next();
+            let element = name.unwrap_or_default().to_owned();
+            self.refuse(head, say::no_such_element(head, &element));
+        }
     }
 
     fn roof_settings(&mut self, roofs: &Roofs) {
@@ -155,8 +182,9 @@ impl LegacyWriter<'_> {
             let span = self.head(storey.span);
             self.refuse(storey.span, say::parapet(span));
         }
-        let [walk] = &storey.loops[..] else {
-            let second = storey.loops.get(1).map_or(storey.span, |walk| walk.span);
+        let outer: Vec<_> = storey.loops.iter().filter(|walk| !walk.inner).collect();
+        let [walk] = outer[..] else {
+            let second = outer.get(1).map_or(storey.span, |walk| walk.span);
             let message = say::second_walk(self.head(second));
             return self.refuse(second, message);
         };

@@ -63,6 +63,7 @@ const EXCEPTIONS: &[(&str, &str)] = &[
     ("View", "fov"),
     // Towns build nothing without their maps; see tests/towns.rs.
     ("Town", "seed"),
+    ("Town", "geoid"),
     ("Rear", "density"),
     ("Join", "within"),
     ("Tiles", "size"),

@@ -254,3 +254,16 @@ pub fn own_part(span: Span) -> Diagnostic {
         "部材をこのファイルと同じフォルダーの `catalog.hsd` に移すか、XML のままにしてください。`catalog.hsd` はどちらの形式からも使えます"
     ))
 }
+
+/// An element for what the legacy form does not have: what is inside of a house, around it, or on its posts.
+#[cold]
+pub fn no_such_element(span: Span, element: &str) -> Diagnostic {
+    let message = text!([element]
+        "the legacy form has outer walls and roofs only, no `{element}`",
+        "旧形式で書けるのは外壁と屋根だけで、`{element}` は書けません"
+    );
+    Diagnostic::error(819, span, message).help(text!([element]
+        "remove `{element}`, or keep the file in XML",
+        "`{element}` を消すか、XML のままにしてください"
+    ))
+}

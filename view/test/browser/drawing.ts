@@ -49,7 +49,8 @@ export function drawing(file: string, now: () => { preview: Preview; page: Page 
     click: async (...place) => { const { x, y } = await at(...place); await now().page.mouse.click(x, y); },
     drag: async (from, to) => { await pull(from, to); await now().page.mouse.up(); },
     restore: async original => {
-      if (text() !== original) await now().preview.save(now().page, file, original);
+      if (text() === original) return;
+      await now().preview.save(now().page, file, original);
       await becomes(text => text === original, 'the text is put back');
     },
   };

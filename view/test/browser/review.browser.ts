@@ -61,7 +61,7 @@ before(async () => {
   preview = await Preview.of([['read.hsd', HOUSE], ['read.plan.json', JSON.stringify(PLAN)], ['other.hsd', HOUSE.replace(/<!--.*-->/g, '')]]);
   preview.write('read.sheet-1.png', scan);
   preview.script = AXE;
-  page = await preview.open('?file=read.hsd', { viewport: { width: 1400, height: 900 } });
+  page = await preview.open('?file=read.hsd', { viewport: { width: 1400, height: 900 }, deviceScaleFactor: 1 });
 });
 after(async () => { await preview?.close(); });
 beforeEach(async () => {
