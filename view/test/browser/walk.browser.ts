@@ -176,7 +176,7 @@ test('on a phone: buttons go while they are touched, a drag of a finger looks ar
   const page = await preview.open(`?file=${TOWN}`, { viewport: PHONE, hasTouch: true, isMobile: true });
   await atRest(page);
   await does(page, 'walk').tap();
-  assert.equal(await walks(page), true);
+  await until(() => walks(page), 'a walk begins');
   const pad = page.locator('.walk-pad');
   assert.equal(await pad.isVisible(), true);
   for (const button of await pad.locator('button').all()) {
@@ -207,7 +207,7 @@ test('on a phone: buttons go while they are touched, a drag of a finger looks ar
   });
   assert.deepEqual(found, []);
   await pad.locator('[data-do=leave-walk]').tap();
-  assert.equal(await walks(page), false);
+  await until(async () => !await walks(page), 'the walk is left');
   await page.context().close();
 });
 
