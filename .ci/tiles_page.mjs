@@ -1,6 +1,7 @@
 // Browser side of tiles.mjs: loads a tileset with 3d-tiles-renderer, near enough that every level is wanted.
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { TilesRenderer } from '3d-tiles-renderer/three';
 import { GLTFExtensionsPlugin } from '3d-tiles-renderer/three/plugins';
 import { GLTFMeshFeaturesExtension, GLTFStructuralMetadataExtension } from '3d-tiles-renderer/three/plugins';
@@ -24,6 +25,7 @@ window.visit = async url => {
   const errors = [], names = new Set();
   const tiles = new TilesRenderer(url);
   tiles.registerPlugin(new GLTFExtensionsPlugin({
+    meshoptDecoder: MeshoptDecoder,
     plugins: [() => new GLTFMeshFeaturesExtension(), () => new GLTFStructuralMetadataExtension()],
   }));
   tiles.addEventListener('load-error', ({ error, url: of }) => errors.push(`${of}: ${error}`));

@@ -125,6 +125,7 @@ fn build_within(
         division: &division,
         reach,
         threads,
+        packed: false,
         spool: spooled.then_some(&spool::in_memory),
     };
     let mut town = run(job, store, &|_| {}, &mut out)?;

@@ -45,7 +45,7 @@ pub fn houses(
     let details: Vec<Detail> = levels.iter().map(|(_, detail)| *detail).collect();
     let (input, options) = (job.input, job.input.options);
     let driver = TileDriver::new(input.source, job.catalog, (input.world, options), &details);
-    let salt = TileSalt::new(input, &details, (job.parts, job.written));
+    let salt = TileSalt::new(input, (&details, false), (job.parts, job.written));
     let mut ledger = Ledger::new(job.spool)?;
     let scope = job.catalog.known_in(0, 0);
     let opening = |code: &str| {

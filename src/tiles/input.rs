@@ -40,17 +40,18 @@ pub struct TileInput {
 pub struct TileSalt(Vec<u8>);
 
 impl TileSalt {
-    /// Collects what all tiles depend on: the program, the options, the levels and custom parts, of other files and of the
+    /// Collects what all tiles depend on: the program, the options, the levels, whether they are packed, and custom parts, of other files and of the
     /// town's own.
     pub fn new(
         input: TownInput<'_>,
-        levels: &[Detail],
+        (levels, packed): (&[Detail], bool),
         (parts, written): (&[&Source], &[WrittenPart]),
     ) -> TileSalt {
         let expand = &input.options.expand;
         let mut salt = format!(
-            "{} {FORM} {levels:?} {:?} {:?}",
+            "{} {FORM} {levels:?} {}{:?} {:?}",
             env!("CARGO_PKG_VERSION"),
+            if packed { "packed " } else { "" },
             expand.seed,
             expand.limits
         );

@@ -28,7 +28,7 @@ pub struct MadeTile {
     pub found: Diagnostics,
 }
 
-/// Makes the files of a tile at each level of detail, given from far to near.
+/// Makes the files of a tile at each level of detail, given from far to near; their arrays may be packed.
 ///
 /// # Errors
 /// The one that ended its houses.
@@ -36,7 +36,7 @@ pub fn make(
     driver: &TileDriver<'_>,
     tile: &Tile,
     input: TileInput,
-    levels: &[Detail],
+    (levels, packed): (&[Detail], bool),
     world: &dyn World,
 ) -> io::Result<MadeTile> {
     let mut found = Diagnostics::new();
@@ -47,7 +47,7 @@ pub fn make(
     for detail in levels {
         let level = driver.level(&made, *detail, &mut found);
         let shown = TileImages(&level.library);
-        let mut writer = TileWriter::new(*detail, centre);
+        let mut writer = TileWriter::packed(*detail, centre, packed);
         for (nodes, row) in level.houses.iter().zip(&row_of) {
             writer.add(level.scene.part(nodes.clone()), *row, &shown);
         }

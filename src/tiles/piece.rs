@@ -31,8 +31,13 @@ pub(super) fn row((plan, source): (&Plan, &Source), (east, north): Cell) -> Feat
 }
 
 /// Makes the files of a piece at each level of detail, given from far to near; a level that is no coarser than the next is left
-/// out.
-pub(super) fn make(patch: &Patch, row: FeatureRow, hash: &str, levels: &[Detail]) -> MadeTile {
+/// out. Their arrays may be packed.
+pub(super) fn make(
+    patch: &Patch,
+    row: FeatureRow,
+    hash: &str,
+    (levels, packed): (&[Detail], bool),
+) -> MadeTile {
     let stem = patch.name();
     let meshes: Vec<GroundMesh> = levels
         .iter()
@@ -52,7 +57,7 @@ pub(super) fn make(patch: &Patch, row: FeatureRow, hash: &str, levels: &[Detail]
         scene.add(ground(&stem, centre, mesh));
         let scene = scene.finish(vec![]);
         // With normals, whatever the level: a slope is to look smooth.
-        let mut writer = TileWriter::new(Detail::Flat, centre);
+        let mut writer = TileWriter::packed(Detail::Flat, centre, packed);
         writer.add(scene.whole(), 0, &shown);
         if let Some(content) = writer.content(&scene.materials, &shown, &rows, FOLDER) {
             files.add(

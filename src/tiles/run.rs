@@ -48,6 +48,8 @@ pub struct TileJob<'a> {
     pub reach: Reach,
     /// The number of threads.
     pub threads: usize,
+    /// True if the arrays of tiles are packed (`EXT_meshopt_compression`), where this program can.
+    pub packed: bool,
     /// Makes the spool for the table of decisions; without it the table is kept in memory.
     pub spool: Option<NewSpool<'a>>,
 }
@@ -90,6 +92,7 @@ impl<'a> TileParts<'a> {
             division,
             reach: Reach::All,
             threads: rayon::current_num_threads(),
+            packed: false,
             spool: None,
         }
     }
@@ -148,7 +151,7 @@ pub fn run(
             (job.input.world, job.input.options),
             &levels,
         ),
-        salt: TileSalt::new(job.input, &levels, (job.parts, job.written)),
+        salt: TileSalt::new(job.input, (&levels, job.packed), (job.parts, job.written)),
         levels,
     };
     let mut town = TiledTown {
@@ -331,7 +334,7 @@ impl Maker<'_> {
             &self.driver,
             tile,
             input,
-            &self.levels,
+            (&self.levels, self.job.packed),
             self.job.input.world,
         )?;
         self.keep(&made)?;
@@ -355,7 +358,7 @@ impl Maker<'_> {
                 ..Done::default()
             });
         }
-        let made = piece::make(&patch, row, &hash, &self.levels);
+        let made = piece::make(&patch, row, &hash, (&self.levels, self.job.packed));
         self.keep(&made)?;
         Ok(Done {
             record: Some(made.record),

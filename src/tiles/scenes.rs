@@ -30,7 +30,7 @@ pub fn scenes(
     let (input, details) = (job.input, [detail]);
     let of_world = (input.world, input.options);
     let driver = TileDriver::new(input.source, job.catalog, of_world, &details);
-    let salt = TileSalt::new(input, &details, (job.parts, job.written));
+    let salt = TileSalt::new(input, (&details, false), (job.parts, job.written));
     let mut ledger = Ledger::new(job.spool)?;
     for tile in tiles(job.plan, job.division) {
         let mut made = evaluate(&tile, (job.plan, input), job.year, &salt)?;

@@ -10,7 +10,7 @@
 mod geometry;
 mod ktx2;
 mod places;
-mod streams;
+pub(super) mod streams;
 
 pub use ktx2::Ktx2;
 
@@ -36,10 +36,10 @@ const QUANTIZATION: &str = "KHR_mesh_quantization";
 const INSTANCING: &str = "EXT_mesh_gpu_instancing";
 
 /// Coordinates are multiples of 2 to this power, metres: a quarter of a millimetre.
-const METRES: i32 = -12;
+pub(super) const METRES: i32 = -12;
 
 /// Texture coordinates are multiples of 2 to this power: a sixteenth of a pixel of 512.
-const REPEATS: i32 = -13;
+pub(super) const REPEATS: i32 = -13;
 
 /// Quaternions are multiples of 2 to this power, fine enough for the far end of a long roof.
 const QUATERNIONS: i32 = -21;
@@ -205,17 +205,7 @@ impl<'a> Packed<'a> {
         if bytes.is_empty() {
             return None;
         }
-        let mut extension = json!({
-            "buffer": 0,
-            "byteOffset": self.bytes.len(),
-            "byteLength": bytes.len(),
-            "byteStride": stream.stride(),
-            "count": stream.count(),
-            "mode": stream.mode(),
-        });
-        if let Some(filter) = stream.filter() {
-            extension["filter"] = filter.into();
-        }
+        let extension = stream.extension(self.bytes.len(), bytes.len());
         let vertices = target == Some(Target::ArrayBuffer);
         let view = root.push(View {
             buffer: Index::new(1),

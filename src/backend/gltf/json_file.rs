@@ -3,6 +3,9 @@
 use glam::DVec3;
 use serde_json::{Value, json};
 
+/// The extension of packed views.
+const MESHOPT: &str = "EXT_meshopt_compression";
+
 /// Returns an accessor of a whole view.
 pub(super) fn accessor(view: usize, component: u32, count: usize, kind: &str) -> Value {
     json!({ "bufferView": view, "componentType": component, "count": count, "type": kind })
@@ -13,6 +16,8 @@ pub(super) struct File {
     root: Value,
     views: Vec<Value>,
     accessors: Vec<Value>,
+    /// The bytes of packed views once they are unpacked.
+    pub(super) unpacked: usize,
 }
 
 impl File {
@@ -22,6 +27,7 @@ impl File {
             root,
             views: vec![],
             accessors: vec![],
+            unpacked: 0,
         }
     }
 
@@ -49,6 +55,31 @@ impl File {
         self.views.len() - 1
     }
 
+    /// Adds a packed view, which readers unpack into a buffer without bytes; of vertices, or of indices.
+    #[cfg(feature = "compress")]
+    pub(super) fn packed_view(
+        &mut self,
+        bin: &mut Vec<u8>,
+        stream: &super::compress::streams::Stream,
+        vertices: bool,
+    ) -> usize {
+        let bytes = stream.packed();
+        bin.resize(bin.len().next_multiple_of(8), 0);
+        let extension = stream.extension(bin.len(), bytes.len());
+        bin.extend(&bytes);
+        let mut view = json!({
+            "buffer": 1, "byteOffset": self.unpacked, "byteLength": stream.length(),
+            "target": if vertices { 34962 } else { 34963 },
+            "extensions": { MESHOPT: extension },
+        });
+        if vertices {
+            view["byteStride"] = json!(stream.stride());
+        }
+        self.unpacked += stream.length().next_multiple_of(8);
+        self.views.push(view);
+        self.views.len() - 1
+    }
+
     /// Adds an accessor; returns its number.
     pub(super) fn accessor(&mut self, accessor: Value) -> usize {
         self.accessors.push(accessor);
@@ -67,7 +98,12 @@ impl File {
         let root = &mut self.root;
         root["accessors"] = json!(self.accessors);
         root["bufferViews"] = json!(self.views);
-        root["buffers"] = json!([{ "byteLength": bin.len() }]);
+        let mut buffers = vec![json!({ "byteLength": bin.len() })];
+        if self.unpacked > 0 {
+            let fallback = json!({ MESHOPT: { "fallback": true } });
+            buffers.push(json!({ "byteLength": self.unpacked, "extensions": fallback }));
+        }
+        root["buffers"] = json!(buffers);
         root["meshes"] = json!([{ "primitives": primitives }]);
         root["nodes"] = json!([{ "mesh": 0, "translation": [centre.x, centre.z, 0.0 - centre.y] }]);
         root["scenes"] = json!([{ "nodes": [0] }]);
@@ -76,14 +112,15 @@ impl File {
             .as_array()
             .cloned()
             .unwrap_or_default();
-        let quantized = ["KHR_mesh_quantization"];
+        let packed = (self.unpacked > 0).then_some(MESHOPT);
+        let needed: Vec<&str> = ["KHR_mesh_quantization"].into_iter().chain(packed).collect();
         let own = ["EXT_mesh_features", "EXT_structural_metadata"];
-        used.extend(own.into_iter().chain(quantized).map(Value::from));
+        used.extend(own.into_iter().chain(needed.iter().copied()).map(Value::from));
         root["extensionsUsed"] = json!(used);
         let mut required = root["extensionsRequired"].as_array().cloned();
         required
             .get_or_insert_default()
-            .extend(quantized.map(Value::from));
+            .extend(needed.into_iter().map(Value::from));
         root["extensionsRequired"] = json!(required);
         root["extensions"]["EXT_structural_metadata"] = table;
     }

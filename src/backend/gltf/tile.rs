@@ -2,7 +2,11 @@
 //! name their feature (`EXT_mesh_features`); a table tells what is known of each (`EXT_structural_metadata`).
 //!
 //! All primitives share their vertices. They count from the middle of the tile, so that f32 resolves a fraction of a
-//! millimetre. Normals are bytes (`KHR_mesh_quantization`); at detail 0 there are none, and readers shade flat.
+//! millimetre. Normals are bytes (`KHR_mesh_quantization`); at detail 0 there are none, and readers shade flat. Packed tiles have
+//! the same arrays in `EXT_meshopt_compression`.
+
+#[cfg(feature = "compress")]
+mod packed;
 
 use super::arrays::{MaterialRef, turned, write_floats};
 use super::bare::Bare;
@@ -13,7 +17,7 @@ use super::table::{FeatureRow, Table};
 use super::writer::root;
 use crate::backend::{Images, OutFile, images, sound};
 use crate::scene::{Detail, Material, Primitive, ScenePart};
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::Cursor;
@@ -36,6 +40,8 @@ pub struct TileContent<'a> {
 pub struct TileWriter {
     centre: DVec3,
     detail: Detail,
+    /// True if its arrays are packed.
+    packed: bool,
     materials: MaterialRefs,
     positions: Vec<[f32; 3]>,
     normals: Vec<[f32; 3]>,
@@ -72,12 +78,18 @@ impl Pose {
 impl TileWriter {
     /// Creates a tile without houses round a place in the frame of the town.
     pub fn new(detail: Detail, centre: DVec3) -> TileWriter {
+        TileWriter::packed(detail, centre, false)
+    }
+
+    /// The same with arrays that are packed, if this program can.
+    pub fn packed(detail: Detail, centre: DVec3, packed: bool) -> TileWriter {
         let mut materials = MaterialRefs::default();
         // Relief is nothing from afar.
         materials.flat = detail <= Detail::Flat;
         TileWriter {
             centre,
             detail,
+            packed: packed && cfg!(feature = "compress"),
             materials,
             positions: vec![],
             normals: vec![],
@@ -180,7 +192,7 @@ impl TileWriter {
     fn vertices(&mut self, points: &[[f32; 3]], (pose, feature): (Pose, u32)) -> u32 {
         let first = self.positions.len() as u32;
         for point in points {
-            let local = (pose.point(*point) - self.centre).as_vec3();
+            let local = self.rounded((pose.point(*point) - self.centre).as_vec3());
             // The box is that of the numbers in the file.
             let at = local.as_dvec3() + self.centre;
             let [low, high] = self.bounds.get_or_insert([at; 2]);
@@ -189,6 +201,14 @@ impl TileWriter {
         }
         self.features.resize(self.positions.len(), feature as f32);
         first
+    }
+
+    /// Rounds a vertex as it will be in the file.
+    fn rounded(&self, local: Vec3) -> Vec3 {
+        match self.packed {
+            true => (local * STEPS).round() / STEPS,
+            false => local,
+        }
     }
 
     fn indices(&mut self, known: MaterialRef, first: u32, indices: &[u32]) {
@@ -216,9 +236,13 @@ impl TileWriter {
         let textures = known.files_in(&mut root, folder);
         let mut bin = vec![];
         let mut file = File::new(serde_json::to_value(&root).unwrap_or_default());
-        let attributes = self.attributes(&mut file, &mut bin);
+        let attributes = match self.packed {
+            #[cfg(feature = "compress")]
+            true => packed::attributes(&self, &mut file, &mut bin),
+            _ => self.attributes(&mut file, &mut bin),
+        };
         let primitives = self.primitives(&mut file, &mut bin, &attributes, rows.len());
-        let arrays = bin.len();
+        let arrays = bin.len().max(file.unpacked);
         let table = Table::new(rows).written(&mut file, &mut bin);
         file.finish(&mut bin, primitives, table, self.centre);
         let triangles = self.batches.iter().map(|b| b.len() / 3).sum();
@@ -298,10 +322,14 @@ impl TileWriter {
         let list: Vec<(usize, &Vec<u32>)> = shown.collect();
         let mut primitives = vec![];
         for (material, batch) in list {
-            let view = file.view(bin, Some((0, 34963)), |out| match short {
-                true => out.extend(batch.iter().flat_map(|i| (*i as u16).to_le_bytes())),
-                false => out.extend(batch.iter().flat_map(|i| i.to_le_bytes())),
-            });
+            let view = match self.packed {
+                #[cfg(feature = "compress")]
+                true => packed::indices(batch, short, file, bin),
+                _ => file.view(bin, Some((0, 34963)), |out| match short {
+                    true => out.extend(batch.iter().flat_map(|i| (*i as u16).to_le_bytes())),
+                    false => out.extend(batch.iter().flat_map(|i| i.to_le_bytes())),
+                }),
+            };
             let kind = if short { 5123 } else { 5125 };
             let indices = file.accessor(accessor(view, kind, batch.len(), "SCALAR"));
             primitives.push(json!({
@@ -317,6 +345,9 @@ impl TileWriter {
         primitives
     }
 }
+
+/// Steps of coordinates in a packed metre.
+const STEPS: f32 = 4096.0;
 
 /// The attribute of tangents.
 const TANGENT: &str = "TANGENT";

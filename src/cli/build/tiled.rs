@@ -98,6 +98,8 @@ pub(super) struct Wish<'a> {
     pub(super) output: &'a Path,
     /// The levels of detail, where they are not those of the town file.
     pub(super) levels: Option<Vec<u8>>,
+    /// True if the arrays of tiles are packed.
+    pub(super) packed: bool,
     /// True if triangles, bytes and graphics memory are printed.
     pub(super) stats: bool,
     /// True if only diagnostics are.
@@ -155,6 +157,7 @@ pub(super) fn build(
     let parts = TileParts::of(&read, input.options);
     let spool = spools_beside(wish.output);
     let job = TileJob {
+        packed: wish.packed,
         spool: plan.lodged.is_some().then_some(&spool),
         ..parts.job(input, plan, &read.catalog, &division)
     };

@@ -3,26 +3,16 @@
 import * as THREE from 'three';
 import { GLTFLoader, type GLTF, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import { updateModel } from './houses.ts';
+import { DecoderError, unpacking } from './unpacking.ts';
 import { keepOrigin, type Model, buildModel, surrounds } from './model.ts';
 import { modelUrl, fetchHouses, type State, GLB_TYPE } from '../server/api.ts';
 import { strings } from '../ui/strings.ts';
-
-/** glTF extensions that need a decoder. */
-const DECODED_EXTENSIONS = new Set(['EXT_meshopt_compression', 'KHR_meshopt_compression', 'KHR_texture_basisu']);
 
 /** HTTP status for a superseded revision. */
 const GONE = 410;
 
 /** First four bytes of a binary glTF: `glTF`. */
 const GLB_MAGIC = 0x676c5446;
-
-/** The decoders are loaded once, on first use. */
-let decoders: ReturnType<typeof import('./decoders.ts')['loadDecoders']> | null = null;
-const loadDecoders = () => decoders ??= import('./decoders.ts').then(module => module.loadDecoders())
-  .catch((error: unknown) => { decoders = null; throw error; });
-
-/** The decoders could not be loaded. */
-class DecoderError extends Error {}
 
 /** A model is damaged or not a binary glTF. */
 export class InvalidModelError extends Error {}
@@ -55,7 +45,7 @@ export class Loader {
   constructor() {
     this.#loader.register(parser => ({ name: 'shared-textures', loadTexture: index => this.#texture(parser, index) }));
     this.#loader.register(parser => ({ name: 'appearance', afterRoot: ({ scene }) => this.#recordAppearance(parser, scene as THREE.Group | undefined) }));
-    this.#loader.register(parser => ({ name: 'decoders', beforeRoot: () => attachDecoders(parser) }));
+    this.#loader.register(unpacking);
   }
 
   /** Fetches what the page lacks of a revision, or all of it if nothing is shown yet; null if a newer revision exists. */
@@ -170,12 +160,4 @@ function decodeUri(uri: string): string {
   return uri.replace(/(%[0-9a-f]{2})+/gi, bytes => {
     try { return decodeURIComponent(bytes); } catch { return bytes; }
   });
-}
-
-/** Attaches the decoders to the loader if the model needs them. */
-async function attachDecoders(parser: GLTFParser) {
-  const { json, options } = parser as unknown as { json: { extensionsUsed?: string[] }; options: object };
-  if (!json.extensionsUsed?.some(name => DECODED_EXTENSIONS.has(name))) return;
-  const { meshopt, ktx2 } = await loadDecoders().catch((error: Error) => { throw new DecoderError(error.message); });
-  Object.assign(options, { meshoptDecoder: meshopt, ktx2Loader: ktx2 });
 }

@@ -8,6 +8,7 @@ import { GLTFExtensionsPlugin } from '3d-tiles-renderer/three/plugins';
 import {
   DEFAULT_DOWNLOAD_QUEUE, DEFAULT_LRU_CACHE, DEFAULT_NODE_QUEUE, DEFAULT_PARSE_QUEUE, DownloadPriorityQueue, LRUCache, PriorityQueue, type Tile,
 } from '3d-tiles-renderer/core';
+import { unpacking } from '../model/unpacking.ts';
 import type { TownFeature } from '../server/api.ts';
 import { releaseTextures, sharedTextures, texturesInUse, type TextureUser } from './textures.ts';
 
@@ -105,7 +106,7 @@ export class TownTiles {
     this.#renderer = renderer;
     const tiles = this.#tiles = new TilesRenderer(url);
     let user: TextureUser = {};
-    tiles.registerPlugin(new GLTFExtensionsPlugin({ plugins: [sharedTextures(() => user)], autoDispose: false }));
+    tiles.registerPlugin(new GLTFExtensionsPlugin({ plugins: [sharedTextures(() => user), unpacking], autoDispose: false }));
     const inside = tiles as unknown as Inside, parse = inside.parseTile.bind(tiles);
     inside.parseTile = async (content, tile, extension, url, signal) => {
       const own = user = {}; // The parser is made before anything is waited for.

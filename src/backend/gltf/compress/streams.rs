@@ -2,12 +2,13 @@
 //! neighbours then differ in few bits, and the uniform step leaves no gaps.
 
 use meshopt::encode_filter_oct;
+use serde_json::{Value, json};
 
 /// Bits per coordinate of a normal.
 const DIRECTION_BITS: i32 = 12;
 
 /// The content of a packed view.
-pub(super) enum Stream {
+pub(in crate::backend::gltf) enum Stream {
     /// Number of floats per element; each has an exponent in the high byte and a mantissa.
     Floats(usize, Vec<u32>),
     /// Normals or tangents, octahedrally encoded to two coordinates and a sign.
@@ -17,20 +18,20 @@ pub(super) enum Stream {
 }
 
 impl Stream {
-    pub(super) fn floats(elements: usize) -> Stream {
+    pub(in crate::backend::gltf) fn floats(elements: usize) -> Stream {
         Stream::Floats(elements, vec![])
     }
 
-    pub(super) fn directions() -> Stream {
+    pub(in crate::backend::gltf) fn directions() -> Stream {
         Stream::Directions(vec![])
     }
 
-    pub(super) fn indices(bytes: usize) -> Stream {
+    pub(in crate::backend::gltf) fn indices(bytes: usize) -> Stream {
         Stream::Indices(bytes, vec![])
     }
 
     /// Appends floats, rounded to 2 to the power of `step` unless they are too large for it.
-    pub(super) fn push_floats(&mut self, values: &[f32], step: i32) {
+    pub(in crate::backend::gltf) fn push_floats(&mut self, values: &[f32], step: i32) {
         if let Stream::Floats(_, all) = self {
             let step = step_of(values, step);
             let exponent = (step as u32) << 24;
@@ -40,7 +41,7 @@ impl Stream {
     }
 
     /// Appends unit vectors of three numbers, or four where the last is a sign.
-    pub(super) fn push_directions(&mut self, values: &[f32], numbers: usize) {
+    pub(in crate::backend::gltf) fn push_directions(&mut self, values: &[f32], numbers: usize) {
         if let Stream::Directions(all) = self {
             let four = |v: &[f32]| [v[0], v[1], v[2], v.get(3).copied().unwrap_or(0.0)];
             let list: Vec<[f32; 4]> = values.chunks_exact(numbers).map(four).collect();
@@ -48,14 +49,14 @@ impl Stream {
         }
     }
 
-    pub(super) fn push_indices(&mut self, values: &[u32]) {
+    pub(in crate::backend::gltf) fn push_indices(&mut self, values: &[u32]) {
         if let Stream::Indices(_, all) = self {
             all.extend(values);
         }
     }
 
     /// Returns the size of an unpacked element, bytes.
-    pub(super) fn stride(&self) -> usize {
+    pub(in crate::backend::gltf) fn stride(&self) -> usize {
         match self {
             Stream::Floats(elements, _) => 4 * elements,
             Stream::Directions(_) => 8,
@@ -64,7 +65,7 @@ impl Stream {
     }
 
     /// Returns the number of elements.
-    pub(super) fn count(&self) -> usize {
+    pub(in crate::backend::gltf) fn count(&self) -> usize {
         match self {
             Stream::Floats(elements, all) => all.len() / elements,
             Stream::Directions(all) => all.len(),
@@ -73,12 +74,12 @@ impl Stream {
     }
 
     /// Returns the unpacked size, bytes.
-    pub(super) fn length(&self) -> usize {
+    pub(in crate::backend::gltf) fn length(&self) -> usize {
         self.stride() * self.count()
     }
 
     /// Returns the extension's name of the packing mode.
-    pub(super) fn mode(&self) -> &'static str {
+    pub(in crate::backend::gltf) fn mode(&self) -> &'static str {
         match self {
             Stream::Indices(..) => "TRIANGLES",
             Stream::Floats(..) | Stream::Directions(_) => "ATTRIBUTES",
@@ -86,7 +87,7 @@ impl Stream {
     }
 
     /// Returns the extension's name of the filter applied after unpacking.
-    pub(super) fn filter(&self) -> Option<&'static str> {
+    pub(in crate::backend::gltf) fn filter(&self) -> Option<&'static str> {
         match self {
             Stream::Floats(..) => Some("EXPONENTIAL"),
             Stream::Directions(_) => Some("OCTAHEDRAL"),
@@ -94,12 +95,29 @@ impl Stream {
         }
     }
 
+    /// Returns what a view says of its packed bytes, given where they begin in buffer 0 and how many they are.
+    pub(in crate::backend::gltf) fn extension(&self, start: usize, length: usize) -> Value {
+        let mut extension = json!({
+            "buffer": 0,
+            "byteOffset": start,
+            "byteLength": length,
+            "byteStride": self.stride(),
+            "count": self.count(),
+            "mode": self.mode(),
+        });
+        if let Some(filter) = self.filter() {
+            extension["filter"] = filter.into();
+        }
+        extension
+    }
+
     /// Returns the packed bytes; empty for an empty stream.
-    pub(super) fn packed(&self) -> Vec<u8> {
+    pub(in crate::backend::gltf) fn packed(&self) -> Vec<u8> {
         if self.count() == 0 {
             return vec![];
         }
         let packed = match self {
+            Stream::Floats(1, all) => vertices(all.as_chunks::<1>().0, |x| x.to_le()),
             Stream::Floats(2, all) => vertices(all.as_chunks::<2>().0, |x| x.to_le()),
             Stream::Floats(3, all) => vertices(all.as_chunks::<3>().0, |x| x.to_le()),
             Stream::Floats(_, all) => vertices(all.as_chunks::<4>().0, |x| x.to_le()),
@@ -123,7 +141,7 @@ fn vertices<T: Copy, const N: usize>(
 }
 
 /// Rounds floats as [`Stream::push_floats`] does.
-pub(super) fn rounded(values: &[f32], step: i32) -> Vec<f32> {
+pub(in crate::backend::gltf) fn rounded(values: &[f32], step: i32) -> Vec<f32> {
     let step = step_of(values, step);
     let whole = |x: &f32| (f64::from(multiple(*x, step)) * power(step)) as f32;
     values.iter().map(whole).collect()
