@@ -518,15 +518,28 @@ struct TileContentBytes {
 fn packed_tiles_have_the_shapes_of_plain_ones() {
     let ((plain, one), (small, two)) = (tile(false), tile(true));
     assert_eq!(plain.triangles, small.triangles);
-    assert!(2 * small.bytes < plain.bytes, "{} of {}", small.bytes, plain.bytes);
-    let primitives = |m: &Model| m.root["meshes"][0]["primitives"].as_array().unwrap().clone();
+    assert!(
+        2 * small.bytes < plain.bytes,
+        "{} of {}",
+        small.bytes,
+        plain.bytes
+    );
+    let primitives = |m: &Model| {
+        m.root["meshes"][0]["primitives"]
+            .as_array()
+            .unwrap()
+            .clone()
+    };
     let pairs: Vec<_> = primitives(&one).into_iter().zip(primitives(&two)).collect();
     assert_eq!(primitives(&one).len(), pairs.len());
     for (a, b) in &pairs {
         let (ia, ib) = (one.array(&a["indices"]), two.array(&b["indices"]));
         assert_eq!((ia.count, ia.component), (ib.count, ib.component));
         let corner = |array: &Array, k: usize| match array.component {
-            5123 => u32::from(u16::from_le_bytes([array.bytes[2 * k], array.bytes[2 * k + 1]])),
+            5123 => u32::from(u16::from_le_bytes([
+                array.bytes[2 * k],
+                array.bytes[2 * k + 1],
+            ])),
             _ => u32::from_le_bytes(array.bytes[4 * k..4 * k + 4].try_into().unwrap()),
         };
         for t in (0..ia.count).step_by(3) {
@@ -542,7 +555,11 @@ fn packed_tiles_have_the_shapes_of_plain_ones() {
         let fours = array.bytes.as_chunks::<4>().0.iter();
         fours.map(|b| f32::from_le_bytes(*b)).collect::<Vec<f32>>()
     };
-    for (name, most) in [("POSITION", 1.3e-4), ("TEXCOORD_0", 1e-4), ("_FEATURE_ID_0", 0.0)] {
+    for (name, most) in [
+        ("POSITION", 1.3e-4),
+        ("TEXCOORD_0", 1e-4),
+        ("_FEATURE_ID_0", 0.0),
+    ] {
         let (a, b) = (all(&one, name), all(&two, name));
         assert_eq!(a.len(), b.len());
         let off = a.iter().zip(&b).map(|(x, y)| (x - y).abs());

@@ -113,9 +113,16 @@ impl File {
             .cloned()
             .unwrap_or_default();
         let packed = (self.unpacked > 0).then_some(MESHOPT);
-        let needed: Vec<&str> = ["KHR_mesh_quantization"].into_iter().chain(packed).collect();
+        let needed: Vec<&str> = ["KHR_mesh_quantization"]
+            .into_iter()
+            .chain(packed)
+            .collect();
         let own = ["EXT_mesh_features", "EXT_structural_metadata"];
-        used.extend(own.into_iter().chain(needed.iter().copied()).map(Value::from));
+        used.extend(
+            own.into_iter()
+                .chain(needed.iter().copied())
+                .map(Value::from),
+        );
         root["extensionsUsed"] = json!(used);
         let mut required = root["extensionsRequired"].as_array().cloned();
         required

@@ -5,9 +5,9 @@ mod city;
 mod obj;
 mod text;
 
+use super::NO_COMPRESS;
 use super::tiled;
 use super::tiled::{FEATURE, Wish, tables};
-use super::NO_COMPRESS;
 use crate::backend::gltf::Writer;
 use crate::backend::spool::NewSpool;
 use crate::cli::files::input::Inputs;

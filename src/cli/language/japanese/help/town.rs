@@ -27,6 +27,7 @@ pub(in crate::cli::language::japanese) static TOWN: &[CommandHelp] = &[
                  2 は開口と太い桟を立体に、3 はすべてを立体に [既定値: `Tiles` のもの、なければ 0,1,3。モデルは 3]",
                 "",
             ),
+            ("compress", "タイルの形を Web 向けに圧縮する (EXT_meshopt_compression)。大きさは三分の一ほどになる。`--features compress` を付けてビルドした hsd が必要", ""),
             ("stats", "タイルの三角形、バイト数、描画メモリーの見積もりを表示する", ""),
             ("quiet", "指摘だけを表示する", ""),
         ],
