@@ -2,10 +2,11 @@
 // feature `compress`; HSD_PACKED=1 declares that it has it.
 
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { built } from './chromium.ts';
-import { brightness, differ, EXAMPLES, Preview } from './preview.ts';
+import { brightness, differ, EXAMPLES, Preview, until } from './preview.ts';
 
 let preview: Preview, packed: Uint8Array | null = null;
 
@@ -33,6 +34,22 @@ test('a compressed model looks like its source', async t => {
   const textures = await page.evaluate(() => hsd.app.model!.chunks.filter(c => (c.mesh.material.map as { isCompressedTexture?: boolean } | null)?.isCompressedTexture).length);
   assert.ok(textures > 5, `${textures} chunks with compressed textures`);
   assert.ok(differ(seen, await brightness(page), 0.08) < 0.02, 'both look alike');
+  preview.assertClean();
+});
+
+test('packed tiles show as many triangles as plain ones', async t => {
+  if (!packed) return t.skip(MISSING);
+  const counts: number[] = [];
+  for (const options of [[], ['--compress']]) {
+    const name = `tiles${options.length}`;
+    execFileSync(process.env['HSD']!, ['town', join(EXAMPLES, 'towns/block.hsd'), '-o', `${join(preview.folder, name)}/`, '--detail', '0', '--quiet', ...options]);
+    const page = await preview.open(`?file=${name}/tileset.json`);
+    await until(() => page.evaluate(() => hsd.app?.town.state?.whole === true && !hsd.app.town.busy && (hsd.app.town.tiles?.shown ?? 0) > 0), 'tiles are shown', 60_000);
+    counts.push(await page.evaluate(() => [...hsd.app.town.tiles!.meshes()].reduce((sum, { geometry }) => sum + (geometry.index?.count ?? 0) / 3, 0)));
+    await page.context().close();
+  }
+  assert.ok(counts[0]! > 1000, `${counts}`);
+  assert.equal(counts[1], counts[0]);
   preview.assertClean();
 });
 
