@@ -2,9 +2,12 @@
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
+#[path = "compress/tiles.rs"]
+mod tiles;
+
 use glam::{DMat4, DQuat, DVec3};
 use hsd::Options;
-use hsd::backend::gltf::{self, FeatureRow, Glb, Ktx2, TileWriter};
+use hsd::backend::gltf::{self, Glb, Ktx2};
 use hsd::backend::images::Library;
 use hsd::backend::{Images, NoImages, PictureBytes, SurfaceFiles};
 use hsd::diagnostic::Diagnostics;
@@ -479,97 +482,4 @@ fn bytes_are_the_same_again() {
     let model = Model::new(&first);
     let required = model.root["extensionsRequired"].as_array().unwrap();
     assert!(required.contains(&"KHR_texture_basisu".into()));
-}
-
-/// A tile with two machiya.
-fn tile(packed: bool) -> (TileContentBytes, Model) {
-    let scene = houses([(0.0, 0.0, 180.0), (12.0, 3.0, 150.0)]);
-    let mut writer = TileWriter::packed(scene.detail, DVec3::new(4.0, 2.0, 0.0), packed);
-    writer.add(scene.whole(), 0, &NoImages);
-    let row = FeatureRow {
-        key: "a".into(),
-        layer: "houses".into(),
-        kind: "machiya".into(),
-        year: String::new(),
-        evidence: String::new(),
-        parameters: String::new(),
-        rule: 0,
-        line: 1,
-    };
-    let made = writer.content(&scene.materials, &NoImages, &[row], "textures");
-    let made = made.expect("something is to be seen");
-    let model = Model::new(&made.glb);
-    let kept = TileContentBytes {
-        bytes: made.glb.len(),
-        triangles: made.triangles,
-        bounds: made.bounds,
-    };
-    (kept, model)
-}
-
-/// What is compared of the content of a tile besides its arrays.
-struct TileContentBytes {
-    bytes: usize,
-    triangles: usize,
-    bounds: [DVec3; 2],
-}
-
-#[test]
-fn packed_tiles_have_the_shapes_of_plain_ones() {
-    let ((plain, one), (small, two)) = (tile(false), tile(true));
-    assert_eq!(plain.triangles, small.triangles);
-    assert!(
-        2 * small.bytes < plain.bytes,
-        "{} of {}",
-        small.bytes,
-        plain.bytes
-    );
-    let primitives = |m: &Model| {
-        m.root["meshes"][0]["primitives"]
-            .as_array()
-            .unwrap()
-            .clone()
-    };
-    let pairs: Vec<_> = primitives(&one).into_iter().zip(primitives(&two)).collect();
-    assert_eq!(primitives(&one).len(), pairs.len());
-    for (a, b) in &pairs {
-        let (ia, ib) = (one.array(&a["indices"]), two.array(&b["indices"]));
-        assert_eq!((ia.count, ia.component), (ib.count, ib.component));
-        let corner = |array: &Array, k: usize| match array.component {
-            5123 => u32::from(u16::from_le_bytes([
-                array.bytes[2 * k],
-                array.bytes[2 * k + 1],
-            ])),
-            _ => u32::from_le_bytes(array.bytes[4 * k..4 * k + 4].try_into().unwrap()),
-        };
-        for t in (0..ia.count).step_by(3) {
-            // The codec may begin a triangle at another corner.
-            let of = |array: &Array| [0, 1, 2].map(|k| corner(array, t + k));
-            let (p, q) = (of(&ia), of(&ib));
-            let turned = [q, [q[1], q[2], q[0]], [q[2], q[0], q[1]]];
-            assert!(turned.contains(&p), "{p:?} {q:?}");
-        }
-    }
-    let all = |m: &Model, name: &str| {
-        let array = m.array(&primitives(m)[0]["attributes"][name]);
-        let fours = array.bytes.as_chunks::<4>().0.iter();
-        fours.map(|b| f32::from_le_bytes(*b)).collect::<Vec<f32>>()
-    };
-    for (name, most) in [
-        ("POSITION", 1.3e-4),
-        ("TEXCOORD_0", 1e-4),
-        ("_FEATURE_ID_0", 0.0),
-    ] {
-        let (a, b) = (all(&one, name), all(&two, name));
-        assert_eq!(a.len(), b.len());
-        let off = a.iter().zip(&b).map(|(x, y)| (x - y).abs());
-        let off = off.fold(0.0, f32::max);
-        assert!(off <= most, "{name}: {off}");
-    }
-    let [low, high] = small.bounds;
-    for p in all(&two, "POSITION").as_chunks::<3>().0 {
-        // y up, from the middle of the tile.
-        let at = DVec3::new(p[0].into(), (-p[2]).into(), p[1].into()) + DVec3::new(4.0, 2.0, 0.0);
-        assert!(low.cmple(at).all() && at.cmple(high).all(), "{at}");
-    }
 }

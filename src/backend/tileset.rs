@@ -32,7 +32,7 @@ pub struct TileLevel {
 /// The most tiles that hang below one box.
 const TOGETHER: usize = 4;
 
-/// So many boxes that hold tiles, or files of boxes, become a file of their own.
+/// A box with at least this many entries below it, tiles or files, is written to a file of its own.
 const APART: usize = 128;
 
 /// The files of the tree.
@@ -87,7 +87,7 @@ struct Node {
     bounds: [DVec3; 2],
     error: f64,
     json: Value,
-    /// The tiles and the files of boxes in it, as far as they are not in such a file.
+    /// The number of tiles and files below it, without what is inside of those files.
     weight: usize,
 }
 

@@ -105,7 +105,8 @@ impl Lines<'_> {
         !gaps.is_empty() && walls.is_empty()
     }
 
-    /// What is enclosed where all strokes are known: a recess in a wall looks like a room with an open front; nothing is drawn in it.
+    /// The cells that walls enclose in a drawing whose strokes are all known, without recesses: a recess looks like a room with an
+    /// open front, but nothing is drawn in it.
     fn closed(&mut self) -> BTreeSet<(i32, i32)> {
         let mut cells = self.enclosed();
         loop {

@@ -158,7 +158,11 @@ impl LegacyWriter<'_> {
             // A monument is written as one element.
             let text = &self.source.text()[self.source.text_range(head)];
             let name = text.trim_start_matches('<').split([' ', '/', '>']).next();
-            let element = name.unwrap_or_default().to_owned();
+            let element = match name.unwrap_or_default() {
+                // Outer walls may be loops too.
+                "Loop" => "Loop inner=\"yes\"".to_owned(),
+                name => name.to_owned(),
+            };
             self.refuse(head, say::no_such_element(head, &element));
         }
     }

@@ -6,13 +6,13 @@ use super::super::strokes::Read;
 use super::{Lines, flood};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What a unit of the outline counts where nothing is drawn.
+/// The cost of a unit of the outline where nothing is drawn.
 const UNDRAWN: f64 = 0.3;
-/// What a unit of wall counts that stands outside.
+/// The cost of a unit of wall that stands outside of the outline.
 const STRAY: f64 = 0.7;
-/// What a cell outside counts that has ink in it: mats, writing.
+/// The cost of a cell outside of the outline that has ink in it: mats, writing.
 const LEFT_OUT: f64 = 0.2;
-/// The share of that where it does not hold on to the house.
+/// The share of the cost of a wall that is not connected to the house.
 const APART: f64 = 0.1;
 /// The lead over another reading from which on there is no doubt of a wall.
 const CLEAR: f64 = 0.2;
@@ -20,7 +20,8 @@ const CLEAR: f64 = 0.2;
 /// Cells that no wall and no gap part.
 struct Region {
     cells: BTreeSet<(i32, i32)>,
-    /// What lies beyond its sides: the number of the region, and the side; twice what lies within.
+    /// For each of its sides the region beyond it, the cost of the side where nothing is drawn, and the cost of its wall. A wall
+    /// inside the region has two sides there, each at half the cost.
     sides: Vec<(usize, f64, f64)>,
     inked: f64,
 }
@@ -54,7 +55,8 @@ pub(super) fn settled(lines: &Lines<'_>) -> BTreeSet<(i32, i32)> {
     kept.flat_map(|(region, _)| region.cells).collect()
 }
 
-/// What changes sides together: each region, and regions that only wider gaps part: gaps cross a recess at every wall beside it.
+/// The sets of regions that are tried together: each region alone, and regions that are separated by wide gaps only, as several
+/// gaps may cross one recess.
 fn groups(
     lines: &Lines<'_>,
     number: &BTreeMap<(i32, i32), usize>,

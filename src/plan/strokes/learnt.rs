@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 /// The fewest times that a thing is drawn in a way that is learnt.
 const LEAST: u32 = 3;
 
-/// One in so many units of a role have to be drawn in a way that is learnt.
+/// A way of drawing is learnt only if at least one in this many units of its role is drawn so.
 const USUAL: u32 = 4;
 
 /// Ink that was read by a stamp, summed.
