@@ -22,7 +22,8 @@ mod view;
 
 pub use era::Era;
 pub use fittings::{
-    Brackets, Finial, FinialKind, Fittings, Order, Paint, Platform, Posts, Put, Rail, Side, Veranda,
+    Brackets, Finial, FinialKind, Fittings, Ground, GroundSurface, Order, Paint, Platform, Posts,
+    Put, Rail, Side, Veranda,
 };
 pub use fixtures::{Fixture, FixtureKind};
 pub use frame::{Anchor, Frame, PlacedBy, Placement};

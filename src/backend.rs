@@ -58,6 +58,8 @@ pub struct SurfaceFiles<'a> {
     pub normal: Option<PictureBytes<'a>>,
     /// Green: roughness, blue: metalness.
     pub orm: Option<PictureBytes<'a>>,
+    /// The means of both, for materials without that image.
+    pub gloss: [f32; 2],
 }
 
 /// Access to no images: surfaces have plain colours.

@@ -22,7 +22,7 @@ pub(crate) use surface::meeting;
 pub use surface::{Beside, EdgeKind, RoofEdge, RoofFacet, RoofSurface};
 
 use crate::ast::{
-    self, Finial, Order, PlacedBy, Platform, Rare, RoofKind, RoofShape, StoreyKind, Variant,
+    self, Finial, Ground, Order, PlacedBy, Platform, Rare, RoofKind, RoofShape, StoreyKind, Variant,
 };
 use crate::building::fittings::Fitting;
 use crate::geometry::Heading;
@@ -110,6 +110,9 @@ pub struct House {
     /// Parts on the ground beside it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub puts: Vec<Put>,
+    /// Gravel, moss and paving beside it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub grounds: Vec<Ground>,
     /// Its age; `None` = not weathered.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub age: Option<Age>,

@@ -182,6 +182,12 @@ impl PartDef {
         self.class == 'A' && self.is_open()
     }
 
+    /// Returns true if one walks through it: an open bay, or a door that no wall fills, as one does behind a shutter box.
+    pub(crate) fn leads_through(&self) -> bool {
+        let filled = self.body.iter().any(Element::is_whole_wall);
+        self.is_passage() || self.opening() == Some(Opening::Door) && !filled
+    }
+
     /// Returns true if it closes its bay: no light comes through while its doors and shutters are shut. Open bays, transoms
     /// and fences leave room above or below.
     pub fn closes(&self) -> bool {

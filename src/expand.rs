@@ -236,6 +236,7 @@ impl<'a, 'c> Pass<'a, 'c> {
             platform: house.fittings.platform.clone(),
             finials: house.fittings.finials.clone(),
             puts: self.puts(&house.fittings.puts),
+            grounds: house.fittings.grounds.clone(),
             age: self.age(settings, place),
             roofs: roofs::roofs(&house.roofs).into(),
         };

@@ -16,10 +16,10 @@ mod finial;
 mod fixtures;
 mod mats;
 mod names;
+mod outdoors;
 mod plan;
 mod platform;
 mod plinth;
-mod put;
 mod rooms;
 mod undersides;
 mod veranda;
@@ -92,7 +92,10 @@ pub fn house(
             None => out.push(say::no_roof_below(finial.span)),
         }
     }
-    made.extend(house.puts.iter().map(|put| put::put(house, put, out)));
+    let puts = house.puts.iter();
+    made.extend(puts.map(|put| outdoors::put(house, put, out)));
+    let grounds = house.grounds.iter().enumerate();
+    made.extend(grounds.map(|(n, ground)| outdoors::ground(house, ground, n)));
     made
 }
 

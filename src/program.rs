@@ -2,8 +2,8 @@
 //! every unit knows its part and width. `expand` makes it, `lower` follows it.
 
 use crate::ast::{
-    Anchor, Era, Finial, Fixture, Order, PlacedBy, Platform, Purpose, Rare, RoofLine, RoofMethod,
-    RoofMode, RoofStyle, Room, StoreyKind, Usual, Variant,
+    Anchor, Era, Finial, Fixture, Ground, Order, PlacedBy, Platform, Purpose, Rare, RoofLine,
+    RoofMethod, RoofMode, RoofStyle, Room, StoreyKind, Usual, Variant,
 };
 use crate::catalog::PartId;
 use crate::source::{Span, Spanned};
@@ -74,6 +74,9 @@ pub struct House {
     /// Parts on the ground beside it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub puts: Vec<Put>,
+    /// Gravel, moss and paving beside it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub grounds: Vec<Ground>,
     /// Its age; `None` = no weathering.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub age: Option<Age>,

@@ -399,9 +399,13 @@ impl<'a> Walker<'a> {
     where
         Self: 'b,
     {
+        let bounds = ring.closed && !ring.inner;
         let walls = ring.walls.iter();
         walls
-            .map(|wall| Line::new(self.catalog, level, wall))
+            .map(|wall| Line {
+                bounds,
+                ..Line::new(self.catalog, level, wall)
+            })
             .collect()
     }
 

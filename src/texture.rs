@@ -62,6 +62,8 @@ pub struct Surface {
     pub name: &'static str,
     /// Width and height of one repeat in metres, at true scale.
     pub metres: f64,
+    /// Mean roughness and metalness of its gloss map, 0 to 1, for materials without one.
+    pub gloss: [f32; 2],
     /// Its possible looks; the first is the new one.
     pub looks: &'static [Look],
     /// Computes the textures with `size` px a side, before their mean colours are adjusted.

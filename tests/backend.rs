@@ -47,6 +47,7 @@ impl Images for Pictures {
             color: self.bytes("cedar_color.jpg", &self.jpeg),
             normal: Some(self.bytes("cedar_normal.jpg", &self.jpeg)),
             orm: Some(self.bytes("cedar_orm.png", &self.png)),
+            gloss: [0.75, 0.0],
         })
     }
 

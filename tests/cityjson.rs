@@ -142,6 +142,8 @@ fn a_city_is_one_object() {
         used.extend(own);
     }
     assert_eq!(used.len(), corners.len(), "every vertex is used");
+    let unlike: BTreeSet<&[i64; 3]> = corners.iter().collect();
+    assert_eq!(unlike.len(), corners.len(), "no vertex stands twice");
 }
 
 #[test]

@@ -6,7 +6,7 @@ use crate::support::shapes;
 use crate::support::{Run, assert_none, compile, flaws};
 use glam::DVec3;
 use hsd::geometry::SHAKU;
-use hsd::scene::Node;
+use hsd::scene::{Kind, Node};
 
 const U: f64 = 3.0 * SHAKU;
 
@@ -110,4 +110,80 @@ fn what_stands_in_a_court_is_outdoors() {
         run.diagnostics.iter().filter(|d| d.code.0 == 706).count()
     };
     assert_eq!([said("4 4"), said("1 4"), said("4 -3")], [0, 1, 0]);
+}
+
+/// The bounds of the n-th covered ground, in the frame of the house.
+fn ground(run: &Run, n: usize) -> (DVec3, DVec3) {
+    let grounds = run.scene.nodes.iter().filter(|n| n.kind == Kind::Ground);
+    let node = grounds.into_iter().nth(n).expect("is there");
+    let mesh = &run.scene.meshes[node.mesh.expect("has a mesh").0 as usize];
+    let flaws = shapes::flaws(mesh);
+    assert_none(&flaws);
+    bounds(&triangles(mesh))
+}
+
+#[test]
+fn covered_ground_lies_flat_where_it_is_written() {
+    for surface in ["gravel", "sand", "moss", "grass", "paving", "earth"] {
+        let run = house(&format!(
+            "<Ground surface=\"{surface}\" at=\"3 -4\" size=\"6 4\"/>"
+        ));
+        let (lo, hi) = ground(&run, 0);
+        for (found, wanted) in [(lo.x, -6.0), (hi.x, 0.0), (lo.y, -6.0), (hi.y, -2.0)] {
+            near(found, wanted * U);
+        }
+        assert!(lo.z > -0.285 && hi.z < -0.26, "{surface}: {lo} {hi}");
+    }
+    let turned = house("<Ground surface=\"paving\" at=\"3 -4\" size=\"6 4\" turn=\"90\"/>");
+    let (lo, hi) = ground(&turned, 0);
+    near(hi.x - lo.x, 4.0 * U);
+    near(hi.y - lo.y, 6.0 * U);
+}
+
+#[test]
+fn later_ground_lies_on_earlier_ground() {
+    let run = house(
+        "<Ground surface=\"moss\" at=\"3 -4\" size=\"9\"/><Ground surface=\"gravel\" at=\"3 -4\" size=\"2\"/>",
+    );
+    assert!(ground(&run, 1).1.z > ground(&run, 0).1.z + 0.002);
+}
+
+/// The bounds of the stones before doors, in the frame of the house.
+fn door_steps(text: &str) -> Vec<(DVec3, DVec3)> {
+    let run = compile("doors.hsd", text.as_bytes());
+    let steps = run.scene.nodes.iter().filter(|n| n.name == "door step");
+    let bounds = steps.map(|node| {
+        let mesh = &run.scene.meshes[node.mesh.expect("has a mesh").0 as usize];
+        assert_none(&shapes::flaws(mesh));
+        let all: Vec<_> = triangles(mesh);
+        let all: Vec<_> = all.into_iter().map(|t| t.map(|p| p + node.at)).collect();
+        bounds(&all)
+    });
+    bounds.collect()
+}
+
+#[test]
+fn a_stone_lies_before_doors_that_stand_on_the_ground() {
+    let walls = "<Row>KSK  KSK  KSK  KSK</Row>".repeat(3);
+    let front = "<Row>KSK  TKD 2TTB</Row>";
+    let steps = door_steps(&format!("<House><Storey>{front}{walls}</Storey></House>"));
+    // Two units of doors; the shutter box is none.
+    let [(lo, hi)] = steps[..] else {
+        panic!("{steps:?}")
+    };
+    near(hi.x - lo.x, 2.0 * U - 0.24);
+    near((lo.x + hi.x) / 2.0, -2.0 * U);
+    near(lo.z, -0.2835);
+    near(hi.z, -0.285 / 2.0);
+    assert!(lo.y < -0.4 && hi.y < 0.0, "outdoors: {lo} {hi}");
+    // None upstairs, on a platform or inside.
+    let raised = format!("<House><Platform height=\"2\"/><Storey>{front}{walls}</Storey></House>");
+    assert!(door_steps(&raised).is_empty());
+    let plain = "<Row>KSK  KSK  KSK  KSK</Row>".repeat(4);
+    let above = format!("<House><Storey>{plain}</Storey><Storey>{front}{walls}</Storey></House>");
+    assert!(door_steps(&above).is_empty());
+    let inner = format!(
+        "<House><Storey>{plain}<Loop inner=\"yes\" start=\"0 2\"><Row>KSK  TKD 2KSK</Row></Loop></Storey></House>"
+    );
+    assert!(door_steps(&inner).is_empty());
 }

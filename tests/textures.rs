@@ -196,6 +196,17 @@ fn looks_of_one_surface_can_be_told_apart() {
 }
 
 #[test]
+fn materials_without_a_gloss_map_have_its_mean() {
+    for surface in SURFACES {
+        let [_, roughness, metal] = mean(&committed(&surface.orm_file()));
+        for (mean, said) in [roughness, metal].into_iter().zip(surface.gloss) {
+            let far = (mean / 255.0 - f64::from(said)).abs();
+            assert!(far < 0.006, "{}: {mean} of 255, {said}", surface.name);
+        }
+    }
+}
+
+#[test]
 fn surfaces_are_neither_mirrors_nor_half_metal() {
     for surface in SURFACES {
         let orm = committed(&surface.orm_file());

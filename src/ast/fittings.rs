@@ -207,6 +207,50 @@ pub struct Put {
     pub height: Option<f64>,
 }
 
+/// `<Ground surface="gravel" at="3 -4" size="6 4"/>`: a rectangle of gravel, moss or paving beside the house.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Ground {
+    /// The element.
+    pub span: Span,
+    /// What it is covered with.
+    pub surface: GroundSurface,
+    /// Its middle (a, b) in U, author frame.
+    pub at: (f64, f64),
+    /// Along the front of the house, then back, U.
+    pub size: [f64; 2],
+    /// By how much it is turned clockwise, degrees.
+    pub turn: f64,
+}
+
+/// What ground is covered with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum GroundSurface {
+    /// Gravel (砂利).
+    Gravel,
+    /// White sand (白砂).
+    Sand,
+    /// Moss (苔).
+    Moss,
+    /// Grass (芝).
+    Grass,
+    /// Slabs of stone in courses (敷石).
+    Paving,
+    /// Pounded earth (土).
+    Earth,
+}
+
+impl GroundSurface {
+    /// Every surface with its word.
+    pub const ALL: [(&'static str, GroundSurface); 6] = [
+        ("gravel", GroundSurface::Gravel),
+        ("sand", GroundSurface::Sand),
+        ("moss", GroundSurface::Moss),
+        ("grass", GroundSurface::Grass),
+        ("paving", GroundSurface::Paving),
+        ("earth", GroundSurface::Earth),
+    ];
+}
+
 /// The fittings of a whole house.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Fittings {
@@ -220,6 +264,8 @@ pub struct Fittings {
     pub finials: Vec<Finial>,
     /// Parts on the ground beside it.
     pub puts: Vec<Put>,
+    /// Gravel, moss and paving beside it, in order: later ones lie on earlier ones.
+    pub grounds: Vec<Ground>,
 }
 
 /// The posts, veranda and brackets of one storey.

@@ -49,7 +49,10 @@ struct Vertices {
 
 impl Vertices {
     fn number(&mut self, p: DVec3) -> usize {
-        let corner = (p * MM).round().to_array().map(|x| x as i64);
+        self.number_of((p * MM).round().to_array().map(|x| x as i64))
+    }
+
+    fn number_of(&mut self, corner: [i64; 3]) -> usize {
         *self.known.entry(corner).or_insert_with(|| {
             self.all.push(corner);
             self.all.len() - 1
@@ -91,31 +94,35 @@ impl City {
 
     /// Returns a file of all houses.
     pub fn file(&self, houses: Vec<CityHouse>) -> String {
-        let (mut objects, mut vertices) = (Map::new(), Vec::<[i64; 3]>::new());
+        let (mut objects, mut vertices) = (Map::new(), Vertices::default());
         for mut house in houses {
-            shift(&mut house.object, vertices.len());
-            vertices.extend(&house.vertices.all);
+            let corners = house.vertices.all.iter();
+            let numbers: Vec<usize> = corners.map(|c| vertices.number_of(*c)).collect();
+            renumber(&mut house.object, &numbers);
             objects.insert(house.id, house.object);
         }
         let mut head = self.head();
         head.insert("CityObjects".into(), Value::Object(objects));
-        head.insert("vertices".into(), json!(vertices));
+        head.insert("vertices".into(), json!(vertices.all));
         Value::Object(head).to_string() + "\n"
     }
 }
 
-/// Adds a number to all vertices of an object.
-fn shift(object: &mut Value, by: usize) {
-    fn each(value: &mut Value, by: usize) {
+/// Gives the corners of an object the numbers they have in the city.
+fn renumber(object: &mut Value, numbers: &[usize]) {
+    fn each(value: &mut Value, numbers: &[usize]) {
         match value {
-            Value::Array(all) => all.iter_mut().for_each(|value| each(value, by)),
-            Value::Number(n) => *value = (n.as_u64().unwrap_or(0) + by as u64).into(),
+            Value::Array(all) => all.iter_mut().for_each(|value| each(value, numbers)),
+            Value::Number(n) => {
+                let corner = n.as_u64().and_then(|n| numbers.get(n as usize));
+                *value = corner.copied().unwrap_or(0).into();
+            }
             _ => {}
         }
     }
     let geometries = object["geometry"].as_array_mut();
     for geometry in geometries.into_iter().flatten() {
-        each(&mut geometry["boundaries"], by);
+        each(&mut geometry["boundaries"], numbers);
     }
 }
 

@@ -123,6 +123,7 @@ impl Images for Library {
             color: file(look.color_file())?,
             normal: file(surface.normal_file()),
             orm: file(surface.orm_file()),
+            gloss: surface.gloss,
         })
     }
 
@@ -137,6 +138,7 @@ impl Images for Library {
             color,
             normal: Some(normal),
             orm: Some(orm),
+            gloss: [1.0; 2],
         })
     }
 

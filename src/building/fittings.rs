@@ -1,7 +1,7 @@
 //! Fittings of a house: dimensions of platform, veranda, brackets, beams and finials. `fit` works them out,
 //! `tessellate` draws them by detail. House frame, metres.
 
-use crate::ast::{FinialKind, Rail};
+use crate::ast::{FinialKind, GroundSurface, Rail};
 use crate::catalog::PartId;
 use crate::material::SurfaceId;
 use crate::source::Span;
@@ -36,6 +36,8 @@ pub enum FittingKind {
     Plinth(Plinth),
     /// A part on the ground beside the house.
     Put(Put),
+    /// Gravel, moss or paving.
+    Ground(Ground),
 }
 
 /// A part that stands by itself.
@@ -49,6 +51,21 @@ pub struct Put {
     pub right: DVec2,
     /// Width and height.
     pub size: DVec2,
+}
+
+/// Ground that is covered.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Ground {
+    /// With what.
+    pub surface: GroundSurface,
+    /// The middle of its foot.
+    pub at: DVec3,
+    /// The direction in which its width runs, unit length.
+    pub along: DVec2,
+    /// Width and depth.
+    pub size: DVec2,
+    /// Its top above its foot.
+    pub thick: f64,
 }
 
 /// A stone platform.

@@ -24,6 +24,15 @@ pub(crate) struct Element {
     pub(crate) children: Vec<Element>,
 }
 
+impl Element {
+    /// Returns true if it is a wall over the whole opening.
+    pub(super) fn is_whole_wall(&self) -> bool {
+        let Place { over, from, to, .. } = &self.place;
+        let whole = (*from, *to) == (Level::Start(0.0), Level::End(0.0));
+        matches!(self.shape, Shape::Wall(_)) && *over == Area::Opening && whole
+    }
+}
+
 /// Reads one attribute; returns its default if it is missing or cannot be read, which is reported.
 pub(super) fn value<T: Value>(
     attributes: &[WrittenAttribute],
@@ -295,6 +304,8 @@ attributes! {
         pitch: f64 = 0.4,
         /// Approximate spacing of its rolls of round tiles; 0 = none.
         rolls: Mm = Mm(0.0),
+        /// Whether its ridge runs from front to back; it then projects at the sides.
+        across: bool = false,
     }
     /// A small roof in front of the place, its top edge at the top.
     Hood {

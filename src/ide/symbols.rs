@@ -267,6 +267,7 @@ impl KnownName<'_> {
             "let" => (SymbolKind::Value, said("name"), detail("value")),
             "PartDef" => (SymbolKind::Part, said("code"), detail("ja")),
             "Put" => (SymbolKind::Part, said("code"), detail("at")),
+            "Ground" => (SymbolKind::Fitting, None, detail("surface")),
             "include" => (SymbolKind::File, said("href"), String::new()),
             "Fixture" | "Platform" | "Posts" | "Veranda" | "Brackets" | "Finial" | "Pagoda"
             | "Gate" | "Hall" | "Shrine" => (SymbolKind::Fitting, None, detail("kind")),

@@ -143,6 +143,7 @@ impl LegacyWriter<'_> {
         found.extend(house.platform.iter().map(|p| p.span));
         found.extend(house.finials.iter().map(|f| f.span));
         found.extend(house.puts.iter().map(|p| p.span));
+        found.extend(house.grounds.iter().map(|g| g.span));
         for storey in &house.storeys {
             let order = &storey.order;
             found.extend(order.posts.iter().map(|p| p.span));

@@ -6,7 +6,7 @@
 //! replaced by those of the other house. Hence a house does not depend on the cache. A cache owns what it keeps and can
 //! move to another thread.
 
-use crate::ast::{RoofLine, RoofStyle};
+use crate::ast::{RoofLine, RoofShape, RoofStyle};
 use crate::building::{House, HouseRoofs, Ring, Storey, Wall};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::program::Roofs;
@@ -262,6 +262,7 @@ impl Key {
             platform: _,
             finials: _,
             puts: _,
+            grounds: _,
             roofs,
         } = house;
         let Roofs {
@@ -281,6 +282,10 @@ impl Key {
         words.0.push(lines.len() as u64);
         lines.iter().for_each(|line| words.line(line));
         storeys.iter().for_each(|storey| words.storey(storey));
+        let pent = |line: &RoofLine| line.style.shape.is_some_and(|s| s.value == RoofShape::Pent);
+        if *street || lines.iter().any(pent) {
+            storeys.iter().for_each(|storey| words.posts(storey));
+        }
         Key(words.0.into())
     }
 }
@@ -367,6 +372,14 @@ impl Words {
         self.number(*z0);
         self.number(*z1);
         rings.iter().for_each(|ring| self.ring(ring));
+    }
+
+    /// The places of posts, on which the arms of pent roofs stand.
+    fn posts(&mut self, storey: &Storey) {
+        let walls = storey.rings.iter().flat_map(|ring| &ring.walls);
+        for unit in walls.flat_map(|wall| &wall.units) {
+            self.number(unit.width);
+        }
     }
 
     fn ring(&mut self, ring: &Ring) {

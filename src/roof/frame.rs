@@ -149,6 +149,12 @@ impl Frame {
         self.origin + self.along * u + self.inward * v
     }
 
+    /// Returns the place (u, v) of a plan point.
+    pub fn place(&self, p: DVec2) -> DVec2 {
+        let from = p - self.origin;
+        dvec2(from.dot(self.along), from.dot(self.inward))
+    }
+
     /// Returns a point.
     pub fn point(&self, u: f64, v: f64, z: f64) -> DVec3 {
         self.at(u, v).extend(z)

@@ -3,6 +3,7 @@
 
 mod brackets;
 mod finial;
+mod ground;
 mod platform;
 mod shrine;
 mod sorin;
@@ -55,6 +56,7 @@ impl Hash for FittingKey<'_> {
             FittingKind::Finial(it) => it.ridge.iter().for_each(|p| point(*p)),
             FittingKind::Plinth(it) => it.outlines[0].iter().for_each(|p| point(p.extend(it.z.0))),
             FittingKind::Put(it) => point(it.at),
+            FittingKind::Ground(it) => point(it.at),
         }
     }
 }
@@ -71,6 +73,7 @@ impl<'a> Walker<'a> {
             FittingKind::Brackets(_) => Kind::Bracket,
             FittingKind::Finial(_) => Kind::Finial,
             FittingKind::Put(it) => return self.put(root, it, fitting, n),
+            FittingKind::Ground(_) => Kind::Ground,
         };
         let name = format_compact!("{} {n}", kind.word());
         let alike = FittingKey(n, &fitting.what, self.store.weather);
@@ -166,6 +169,7 @@ fn bodies(fitting: &FittingKind, detail: Detail) -> Bodies {
         FittingKind::Brackets(it) => brackets::beams(it, detail),
         FittingKind::Finial(it) => finial::bodies(it, detail),
         FittingKind::Plinth(it) => platform::plinth(it),
+        FittingKind::Ground(it) => ground::bodies(it, detail),
         // Its mesh is that of the part.
         FittingKind::Put(_) => Bodies::default(),
     }

@@ -36,6 +36,8 @@ pub(super) enum Key {
     Post([u32; 5]),
     /// A horizontal member: kind, length, mitres of its ends.
     Member(u8, u32, [i32; 2]),
+    /// A stone before doors: its length.
+    Step(u32),
     /// A row of tiles or rafters.
     Row(Row),
 }

@@ -5,6 +5,7 @@ pub(in crate::tessellate) mod ceiling;
 mod finish;
 pub(in crate::tessellate) mod index;
 pub(in crate::tessellate) mod corner;
+mod door_step;
 pub(in crate::tessellate) mod parapet;
 pub(in crate::tessellate) mod room;
 pub(in crate::tessellate) mod member;
@@ -34,6 +35,8 @@ pub(super) struct Line<'a> {
     pub(super) units: Vec<PlacedUnit<'a>>,
     /// Its length, metres.
     pub(super) length: f64,
+    /// True if it is an outer wall round an area.
+    pub(super) bounds: bool,
 }
 
 /// A unit in its place.
@@ -126,6 +129,7 @@ impl<'a> Line<'a> {
             wall,
             units,
             length: offset * unit_m,
+            bounds: false,
         }
     }
 
@@ -268,6 +272,7 @@ impl Walker<'_> {
         self.store.weather = self.frame((0.0, level.height));
         self.corners(level, facade, line, before);
         self.members(level, facade, line, before, after);
+        self.door_steps(level, facade, line);
         self.parapet(level, facade, line);
         self.air = None;
     }

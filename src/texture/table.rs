@@ -24,6 +24,7 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "cedar",
         metres: timber::CEDAR,
+        gloss: [0.75, 0.0],
         looks: &[
             toned("cedar_fresh", 0xD9_B48A),
             toned("cedar_brown", 0x8A_6A4A),
@@ -40,6 +41,7 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "plank",
         metres: timber::PLANK,
+        gloss: [0.83, 0.0],
         looks: &[
             toned("plank_fresh", 0xD9_B48A),
             toned("plank_brown", 0x8A_6A4A),
@@ -51,12 +53,14 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "keyaki",
         metres: timber::KEYAKI,
+        gloss: [0.55, 0.0],
         looks: &[mixed("keyaki_fresh"), mixed("keyaki_old")],
         paint: timber::keyaki,
     },
     Surface {
         name: "boarding",
         metres: boards::BOARDING,
+        gloss: [0.83, 0.0],
         looks: &[
             toned("boarding_fresh", 0xCE_AA82),
             toned("boarding_brown", 0x86_6748),
@@ -68,6 +72,7 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "clapboard",
         metres: boards::CLAPBOARD,
+        gloss: [0.84, 0.0],
         looks: &[
             toned("clapboard_fresh", 0xC2_A07A),
             toned("clapboard_brown", 0x7E_6144),
@@ -79,6 +84,7 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "charred",
         metres: boards::CHARRED,
+        gloss: [0.68, 0.0],
         looks: &[
             toned("charred", 0x1E_1C1A),
             toned("charred_worn", 0x35_2C26),
@@ -89,12 +95,14 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "bamboo",
         metres: bamboo::BAMBOO,
+        gloss: [0.46, 0.0],
         looks: &[mixed("bamboo_green"), mixed("bamboo"), mixed("bamboo_old")],
         paint: bamboo::bamboo,
     },
     Surface {
         name: "plaster",
         metres: plaster::PLASTER,
+        gloss: [0.80, 0.0],
         looks: &[
             toned("plaster", 0xF2_EFE6),
             toned("plaster_worn", 0xDC_D8CE),
@@ -105,6 +113,7 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "black_plaster",
         metres: plaster::BLACK_PLASTER,
+        gloss: [0.30, 0.0],
         looks: &[
             toned("black_plaster", 0x36_3538),
             toned("black_plaster_old", 0x4A_4947),
@@ -114,42 +123,49 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "clay",
         metres: clay::CLAY,
+        gloss: [0.95, 0.0],
         looks: &[toned("clay", 0xB5_9A6A), toned("clay_washed", 0xA6_9068)],
         paint: clay::clay,
     },
     Surface {
         name: "juraku",
         metres: clay::JURAKU,
+        gloss: [0.93, 0.0],
         looks: &[toned("juraku", 0xB2_9E78), toned("juraku_old", 0x98_8462)],
         paint: clay::juraku,
     },
     Surface {
         name: "mortar",
         metres: cement::MORTAR,
+        gloss: [0.93, 0.0],
         looks: &[mixed("mortar"), mixed("mortar_old")],
         paint: cement::mortar,
     },
     Surface {
         name: "concrete",
         metres: cement::CONCRETE,
+        gloss: [0.82, 0.0],
         looks: &[mixed("concrete"), mixed("concrete_old")],
         paint: cement::concrete,
     },
     Surface {
         name: "namako",
         metres: wall_tiles::NAMAKO,
+        gloss: [0.63, 0.0],
         looks: &[mixed("namako"), mixed("namako_old")],
         paint: wall_tiles::namako,
     },
     Surface {
         name: "tile",
         metres: wall_tiles::TILE,
+        gloss: [0.38, 0.0],
         looks: &[mixed("tile"), mixed("tile_dirty"), mixed("tile_white")],
         paint: wall_tiles::tile,
     },
     Surface {
         name: "kawara",
         metres: roof_tiles::KAWARA,
+        gloss: [0.77, 0.0],
         looks: &[
             mixed("kawara_new"),
             mixed("kawara_worn"),
@@ -160,6 +176,7 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "hongawara",
         metres: roof_tiles::HONGAWARA,
+        gloss: [0.77, 0.0],
         looks: &[
             mixed("hongawara_new"),
             mixed("hongawara_worn"),
@@ -170,12 +187,14 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "noshi",
         metres: roof_tiles::NOSHI,
+        gloss: [0.77, 0.0],
         looks: &[mixed("noshi_new"), mixed("noshi_worn"), mixed("noshi_old")],
         paint: roof_tiles::noshi,
     },
     Surface {
         name: "ibushi",
         metres: roof_tiles::IBUSHI,
+        gloss: [0.77, 0.0],
         looks: &[
             toned("ibushi_new", 0x65_6A70),
             toned("ibushi_worn", 0x56_5B60),
@@ -186,6 +205,7 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "board_roof",
         metres: shingles::BOARD_ROOF,
+        gloss: [0.90, 0.0],
         looks: &[
             mixed("board_roof_new"),
             mixed("board_roof_silver"),
@@ -196,6 +216,7 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "kokera",
         metres: shingles::KOKERA,
+        gloss: [0.90, 0.0],
         looks: &[
             mixed("kokera_new"),
             mixed("kokera_silver"),
@@ -206,12 +227,14 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "bark",
         metres: shingles::BARK,
+        gloss: [0.94, 0.0],
         looks: &[mixed("bark_new"), mixed("bark_worn"), mixed("bark_mossy")],
         paint: shingles::bark,
     },
     Surface {
         name: "thatch",
         metres: thatch::THATCH,
+        gloss: [0.95, 0.0],
         looks: &[
             mixed("thatch_new"),
             mixed("thatch_worn"),
@@ -222,18 +245,21 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "seam_roof",
         metres: sheet::SEAM_ROOF,
+        gloss: [0.48, 0.0],
         looks: &[mixed("seam_roof"), mixed("seam_roof_rusty")],
         paint: sheet::seam_roof,
     },
     Surface {
         name: "paper",
         metres: weave::PAPER,
+        gloss: [0.88, 0.0],
         looks: &[toned("paper", 0xF3_EDDD), toned("paper_yellow", 0xDC_C79C)],
         paint: weave::paper,
     },
     Surface {
         name: "cloth",
         metres: weave::CLOTH,
+        gloss: [0.92, 0.0],
         looks: &[
             toned("indigo", 0x26_3453),
             toned("indigo_faded", 0x62_7492),
@@ -247,12 +273,14 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "tatami",
         metres: weave::TATAMI,
+        gloss: [0.71, 0.0],
         looks: &[mixed("tatami"), mixed("tatami_old")],
         paint: weave::tatami,
     },
     Surface {
         name: "aluminium",
         metres: sheet::ALUMINIUM,
+        gloss: [0.36, 1.0],
         looks: &[
             mixed("aluminium"),
             mixed("bronze_aluminium"),
@@ -263,48 +291,56 @@ pub static SURFACES: &[Surface] = &[
     Surface {
         name: "glass",
         metres: sheet::GLASS,
+        gloss: [0.07, 0.0],
         looks: &[mixed("glass"), mixed("glass_mirror"), mixed("glass_dusty")],
         paint: sheet::glass,
     },
     Surface {
         name: "steel",
         metres: sheet::STEEL,
+        gloss: [0.45, 0.0],
         looks: &[mixed("steel"), mixed("steel_rusty")],
         paint: sheet::steel,
     },
     Surface {
         name: "sheet",
         metres: sheet::SHEET,
+        gloss: [0.42, 0.0],
         looks: &[mixed("sheet"), mixed("sheet_rusty")],
         paint: sheet::sheet,
     },
     Surface {
         name: "stone",
         metres: ground::STONE,
+        gloss: [0.73, 0.0],
         looks: &[mixed("stone"), mixed("stone_mossy")],
         paint: ground::stone,
     },
     Surface {
         name: "gravel",
         metres: ground::GRAVEL,
+        gloss: [0.82, 0.0],
         looks: &[mixed("gravel")],
         paint: ground::gravel,
     },
     Surface {
         name: "earth",
         metres: ground::EARTH,
+        gloss: [0.95, 0.0],
         looks: &[mixed("earth")],
         paint: ground::earth,
     },
     Surface {
         name: "doma",
         metres: ground::DOMA,
+        gloss: [0.75, 0.0],
         looks: &[mixed("doma"), mixed("doma_old")],
         paint: ground::doma,
     },
     Surface {
         name: "foliage",
         metres: plants::FOLIAGE,
+        gloss: [0.72, 0.0],
         looks: &[mixed("foliage")],
         paint: plants::foliage,
     },

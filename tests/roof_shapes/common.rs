@@ -103,6 +103,7 @@ pub fn house(storeys: Vec<Vec<Ring>>) -> House {
         platform: None,
         finials: vec![],
         puts: vec![],
+        grounds: vec![],
         roofs: Roofs::default().into(),
     }
 }

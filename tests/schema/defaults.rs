@@ -35,6 +35,10 @@ const HOSTS: &[(&[&str], &str)] = &[
         "<House><Storey><Row>KSK</Row><Row>KSK</Row><Row>KSK</Row><Row>KSK</Row></Storey><Put  code='OTO' at='1 -3'/></House>",
     ),
     (
+        &["Ground"],
+        "<House><Storey><Row>KSK</Row><Row>KSK</Row><Row>KSK</Row><Row>KSK</Row></Storey><Ground  surface='moss' at='1 -3' size='2'/></House>",
+    ),
+    (
         &["Roof"],
         "<House><Storey><Row>KSK  KSK  KSK</Row><Row>KSK  KSK</Row><Row>KSK  KSK  KSK</Row><Row>KSK  KSK</Row></Storey>
          <Roofs><Roof a0=\"0\" b0=\"0\" a1=\"3\" b1=\"2\" shape=\"KIR\"/></Roofs></House>",

@@ -46,6 +46,8 @@ struct ImageTextures<'a> {
     color: Index<Texture>,
     normal: Option<Index<Texture>>,
     orm: Option<Index<Texture>>,
+    /// Roughness and metalness in place of `orm`.
+    gloss: Option<[f32; 2]>,
 }
 
 /// The materials of written triangles, numbered in the order of first use.
@@ -215,7 +217,11 @@ impl<'a> Materials<'a> {
                         .normal
                         .filter(|_| !flat)
                         .and_then(|f| texture(f, WrappingMode::Repeat)),
-                    orm: files.orm.and_then(|f| texture(f, WrappingMode::Repeat)),
+                    orm: files
+                        .orm
+                        .filter(|_| !flat)
+                        .and_then(|f| texture(f, WrappingMode::Repeat)),
+                    gloss: flat.then_some(files.gloss),
                 }
             }
             scene::Image::Baked(index) => {
@@ -229,6 +235,7 @@ impl<'a> Materials<'a> {
                     orm: files
                         .orm
                         .and_then(|f| texture(f, WrappingMode::ClampToEdge)),
+                    gloss: None,
                 }
             }
             scene::Image::Picture(index) => ImageTextures {
@@ -236,6 +243,7 @@ impl<'a> Materials<'a> {
                 color: texture(images.picture(*index)?, WrappingMode::ClampToEdge)?,
                 normal: None,
                 orm: None,
+                gloss: None,
             },
         };
         self.textures.push(made);
@@ -330,6 +338,7 @@ fn made(
         }
     };
     let reflection = m.reflection.map(factor);
+    let [rough, metal] = textures.and_then(|t| t.gloss).unwrap_or([1.0; 2]);
     let (tint, light) = match mirrored {
         Some(_) => m.under_mirror(),
         None => (m.tint, 0.0),
@@ -339,8 +348,8 @@ fn made(
         pbr_metallic_roughness: PbrMetallicRoughness {
             base_color_factor: PbrBaseColorFactor(tint.map(factor)),
             base_color_texture: textures.map(|d| info(d.color)),
-            metallic_factor: StrengthFactor(factor(m.metallic)),
-            roughness_factor: StrengthFactor(factor(m.roughness)),
+            metallic_factor: StrengthFactor(factor(m.metallic * metal)),
+            roughness_factor: StrengthFactor(factor(m.roughness * rough)),
             metallic_roughness_texture: textures.and_then(|t| t.orm).map(info),
             ..PbrMetallicRoughness::default()
         },

@@ -63,6 +63,7 @@ impl<'a> MtlWriter<'a, '_> {
                 color,
                 normal: None,
                 orm: None,
+                gloss: [1.0; 2],
             }),
             Image::Baked(index) => images.baked(*index),
         };

@@ -3,8 +3,8 @@
 pub(super) mod town;
 
 use crate::ast::{
-    Era, FinialKind, FixtureKind, Flooring, GableWall, MatOrder, Paint, Purpose, RoofMethod,
-    RoomCeiling,
+    Era, FinialKind, FixtureKind, Flooring, GableWall, GroundSurface, MatOrder, Paint, Purpose,
+    RoofMethod, RoomCeiling,
 };
 use crate::parse::schema::kinds::Kind::{
     Choice, Choices, Either, Number, Numbers, Pair, Point, Points, Positions, Spot, Text, Whole,
@@ -324,6 +324,14 @@ pub(super) const PUT: &[AttributeSchema] = &[
     may("turn", Number(-360.0, 360.0), "0", "clockwise from facing the front, degrees", "正面を向いた向きから時計回りの角度(度)"),
     may("width", SIZE, "", "units, in place of the code's own width", "幅(ユニット)。コードの幅に代わる").units(),
     may("height", SIZE, "", "shaku, in place of the part's own height", "高さ(尺)。部材の高さに代わる").shaku(),
+];
+
+#[rustfmt::skip]
+pub(super) const GROUND: &[AttributeSchema] = &[
+    must("surface", Choice(&words(&GroundSurface::ALL)), "gravel, sand (white), moss, grass, paving (slabs), earth", "gravel 砂利、sand 白砂、moss 苔、grass 芝、paving 敷石、earth 土"),
+    must("at", PLACE, "its middle: to the left of and back from the house's origin, units", "中心。原点から左へ、奥へ(ユニット)").units(),
+    must("size", Pair(0.1, LONG), "along the front of the house, then back, units", "間口の向き、奥行の向きの大きさ(ユニット)").units(),
+    may("turn", TURN, "0", "clockwise, degrees", "時計回りの角度(度)"),
 ];
 
 /// Attributes of all monuments.

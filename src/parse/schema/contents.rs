@@ -114,6 +114,7 @@ pub(in crate::parse) static HOUSE: Content = repeating(
         Tag::Brackets,
         Tag::Finial,
         Tag::Put,
+        Tag::Ground,
         Tag::Pagoda,
         Tag::Gate,
         Tag::Hall,

@@ -20,8 +20,11 @@ const ARM: f64 = 0.06;
 /// Distance of the purlin's middle from the low edge, metres.
 const PURLIN: f64 = 0.15;
 
+/// Farthest distance of two arms: a ken of 6.5 shaku, metres.
+const WIDEST: f64 = 1.97;
+
 /// A pent roof over a rectangle outside the walls.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Pent {
     /// The whole roof in plan.
     pub rect: Rect,
@@ -31,8 +34,9 @@ pub struct Pent {
     pub height: f64,
     /// Pitch and covering.
     pub look: Look,
-    /// Distance of the arms, metres.
-    pub unit: f64,
+    /// Distances of the posts behind it from the left end as seen from the low side, metres, in order. Its arms stand
+    /// on them.
+    pub posts: Vec<f64>,
 }
 
 impl Pent {
@@ -75,11 +79,9 @@ impl Pent {
         let profile = section.map(|(v, z)| frame.point(inset, v, z));
         let by = (frame.along() * (frame.length - 2.0 * inset)).extend(0.0);
         solids.push(prism(&profile, by, Finish::Timber));
-        let count = (frame.length / self.unit).round().clamp(1.0, 200.0);
-        let step = (frame.length - 4.0 * inset) / count;
         let (foot, head) = (top - 2.0 * BEAM + 0.02, top - BEAM + 0.02);
-        for i in 0..=count as u32 {
-            let u = 2.0 * inset + step * f64::from(i) - ARM / 2.0;
+        for middle in self.arms(2.0 * inset, frame.length - 2.0 * inset) {
+            let u = middle - ARM / 2.0;
             let (out, back) = (PURLIN - BEAM, frame.depth + INTO);
             let section = [(out, foot), (back, foot), (back, head), (out, head)];
             let profile = section.map(|(v, z)| frame.point(u, v, z));
@@ -89,5 +91,24 @@ impl Pent {
                 Finish::Timber,
             ));
         }
+    }
+    /// Returns the middles of the arms between two ends: one on each post, the outer ones moved in under the roof, and
+    /// further ones where posts are far apart.
+    fn arms(&self, from: f64, to: f64) -> Vec<f64> {
+        let posts = self.posts.iter().map(|u| u.clamp(from, to));
+        let mut arms: Vec<f64> = Vec::with_capacity(self.posts.len() + 2);
+        for next in std::iter::once(from).chain(posts).chain([to]) {
+            let Some(last) = arms.last().copied() else {
+                arms.push(next);
+                continue;
+            };
+            if next - last < 2.0 * ARM {
+                continue;
+            }
+            let parts = ((next - last) / WIDEST).ceil().clamp(1.0, 200.0);
+            let step = (next - last) / parts;
+            arms.extend((1..=parts as u32).map(|i| last + step * f64::from(i)));
+        }
+        arms
     }
 }

@@ -2,8 +2,9 @@
 
 use crate::ast::{RoofShape, RoofStyle};
 use crate::building::{Attic, Roof, RoofSurface};
+use crate::geometry::SAME;
 use crate::geometry::plan::{Cell, Plan};
-use crate::roof::frame::{Rect, end_sides, metres, near_side};
+use crate::roof::frame::{Frame, Rect, end_sides, metres, near_side};
 use crate::roof::plan::level::Level;
 use crate::roof::plan::outline::{Outline, piece};
 use crate::roof::region::{Ridge, Side};
@@ -15,6 +16,7 @@ use crate::roof::shape::look::Look;
 use crate::roof::shape::pent::Pent;
 use crate::roof::shape::ridge_roof::RidgeRoof;
 use crate::roof::storey::headroom::Headroom;
+use glam::{DVec2, dvec2};
 use std::cell::OnceCell;
 
 /// Shared data of all roofs of one storey.
@@ -294,7 +296,7 @@ impl Context<'_> {
             near,
             height,
             look,
-            unit: self.unit,
+            posts: self.posts(&cell, near),
         };
         let bare = Look {
             eaves: 0.0,
@@ -308,6 +310,30 @@ impl Context<'_> {
             base: height,
         };
         (planned, height + look.pitch * depth)
+    }
+
+    /// Returns where posts stand in the wall behind a cell that falls to `near`: between the units of the walls along it,
+    /// and at their ends; metres from the left as seen from there, in order.
+    fn posts(&self, cell: &Cell, near: Side) -> Vec<f64> {
+        let frame = Frame::new(&self.rect(cell), near);
+        let place = |p: DVec2| frame.place(dvec2(-p.x, p.y) * self.unit);
+        let rings = self.level.storey.rings.iter().filter(|r| !r.inner);
+        let mut posts: Vec<f64> = Vec::new();
+        for wall in rings.flat_map(|ring| &ring.walls) {
+            let [from, to] = [wall.from, wall.to].map(place);
+            if [from, to].iter().any(|p| (p.y - frame.depth).abs() > SAME) {
+                continue;
+            }
+            let along = (to.x - from.x).signum() * self.unit;
+            let ends = wall.units.iter().scan(0.0, |offset, unit| {
+                *offset += unit.width;
+                Some(*offset)
+            });
+            posts.extend(std::iter::once(0.0).chain(ends).map(|u| from.x + along * u));
+        }
+        posts.retain(|u| (-SAME..=frame.length + SAME).contains(u));
+        posts.sort_by(f64::total_cmp);
+        posts
     }
 
     /// Returns a flat roof over cells that make up `plan`.

@@ -23,10 +23,22 @@ pub(in crate::tessellate) fn hood(bay: &mut Bay<'_>, pitch: f64, place: &Place, 
     bay.profile(place.finish, &outline, rect.x0, rect.x1);
 }
 
-/// Adds a small gable roof along a fence.
+/// Adds a small gable roof along a fence, or across it.
 pub(in crate::tessellate) fn coping(bay: &mut Bay<'_>, coping: &Coping, place: &Place, rect: Rect) {
-    let ends = (rect.x0, rect.x1);
-    gable_of(coping, place, ends, (rect.z0, rect.z1)).draw(&mut bay.bodies);
+    let (front, heights) = (place.front.0, (rect.z0, rect.z1));
+    let along = gable_of(coping, place, (rect.x0, rect.x1), heights);
+    let gable = match coping.across {
+        false => along,
+        true => Gable {
+            along: DVec3::NEG_Y,
+            across: DVec3::X,
+            origin: dvec3((rect.x0 + rect.x1) / 2.0, 0.0, 0.0),
+            ends: (front - place.thick.0, front),
+            half: (rect.x1 - rect.x0) / 2.0 + coping.out.0,
+            ..along
+        },
+    };
+    gable.draw(&mut bay.bodies);
 }
 
 /// Adds the outer corner of a fence roof: two slopes that meet in a hip. `outline` is the kite from the end of the

@@ -1,8 +1,8 @@
-//! `Platform`, `Posts`, `Veranda`, `Brackets`, `Finial`, `Put`: fittings of a house.
+//! `Platform`, `Posts`, `Veranda`, `Brackets`, `Finial`, `Put`, `Ground`: fittings of a house.
 
 use crate::ast::{
-    Brackets, CodeText, Finial, FinialKind, House, Order, Paint, Platform, Posts, Put, Rail, Side,
-    Veranda,
+    Brackets, CodeText, Finial, FinialKind, Ground, GroundSurface, House, Order, Paint, Platform,
+    Posts, Put, Rail, Side, Veranda,
 };
 use crate::diagnostic::messages::xml as say;
 use crate::parse::schema::vocabulary::{RAILS, SIDES};
@@ -40,6 +40,10 @@ impl<'t> Reader<'t, '_> {
             }
             Tag::Put => {
                 fittings.puts.extend(self.put(schema, element));
+                None
+            }
+            Tag::Ground => {
+                fittings.grounds.extend(self.ground(schema, element));
                 None
             }
             _ => return false,
@@ -173,6 +177,22 @@ impl<'t> Reader<'t, '_> {
             turn,
             width: width.map(|w| w.value),
             height: height.map(|h| h.value),
+        })
+    }
+
+    fn ground(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Option<Ground> {
+        let of = self.attributes(schema, element);
+        self.no_children(element);
+        let surface = self.choice(&of, "surface", &GroundSurface::ALL);
+        let at = self.point(&of, "at");
+        let size = self.pair(&of, "size");
+        let turn = self.usual(&of, "turn");
+        Some(Ground {
+            span: self.start(element),
+            surface: surface?.value,
+            at: at?.value,
+            size: size?.value,
+            turn,
         })
     }
 
