@@ -75,5 +75,8 @@ pub(in crate::ide) const STUFFS: &Table = &[
     ("cedar, bamboo hoops", noun("cedar, bamboo hoops", "杉、竹の箍")),
     ("wood on stone", noun("wood on stone", "石の上に木")),
     ("timber with red lead", noun("timber with red lead", "木、丹塗")),
+    ("keyaki, iron", noun("keyaki, iron", "欅、鉄")),
+    ("keyaki, tiles", noun("keyaki, tiles", "欅、瓦")),
+    ("keyaki, iron, tiles", noun("keyaki, iron, tiles", "欅、鉄、瓦")),
     ("timber, bronze, tiles", noun("timber, bronze, tiles", "木、青銅、瓦")),
 ];

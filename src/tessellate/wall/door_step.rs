@@ -32,7 +32,7 @@ impl Walker<'_> {
         facade: NodeId,
         line: &Line<'_>,
     ) {
-        if !line.bounds || !level.grounded() || self.detail <= Detail::Flat {
+        if !line.bounds || !level.grounded() || self.detail == Detail::Body {
             return;
         }
         let catalog = self.catalog;
