@@ -3,6 +3,7 @@
 mod boards;
 mod common;
 mod corridors;
+mod dormers;
 mod fixtures;
 mod flat;
 mod junctions;

@@ -143,7 +143,7 @@ export default grammar({
     direction: ($) => choice(anyCase('X', 'Y', 'F', 'B', 'L', 'R'), '*'),
     any: ($) => '*',
     shape: ($) =>
-      choice(anyCase('KIR', 'YOS', 'YOK', 'IRI', 'HAK', 'HOG', 'KAT', 'HIS', 'TER', 'KAR', 'RIK', 'KOS', 'MAN'), '*', alias(/[\p{L}\-]+/, $.unknown)),
+      choice(anyCase('KIR', 'YOS', 'YOK', 'IRI', 'HAK', 'HOG', 'KAT', 'HIS', 'TER', 'KAR', 'RIK', 'KOS', 'MAN', 'CHI', 'NOK', 'KOY', 'UDA'), '*', alias(/[\p{L}\-]+/, $.unknown)),
     option: ($) =>
       choice(
         field('name', alias(anyCase('O'), $.letter)),

@@ -106,11 +106,19 @@ pub enum RoofShape {
     Gambrel,
     /// MAN, mansard: such slopes on all four sides.
     Mansard,
+    /// CHI, chidori-hafu: a triangular gable on the slope of another roof.
+    Chidori,
+    /// NOK, noki-karahafu: an undulating gable in the eaves or on the slope of another roof.
+    EavesKarahafu,
+    /// KOY, koshi-yane: a monitor with vents on the ridge of another roof.
+    Monitor,
+    /// UDA, hon-udatsu: a party wall raised over another roof.
+    FireWall,
 }
 
 impl RoofShape {
     /// Every shape with its letters.
-    pub const ALL: [(&'static str, RoofShape); 13] = [
+    pub const ALL: [(&'static str, RoofShape); 17] = [
         ("KIR", RoofShape::Gable),
         ("YOS", RoofShape::Hip),
         ("YOK", RoofShape::BroadGable),
@@ -124,6 +132,10 @@ impl RoofShape {
         ("RIK", RoofShape::Flat),
         ("KOS", RoofShape::Gambrel),
         ("MAN", RoofShape::Mansard),
+        ("CHI", RoofShape::Chidori),
+        ("NOK", RoofShape::EavesKarahafu),
+        ("KOY", RoofShape::Monitor),
+        ("UDA", RoofShape::FireWall),
     ];
 
     /// The names of shapes in OpenStreetMap (`roof:shape`), which XML reads as well.
@@ -155,6 +167,16 @@ impl RoofShape {
             RoofShape::Mansard => true,
             _ => false,
         }
+    }
+
+    /// Returns true for roofs that stand on another one: dormers, monitors and fire walls.
+    pub fn stands_on_another(self) -> bool {
+        self.is_dormer() || matches!(self, RoofShape::Monitor | RoofShape::FireWall)
+    }
+
+    /// Returns true for gables on the slope of another roof, which face one side.
+    pub fn is_dormer(self) -> bool {
+        matches!(self, RoofShape::Chidori | RoofShape::EavesKarahafu)
     }
 
     /// Returns its three letters.

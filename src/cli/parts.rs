@@ -111,13 +111,11 @@ impl Parts {
 
 /// Returns a message for search terms that are roof terms, or that have no model.
 fn elsewhere(word: &str) -> Option<Text> {
-    const ROOFS: &str = "屋根, 唐破風, 軒唐破風, 破風, 破風板, 懸魚, 鬼瓦, 棟瓦, 熨斗瓦, 軒瓦, 一文字瓦, 桟瓦, 本瓦, 瓦, 棟, 降棟, 隅棟, 狐格子, 鳥衾, 鴟尾, 千木, 鰹木, \
-        反り, 起り, 垂木, 庇, 裳階, 組物, 斗栱, 蟇股, 鼻隠, 入母屋, 寄棟, 切妻, 宝形, 相輪, yane, karahafu, hafu, gegyo, onigawara, kawara, \
+    const ROOFS: &str = "屋根, 唐破風, 軒唐破風, 千鳥破風, 越屋根, 煙出し, 本卯建, 破風, 破風板, 懸魚, 鬼瓦, 棟瓦, 熨斗瓦, 軒瓦, 一文字瓦, 桟瓦, 本瓦, 瓦, 棟, 降棟, 隅棟, 稚児棟, 狐格子, 鳥衾, 鴟尾, 千木, 鰹木, \
+        反り, 起り, 垂木, 庇, 裳階, 組物, 斗栱, 蟇股, 鼻隠, 入母屋, 寄棟, 切妻, 宝形, 相輪, yane, koshi-yane, kemuri-dashi, chidori-hafu, chigo-mune, hon-udatsu, roof monitor, dormer gable, karahafu, hafu, gegyo, onigawara, kawara, \
         mune, kudarimune, kitsune-gōshi, shibi, chigi, katsuogi, sori, mukuri, taruki, hisashi, mokoshi, kumimono, tokyō, kaerumata, irimoya, yosemune, kirizuma, hōgyō, \
         sōrin, roof, tile, tiles, ridge, eaves, rafter, rafters, gable, bargeboard, bracket, brackets, pent roof";
-    const NONE: &str = "越屋根, 煙出し, 千鳥破風, 稚児棟, 本卯建, 物干し, 吊看板, \
-        koshi-yane, kemuri-dashi, chidori-hafu, chigo-mune, hon-udatsu, monohoshi, tsuri-kanban, \
-        roof monitor, dormer gable, hanging signboard";
+    const NONE: &str = "多宝塔, 亀腹, tahōtō, kamebara";
     let query = Query::new(word);
     let is_in = |list: &str| list.split(',').any(|name| query.is(name.trim()));
     if is_in(NONE) {

@@ -50,7 +50,7 @@ pub(crate) const COVERINGS: [Meaning; 7] = [
 
 /// The forms of roofs.
 #[rustfmt::skip]
-pub(crate) const SHAPES: [Meaning; 13] = [
+pub(crate) const SHAPES: [Meaning; 17] = [
     means("KIR", "gable (kirizuma)", "切妻", &["切妻造", "切妻屋根", "kirizuma", "gable", "gabled", "gables", "round", "barrel", "saltbox", "double_saltbox", "crosspitched"]),
     means("KAT", "lean-to (katanagare)", "片流れ", &["片流", "片流れ屋根", "katanagare", "lean-to", "lean_to", "skillion", "shed", "sawtooth"]),
     means("HIS", "pent roof (hisashi)", "庇", &["廂", "ひさし", "hisashi", "pent", "pent roof"]),
@@ -64,6 +64,10 @@ pub(crate) const SHAPES: [Meaning; 13] = [
     means("RIK", "flat (rikuyane)", "陸屋根", &["陸", "平屋根", "rikuyane", "flat"]),
     means("KOS", "gambrel (koshiore)", "腰折れ", &["腰折", "腰折屋根", "腰折れ屋根", "koshiore", "koshiore-yane", "gambrel", "barn"]),
     means("MAN", "mansard", "マンサード", &["マンサード屋根", "mansard", "mansādo"]),
+    means("CHI", "triangular dormer gable (chidori-hafu)", "千鳥破風", &["千鳥", "chidori", "chidori-hafu", "chidorihafu", "dormer"]),
+    means("NOK", "undulating gable in the eaves (noki-karahafu)", "軒唐破風", &["軒唐", "noki-karahafu", "nokikarahafu"]),
+    means("KOY", "monitor on the ridge (koshi-yane)", "越屋根", &["煙出し", "煙出", "越し屋根", "koshi-yane", "koshiyane", "kemuridashi", "monitor", "clerestory"]),
+    means("UDA", "fire wall over the roof (hon-udatsu)", "本卯建", &["卯建", "うだつ", "本うだつ", "hon-udatsu", "honudatsu", "udatsu", "fire wall"]),
 ];
 
 /// Ridges and falls.

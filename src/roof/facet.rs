@@ -42,6 +42,30 @@ impl Facet {
 }
 
 impl Facet {
+    /// Reduces its body to what lies in a convex area, counter-clockwise; only that takes the place of lower roofs. Where nothing
+    /// does, the body is the side nearest to the area, which has no inside.
+    pub(in crate::roof) fn keep_body(&mut self, area: &[DVec2]) {
+        let corner = |at: &DVec2| Corner {
+            at: *at,
+            rim: false,
+        };
+        let whole: Vec<Corner> = self.body.iter().map(corner).collect();
+        let rest = edges(area).iter().fold(whole, |rest, side| {
+            let [inside, _] = side.halves(&rest);
+            inside
+        });
+        if self::area(&rest) > SLIVER {
+            self.body = rest.iter().map(|c| c.at).collect();
+            return;
+        }
+        let middle = area.iter().sum::<DVec2>() / area.len().max(1) as f64;
+        let next = self.outline.iter().cycle().skip(1);
+        let sides = self.outline.iter().zip(next).map(|(p, q)| [p.at, q.at]);
+        let far = |[p, q]: &[DVec2; 2]| p.midpoint(*q).distance_squared(middle);
+        let nearest = sides.min_by(|a, b| far(a).total_cmp(&far(b)));
+        self.body = nearest.map_or(vec![], |side| side.to_vec());
+    }
+
     /// Returns its parts beyond its body and beyond further sides: convex, each with its first edge on the side that
     /// cut it off.
     pub(in crate::roof) fn beyond(&self, more: &[HalfPlane]) -> Vec<Vec<Corner>> {

@@ -12,7 +12,7 @@ use crate::geometry::plan::{Cell, Plan};
 use crate::roof::budget::SearchBudget;
 use crate::roof::frame::near_side;
 use crate::roof::join::assemble;
-use crate::roof::plan::level::{Level, Point, first_line, is_facade, levels};
+use crate::roof::plan::level::{Level, first_line, is_facade, levels};
 use crate::roof::plan::necks::{self, Necks};
 use crate::roof::plan::roles::regions_by;
 use crate::roof::plan::{MOST_CORNERS, report, spans, street};
@@ -27,8 +27,9 @@ use crate::roof::storey::placed_line::PlacedLine;
 use crate::roof::storey::polygonal;
 use crate::roof::storey::polygonal::Polygonal;
 use crate::roof::storey::skirt::Skirt;
+use crate::roof::storey::street_pent::street_pent;
 use crate::roof::storey::written::Written;
-use crate::roof::storey::{overhang, written};
+use crate::roof::storey::{overhang, standing, written};
 use crate::source::Span;
 use std::cell::{OnceCell, RefCell};
 
@@ -99,62 +100,6 @@ fn report_house(house: &House, levels: &[Level<'_>], out: &mut Diagnostics) {
     }
 }
 
-/// Returns the rectangle of the pent roof added automatically to a two-storey street house (docs/evidence.md 4.5).
-fn street_pent(house: &House, levels: &[Level<'_>]) -> Option<Cell> {
-    let hisashi =
-        |l: &crate::ast::RoofLine| l.style.shape.is_some_and(|s| s.value == RoofShape::Pent);
-    if !house.street
-        || house.roofs.mode == RoofMode::Explicit
-        || house.roofs.lines.iter().any(hisashi)
-    {
-        return None;
-    }
-    let [ground, upper, ..] = levels else {
-        return None;
-    };
-    let (p, q) = first_line(ground.storey)?;
-    let (r, s) = first_line(upper.storey)?;
-    let depth = (3.0 * crate::geometry::SHAKU / house.unit * STEPS as f64).round() as i64;
-    before_line([p, q, r, s], depth)
-}
-
-/// Returns the rectangle before the line from p to q, if the one from r to s lies on it.
-fn before_line([p, q, r, s]: [Point; 4], depth: i64) -> Option<Cell> {
-    let (lines, turned) = match (p.1 == q.1, p.0 == q.0) {
-        (true, false) => ([p, q, r, s], false),
-        (false, true) => ([p, q, r, s].map(|(a, b)| (b, a)), true),
-        _ => return None,
-    };
-    let [p, q, r, s] = lines;
-    let overlap = r.0.min(s.0) < p.0.max(q.0) && p.0.min(q.0) < r.0.max(s.0);
-    if r.1 != p.1 || s.1 != p.1 || !overlap {
-        return None;
-    }
-    // Outward of a walk with the interior on its right; exchanging the axes mirrors it.
-    let before = (q.0 > p.0) != turned;
-    let (b0, b1) = if before {
-        (p.1 - depth, p.1)
-    } else {
-        (p.1, p.1 + depth)
-    };
-    let cell = Cell {
-        a0: p.0.min(q.0),
-        b0,
-        a1: p.0.max(q.0),
-        b1,
-    };
-    Some(if turned {
-        Cell {
-            a0: cell.b0,
-            b0: cell.a0,
-            a1: cell.b1,
-            b1: cell.a1,
-        }
-    } else {
-        cell
-    })
-}
-
 /// The data for roofing one storey.
 struct Storey<'a, 'h> {
     house: &'a House,
@@ -207,11 +152,8 @@ impl Storey<'_, '_> {
                 of.roofs(done, out)
             }
         };
-        planned.extend(
-            self.lines
-                .iter()
-                .map(|line| explicit::planned(line, &context, out)),
-        );
+        let own = (self.lines.iter()).filter(|line| !line.shape.stands_on_another());
+        planned.extend(own.map(|line| explicit::planned(line, &context, out)));
         planned.extend(self.pent.map(|cell| self.hang_pent(&context, cell)));
         if let Some(necks) = necks {
             let of = Polygonal {
@@ -222,6 +164,8 @@ impl Storey<'_, '_> {
             };
             planned.extend(of.wings(&necks, done, out));
         }
+        let standing = standing::planned(&self.lines, &planned, &context, out);
+        planned.extend(standing);
         let walls = upper.map_or(vec![], |u| polygonal::walls(self.house, u));
         if !assemble(planned, &walls, &mut done.roofs) {
             let place = self
@@ -343,6 +287,9 @@ impl Storey<'_, '_> {
         let gables = found.iter().any(|r| r.ridge.is_some());
         match shape {
             RoofShape::Pent => out.push(say::automatic_pent(wish.span, number)),
+            shape if shape.stands_on_another() => {
+                out.push(say::automatic_dormer(wish.span, shape.letters(), number));
+            }
             RoofShape::LeanTo if gables => out.push(say::joined_slopes(wish.span, number)),
             _ => {}
         }

@@ -37,10 +37,15 @@ pub fn prism(profile: &[DVec3], by: DVec3, finish: Finish) -> Solid {
 /// Returns a wall from a level foot up to a chain of corners in one vertical plane, swept along `by`. The chain stands
 /// over the foot everywhere.
 pub fn curtain(upper: &[DVec3], foot: f64, by: DVec3, finish: Finish) -> Solid {
+    band(upper, &vec![foot; upper.len()], by, finish)
+}
+
+/// Returns a wall between a chain of corners in one vertical plane and the heights below each of them, swept along `by`.
+pub fn band(upper: &[DVec3], feet: &[f64], by: DVec3, finish: Finish) -> Solid {
     let n = upper.len() as u32;
     let mut points: Vec<DVec3> = Vec::with_capacity(upper.len() * 4);
-    for p in upper {
-        let low = p.truncate().extend(foot);
+    for (p, foot) in upper.iter().zip(feet) {
+        let low = p.truncate().extend(*foot);
         points.extend([*p, low, *p + by, low + by]);
     }
     // Seen from in front of the wall, the chain must run to the right; if not, everything is reversed.

@@ -11,4 +11,6 @@ pub(in crate::roof) mod placed_line;
 pub(in crate::roof) mod polygonal;
 pub(in crate::roof) mod porch;
 pub(in crate::roof) mod skirt;
+pub(in crate::roof) mod standing;
+pub(in crate::roof) mod street_pent;
 pub(in crate::roof) mod written;

@@ -1,6 +1,6 @@
 //! The roofs of a house as nodes: each with what its storey's walls give it, and with its rows of tiles.
 
-use crate::ast::RoofKind;
+use crate::ast::{RoofKind, RoofShape};
 use crate::building::{Built, Face, House, Roof, Solid};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, NodeId};
@@ -77,6 +77,8 @@ impl<'a> Walker<'a> {
         let boards = SurfaceId::named("boards_dark");
         let of = |solid: &Solid| match is_fill(solid) {
             true if roof.trim.lattice => Infill::plain(boards),
+            // Fire walls are plastered, whatever the walls below are.
+            true if roof.shape == RoofShape::FireWall => Infill::plain(plaster()),
             true => standing.gable(self.catalog, house, Place { solid, storey }),
             false => Infill::plain(plaster()),
         };

@@ -119,6 +119,11 @@ pub(super) const WITHOUT_FIX: &[(u16, &str)] = &[
     (521, "nothing has to be done"),
     (522, "nothing has to be done"),
     (523, "nothing has to be done"),
+    (524, "corners only the author knows"),
+    (
+        525,
+        "a narrower gable, another place or a lower pitch: only the author knows",
+    ),
     (702, "where the roof shall be, only the author knows"),
     (704, "which measure may change, only the author knows"),
     (705, "which part is meant, only the author knows"),

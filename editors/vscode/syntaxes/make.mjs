@@ -93,7 +93,7 @@ const legacy = {
       2: { name: 'constant.language.direction.hsd' },
     },
     patterns: [
-      { match: '(?<=\\s)(?:KIR|YOS|YOK|IRI|HAK|HOG|KAT|HIS|TER|KAR|RIK|KOS|MAN)(?=\\s|$)', name: 'entity.name.type.shape.hsd' },
+      { match: '(?<=\\s)(?:KIR|YOS|YOK|IRI|HAK|HOG|KAT|HIS|TER|KAR|RIK|KOS|MAN|CHI|NOK|KOY|UDA)(?=\\s|$)', name: 'entity.name.type.shape.hsd' },
       numeric,
       { match: '(?<=\\s)\\*(?=\\s|$)', name: 'constant.language.height.hsd' },
       {

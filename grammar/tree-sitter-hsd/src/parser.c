@@ -1861,39 +1861,39 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (eof) ADVANCE(90);
       ADVANCE_MAP(
         '!', 20,
-        '"', 174,
-        '%', 204,
-        '&', 179,
-        '\'', 176,
-        '(', 207,
-        ')', 208,
+        '"', 179,
+        '%', 209,
+        '&', 184,
+        '\'', 181,
+        '(', 212,
+        ')', 213,
         '*', 138,
-        '+', 197,
-        ',', 209,
-        '-', 198,
+        '+', 202,
+        ',', 214,
+        '-', 203,
         '.', 85,
-        '/', 202,
-        '<', 166,
-        '=', 171,
-        '>', 168,
+        '/', 207,
+        '<', 171,
+        '=', 176,
+        '>', 173,
         'R', 139,
         'Y', 135,
         'a', 48,
-        'e', 162,
+        'e', 167,
         'f', 140,
-        'm', 161,
+        'm', 166,
         'n', 34,
         'r', 141,
         's', 137,
         'u', 55,
         'y', 136,
-        '{', 186,
-        '}', 187,
-        0xd7, 200,
-        0xf7, 203,
-        0x2212, 199,
-        'O', 159,
-        'o', 159,
+        '{', 191,
+        '}', 192,
+        0xd7, 205,
+        0xf7, 208,
+        0x2212, 204,
+        'O', 164,
+        'o', 164,
       );
       if (lookahead == '\t' ||
           lookahead == '\f' ||
@@ -1910,7 +1910,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == 'M' ||
           lookahead == 'P' ||
           lookahead == 'c' ||
-          lookahead == 'p') ADVANCE(160);
+          lookahead == 'p') ADVANCE(165);
       if (lookahead == 'H' ||
           lookahead == 'I' ||
           lookahead == 'K' ||
@@ -1924,30 +1924,30 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == 'b' ||
           lookahead == 'l' ||
           lookahead == 'x') ADVANCE(139);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(226);
       END_STATE();
     case 1:
       ADVANCE_MAP(
         '!', 20,
-        '"', 173,
-        '%', 204,
+        '"', 178,
+        '%', 209,
         '&', 49,
-        '\'', 175,
-        '(', 207,
-        ')', 208,
+        '\'', 180,
+        '(', 212,
+        ')', 213,
         '*', 138,
-        '+', 197,
-        ',', 209,
-        '-', 198,
-        '/', 201,
-        '=', 171,
-        '>', 168,
+        '+', 202,
+        ',', 214,
+        '-', 203,
+        '/', 206,
+        '=', 176,
+        '>', 173,
         'a', 54,
         'o', 65,
-        '}', 187,
-        0xd7, 200,
-        0xf7, 203,
-        0x2212, 199,
+        '}', 192,
+        0xd7, 205,
+        0xf7, 208,
+        0x2212, 204,
       );
       if (lookahead == '\t' ||
           lookahead == '\f' ||
@@ -1958,61 +1958,61 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 2:
       ADVANCE_MAP(
-        '"', 174,
-        '&', 179,
-        '{', 186,
-        '\t', 177,
-        '\f', 177,
-        ' ', 177,
-        0xa0, 177,
-        0x3000, 177,
+        '"', 179,
+        '&', 184,
+        '{', 191,
+        '\t', 182,
+        '\f', 182,
+        ' ', 182,
+        0xa0, 182,
+        0x3000, 182,
       );
       if (lookahead != 0 &&
-          lookahead != '<') ADVANCE(178);
+          lookahead != '<') ADVANCE(183);
       END_STATE();
     case 3:
       ADVANCE_MAP(
         '"', 4,
         '&', 36,
         '\'', 8,
-        '(', 207,
-        ')', 208,
-        '+', 197,
-        '-', 198,
+        '(', 212,
+        ')', 213,
+        '+', 202,
+        '-', 203,
         '.', 85,
-        'f', 210,
-        'n', 215,
-        't', 216,
-        'y', 211,
-        0x2212, 199,
+        'f', 215,
+        'n', 220,
+        't', 221,
+        'y', 216,
+        0x2212, 204,
       );
       if (lookahead == '\t' ||
           lookahead == '\f' ||
           lookahead == ' ' ||
           lookahead == 0xa0 ||
           lookahead == 0x3000) SKIP(3);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
-      if (set_contains(aux_sym__other_setting_token1_character_set_1, 678, lookahead)) ADVANCE(220);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(226);
+      if (set_contains(aux_sym__other_setting_token1_character_set_1, 678, lookahead)) ADVANCE(225);
       END_STATE();
     case 4:
-      if (lookahead == '"') ADVANCE(231);
+      if (lookahead == '"') ADVANCE(236);
       if (lookahead != 0 &&
           lookahead != '\'' &&
           lookahead != '<') ADVANCE(4);
       END_STATE();
     case 5:
       ADVANCE_MAP(
-        '&', 179,
-        '\'', 176,
-        '{', 186,
-        '\t', 180,
-        '\f', 180,
-        ' ', 180,
-        0xa0, 180,
-        0x3000, 180,
+        '&', 184,
+        '\'', 181,
+        '{', 191,
+        '\t', 185,
+        '\f', 185,
+        ' ', 185,
+        0xa0, 185,
+        0x3000, 185,
       );
       if (lookahead != 0 &&
-          lookahead != '<') ADVANCE(181);
+          lookahead != '<') ADVANCE(186);
       END_STATE();
     case 6:
       if (lookahead == '&') ADVANCE(64);
@@ -2031,7 +2031,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead != '<') ADVANCE(7);
       END_STATE();
     case 8:
-      if (lookahead == '\'') ADVANCE(231);
+      if (lookahead == '\'') ADVANCE(236);
       if (lookahead != 0 &&
           lookahead != '"' &&
           lookahead != '<') ADVANCE(8);
@@ -2055,33 +2055,39 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == ' ' ||
           lookahead == 0xa0 ||
           lookahead == 0x3000) SKIP(9);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(163);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(168);
       if (set_contains(aux_sym__other_setting_token1_character_set_1, 678, lookahead)) ADVANCE(134);
       END_STATE();
     case 10:
       ADVANCE_MAP(
         '*', 138,
+        'C', 150,
+        'c', 150,
         'H', 143,
         'h', 143,
-        'I', 154,
-        'i', 154,
+        'I', 158,
+        'i', 158,
         'K', 144,
         'k', 144,
         'M', 145,
         'm', 145,
-        'R', 148,
-        'r', 148,
-        'T', 146,
-        't', 146,
-        'Y', 152,
-        'y', 152,
+        'N', 155,
+        'n', 155,
+        'R', 151,
+        'r', 151,
+        'T', 148,
+        't', 148,
+        'U', 147,
+        'u', 147,
+        'Y', 156,
+        'y', 156,
       );
       if (lookahead == '\t' ||
           lookahead == '\f' ||
           lookahead == ' ' ||
           lookahead == 0xa0 ||
           lookahead == 0x3000) SKIP(10);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
     case 11:
       if (lookahead == '*') ADVANCE(138);
@@ -2103,32 +2109,32 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 12:
       if (lookahead == '.') ADVANCE(87);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(163);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(168);
       END_STATE();
     case 13:
       if (lookahead == '/') ADVANCE(21);
-      if (lookahead == '>') ADVANCE(167);
+      if (lookahead == '>') ADVANCE(172);
       if (lookahead == '\t' ||
           lookahead == '\f' ||
           lookahead == ' ' ||
           lookahead == 0xa0 ||
           lookahead == 0x3000) SKIP(13);
-      if (set_contains(sym_attribute_name_character_set_1, 679, lookahead)) ADVANCE(172);
+      if (set_contains(sym_attribute_name_character_set_1, 679, lookahead)) ADVANCE(177);
       END_STATE();
     case 14:
-      if (lookahead == ';') ADVANCE(182);
+      if (lookahead == ';') ADVANCE(187);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
           ('a' <= lookahead && lookahead <= 'z')) ADVANCE(14);
       END_STATE();
     case 15:
-      if (lookahead == ';') ADVANCE(195);
+      if (lookahead == ';') ADVANCE(200);
       END_STATE();
     case 16:
-      if (lookahead == ';') ADVANCE(192);
+      if (lookahead == ';') ADVANCE(197);
       END_STATE();
     case 17:
-      if (lookahead == ';') ADVANCE(231);
+      if (lookahead == ';') ADVANCE(236);
       END_STATE();
     case 18:
       if (lookahead == ';') ADVANCE(7);
@@ -2137,18 +2143,18 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == ';') ADVANCE(6);
       END_STATE();
     case 20:
-      if (lookahead == '=') ADVANCE(191);
+      if (lookahead == '=') ADVANCE(196);
       END_STATE();
     case 21:
-      if (lookahead == '>') ADVANCE(169);
+      if (lookahead == '>') ADVANCE(174);
       END_STATE();
     case 22:
-      if (lookahead == '>') ADVANCE(183);
+      if (lookahead == '>') ADVANCE(188);
       if (lookahead == '?') ADVANCE(22);
       if (lookahead != 0) ADVANCE(24);
       END_STATE();
     case 23:
-      if (lookahead == '>') ADVANCE(184);
+      if (lookahead == '>') ADVANCE(189);
       if (lookahead == ']') ADVANCE(23);
       if (lookahead != 0) ADVANCE(33);
       END_STATE();
@@ -2187,7 +2193,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 34:
       if (lookahead == 'a') ADVANCE(53);
-      if (lookahead == 'o') ADVANCE(229);
+      if (lookahead == 'o') ADVANCE(234);
       END_STATE();
     case 35:
       if (lookahead == 'a') ADVANCE(103);
@@ -2200,7 +2206,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == 'a') ADVANCE(63);
       END_STATE();
     case 38:
-      if (lookahead == 'd') ADVANCE(189);
+      if (lookahead == 'd') ADVANCE(194);
       END_STATE();
     case 39:
       if (lookahead == 'd') ADVANCE(93);
@@ -2215,7 +2221,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == 'e') ADVANCE(106);
       END_STATE();
     case 43:
-      if (lookahead == 'e') ADVANCE(225);
+      if (lookahead == 'e') ADVANCE(230);
       END_STATE();
     case 44:
       if (lookahead == 'e') ADVANCE(39);
@@ -2283,13 +2289,13 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == 'q') ADVANCE(80);
       END_STATE();
     case 65:
-      if (lookahead == 'r') ADVANCE(188);
+      if (lookahead == 'r') ADVANCE(193);
       END_STATE();
     case 66:
       if (lookahead == 'r') ADVANCE(46);
       END_STATE();
     case 67:
-      if (lookahead == 's') ADVANCE(227);
+      if (lookahead == 's') ADVANCE(232);
       END_STATE();
     case 68:
       if (lookahead == 's') ADVANCE(97);
@@ -2333,22 +2339,22 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
     case 81:
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(86);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(223);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(228);
       END_STATE();
     case 82:
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(88);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(165);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(170);
       END_STATE();
     case 83:
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(159);
+          lookahead == 'o') ADVANCE(164);
       if (lookahead == '\t' ||
           lookahead == '\f' ||
           lookahead == ' ' ||
           lookahead == 0xa0 ||
           lookahead == 0x3000) SKIP(83);
-      if (set_contains(aux_sym_option_token2_character_set_1, 12, lookahead)) ADVANCE(160);
+      if (set_contains(aux_sym_option_token2_character_set_1, 12, lookahead)) ADVANCE(165);
       END_STATE();
     case 84:
       if (lookahead == '\t' ||
@@ -2360,53 +2366,53 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           ('a' <= lookahead && lookahead <= 'z')) ADVANCE(105);
       END_STATE();
     case 85:
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(222);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(227);
       END_STATE();
     case 86:
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(223);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(228);
       END_STATE();
     case 87:
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(164);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(169);
       END_STATE();
     case 88:
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(165);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(170);
       END_STATE();
     case 89:
       if (eof) ADVANCE(90);
       ADVANCE_MAP(
         '!', 20,
-        '"', 173,
-        '%', 204,
-        '\'', 175,
-        '(', 207,
-        ')', 208,
+        '"', 178,
+        '%', 209,
+        '\'', 180,
+        '(', 212,
+        ')', 213,
         '*', 138,
-        '+', 197,
-        ',', 209,
-        '-', 198,
+        '+', 202,
+        ',', 214,
+        '-', 203,
         '.', 85,
-        '/', 202,
-        '<', 166,
-        '=', 171,
-        '>', 168,
+        '/', 207,
+        '<', 171,
+        '=', 176,
+        '>', 173,
         'R', 139,
         'Y', 135,
         'a', 48,
-        'e', 162,
+        'e', 167,
         'f', 140,
-        'm', 161,
+        'm', 166,
         'n', 34,
         'r', 141,
         's', 137,
         'u', 55,
         'y', 136,
-        '{', 185,
-        '}', 187,
-        0xd7, 200,
-        0xf7, 203,
-        0x2212, 199,
-        'O', 159,
-        'o', 159,
+        '{', 190,
+        '}', 192,
+        0xd7, 205,
+        0xf7, 208,
+        0x2212, 204,
+        'O', 164,
+        'o', 164,
       );
       if (lookahead == '\t' ||
           lookahead == '\f' ||
@@ -2423,7 +2429,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == 'M' ||
           lookahead == 'P' ||
           lookahead == 'c' ||
-          lookahead == 'p') ADVANCE(160);
+          lookahead == 'p') ADVANCE(165);
       if (lookahead == 'H' ||
           lookahead == 'I' ||
           lookahead == 'K' ||
@@ -2437,7 +2443,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == 'b' ||
           lookahead == 'l' ||
           lookahead == 'x') ADVANCE(139);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(226);
       END_STATE();
     case 90:
       ACCEPT_TOKEN(ts_builtin_sym_end);
@@ -2842,419 +2848,451 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 142:
       ACCEPT_TOKEN(aux_sym_shape_token1);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
     case 143:
       ACCEPT_TOKEN(aux_sym_shape_token2);
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(150);
+          lookahead == 'a') ADVANCE(153);
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(155);
+          lookahead == 'i') ADVANCE(159);
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(147);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+          lookahead == 'o') ADVANCE(149);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
     case 144:
       ACCEPT_TOKEN(aux_sym_shape_token2);
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(157);
+          lookahead == 'a') ADVANCE(161);
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(153);
+          lookahead == 'i') ADVANCE(157);
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(155);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+          lookahead == 'o') ADVANCE(162);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
     case 145:
       ACCEPT_TOKEN(aux_sym_shape_token2);
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(151);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+          lookahead == 'a') ADVANCE(154);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
     case 146:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(153);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      if (lookahead == 'A' ||
+          lookahead == 'a') ADVANCE(142);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
     case 147:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'G' ||
-          lookahead == 'g') ADVANCE(142);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      if (lookahead == 'D' ||
+          lookahead == 'd') ADVANCE(146);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
     case 148:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(150);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      if (lookahead == 'E' ||
+          lookahead == 'e') ADVANCE(157);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
     case 149:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(142);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      if (lookahead == 'G' ||
+          lookahead == 'g') ADVANCE(142);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
     case 150:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'K' ||
-          lookahead == 'k') ADVANCE(142);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      if (lookahead == 'H' ||
+          lookahead == 'h') ADVANCE(152);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
     case 151:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(142);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      if (lookahead == 'I' ||
+          lookahead == 'i') ADVANCE(153);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
     case 152:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(156);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      if (lookahead == 'I' ||
+          lookahead == 'i') ADVANCE(142);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
     case 153:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(142);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      if (lookahead == 'K' ||
+          lookahead == 'k') ADVANCE(142);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
     case 154:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(149);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      if (lookahead == 'N' ||
+          lookahead == 'n') ADVANCE(142);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
     case 155:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(142);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(153);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
     case 156:
+      ACCEPT_TOKEN(aux_sym_shape_token2);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(160);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
+      END_STATE();
+    case 157:
+      ACCEPT_TOKEN(aux_sym_shape_token2);
+      if (lookahead == 'R' ||
+          lookahead == 'r') ADVANCE(142);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
+      END_STATE();
+    case 158:
+      ACCEPT_TOKEN(aux_sym_shape_token2);
+      if (lookahead == 'R' ||
+          lookahead == 'r') ADVANCE(152);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
+      END_STATE();
+    case 159:
+      ACCEPT_TOKEN(aux_sym_shape_token2);
+      if (lookahead == 'S' ||
+          lookahead == 's') ADVANCE(142);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
+      END_STATE();
+    case 160:
       ACCEPT_TOKEN(aux_sym_shape_token2);
       if (lookahead == 'K' ||
           lookahead == 'S' ||
           lookahead == 'k' ||
           lookahead == 's') ADVANCE(142);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
-    case 157:
+    case 161:
       ACCEPT_TOKEN(aux_sym_shape_token2);
       if (lookahead == 'R' ||
           lookahead == 'T' ||
           lookahead == 'r' ||
           lookahead == 't') ADVANCE(142);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
-    case 158:
+    case 162:
       ACCEPT_TOKEN(aux_sym_shape_token2);
-      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(158);
+      if (lookahead == 'S' ||
+          lookahead == 'Y' ||
+          lookahead == 's' ||
+          lookahead == 'y') ADVANCE(142);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
       END_STATE();
-    case 159:
+    case 163:
+      ACCEPT_TOKEN(aux_sym_shape_token2);
+      if (set_contains(aux_sym_shape_token2_character_set_1, 678, lookahead)) ADVANCE(163);
+      END_STATE();
+    case 164:
       ACCEPT_TOKEN(aux_sym_option_token1);
       END_STATE();
-    case 160:
+    case 165:
       ACCEPT_TOKEN(aux_sym_option_token2);
       END_STATE();
-    case 161:
+    case 166:
       ACCEPT_TOKEN(aux_sym_option_token2);
       if (lookahead == 'e') ADVANCE(72);
       END_STATE();
-    case 162:
+    case 167:
       ACCEPT_TOKEN(aux_sym_option_token2);
       if (lookahead == 'r') ADVANCE(35);
       END_STATE();
-    case 163:
-      ACCEPT_TOKEN(sym_number);
-      if (lookahead == '.') ADVANCE(164);
-      if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(82);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(163);
-      END_STATE();
-    case 164:
-      ACCEPT_TOKEN(sym_number);
-      if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(82);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(164);
-      END_STATE();
-    case 165:
-      ACCEPT_TOKEN(sym_number);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(165);
-      END_STATE();
-    case 166:
-      ACCEPT_TOKEN(anon_sym_LT);
-      if (lookahead == '!') ADVANCE(30);
-      if (lookahead == '/') ADVANCE(170);
-      if (lookahead == '?') ADVANCE(24);
-      END_STATE();
-    case 167:
-      ACCEPT_TOKEN(anon_sym_GT);
-      END_STATE();
     case 168:
-      ACCEPT_TOKEN(anon_sym_GT);
-      if (lookahead == '=') ADVANCE(194);
+      ACCEPT_TOKEN(sym_number);
+      if (lookahead == '.') ADVANCE(169);
+      if (lookahead == 'E' ||
+          lookahead == 'e') ADVANCE(82);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(168);
       END_STATE();
     case 169:
-      ACCEPT_TOKEN(anon_sym_SLASH_GT);
+      ACCEPT_TOKEN(sym_number);
+      if (lookahead == 'E' ||
+          lookahead == 'e') ADVANCE(82);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(169);
       END_STATE();
     case 170:
-      ACCEPT_TOKEN(anon_sym_LT_SLASH);
+      ACCEPT_TOKEN(sym_number);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(170);
       END_STATE();
     case 171:
-      ACCEPT_TOKEN(anon_sym_EQ);
-      if (lookahead == '=') ADVANCE(190);
+      ACCEPT_TOKEN(anon_sym_LT);
+      if (lookahead == '!') ADVANCE(30);
+      if (lookahead == '/') ADVANCE(175);
+      if (lookahead == '?') ADVANCE(24);
       END_STATE();
     case 172:
-      ACCEPT_TOKEN(sym_attribute_name);
-      if (set_contains(sym_attribute_name_character_set_2, 772, lookahead)) ADVANCE(172);
+      ACCEPT_TOKEN(anon_sym_GT);
       END_STATE();
     case 173:
-      ACCEPT_TOKEN(anon_sym_DQUOTE);
+      ACCEPT_TOKEN(anon_sym_GT);
+      if (lookahead == '=') ADVANCE(199);
       END_STATE();
     case 174:
-      ACCEPT_TOKEN(anon_sym_DQUOTE2);
+      ACCEPT_TOKEN(anon_sym_SLASH_GT);
       END_STATE();
     case 175:
-      ACCEPT_TOKEN(anon_sym_SQUOTE);
+      ACCEPT_TOKEN(anon_sym_LT_SLASH);
       END_STATE();
     case 176:
-      ACCEPT_TOKEN(anon_sym_SQUOTE2);
+      ACCEPT_TOKEN(anon_sym_EQ);
+      if (lookahead == '=') ADVANCE(195);
       END_STATE();
     case 177:
+      ACCEPT_TOKEN(sym_attribute_name);
+      if (set_contains(sym_attribute_name_character_set_2, 772, lookahead)) ADVANCE(177);
+      END_STATE();
+    case 178:
+      ACCEPT_TOKEN(anon_sym_DQUOTE);
+      END_STATE();
+    case 179:
+      ACCEPT_TOKEN(anon_sym_DQUOTE2);
+      END_STATE();
+    case 180:
+      ACCEPT_TOKEN(anon_sym_SQUOTE);
+      END_STATE();
+    case 181:
+      ACCEPT_TOKEN(anon_sym_SQUOTE2);
+      END_STATE();
+    case 182:
       ACCEPT_TOKEN(aux_sym__double_value_token1);
       if (lookahead == '\t' ||
           lookahead == '\f' ||
           lookahead == ' ' ||
           lookahead == 0xa0 ||
-          lookahead == 0x3000) ADVANCE(177);
+          lookahead == 0x3000) ADVANCE(182);
       if (lookahead != 0 &&
           lookahead != '"' &&
           lookahead != '&' &&
           lookahead != '<' &&
-          lookahead != '{') ADVANCE(178);
+          lookahead != '{') ADVANCE(183);
       END_STATE();
-    case 178:
+    case 183:
       ACCEPT_TOKEN(aux_sym__double_value_token1);
       if (lookahead != 0 &&
           lookahead != '"' &&
           lookahead != '&' &&
           lookahead != '<' &&
-          lookahead != '{') ADVANCE(178);
+          lookahead != '{') ADVANCE(183);
       END_STATE();
-    case 179:
+    case 184:
       ACCEPT_TOKEN(anon_sym_AMP);
       if (lookahead == '#' ||
           ('A' <= lookahead && lookahead <= 'Z') ||
           ('a' <= lookahead && lookahead <= 'z')) ADVANCE(14);
       END_STATE();
-    case 180:
+    case 185:
       ACCEPT_TOKEN(aux_sym__single_value_token1);
       if (lookahead == '\t' ||
           lookahead == '\f' ||
           lookahead == ' ' ||
           lookahead == 0xa0 ||
-          lookahead == 0x3000) ADVANCE(180);
+          lookahead == 0x3000) ADVANCE(185);
       if (lookahead != 0 &&
           lookahead != '&' &&
           lookahead != '\'' &&
           lookahead != '<' &&
-          lookahead != '{') ADVANCE(181);
+          lookahead != '{') ADVANCE(186);
       END_STATE();
-    case 181:
+    case 186:
       ACCEPT_TOKEN(aux_sym__single_value_token1);
       if (lookahead != 0 &&
           lookahead != '&' &&
           lookahead != '\'' &&
           lookahead != '<' &&
-          lookahead != '{') ADVANCE(181);
-      END_STATE();
-    case 182:
-      ACCEPT_TOKEN(sym_reference);
-      END_STATE();
-    case 183:
-      ACCEPT_TOKEN(sym_processing_instruction);
-      END_STATE();
-    case 184:
-      ACCEPT_TOKEN(sym_cdata);
-      END_STATE();
-    case 185:
-      ACCEPT_TOKEN(anon_sym_LBRACE);
-      END_STATE();
-    case 186:
-      ACCEPT_TOKEN(anon_sym_LBRACE2);
+          lookahead != '{') ADVANCE(186);
       END_STATE();
     case 187:
-      ACCEPT_TOKEN(anon_sym_RBRACE);
+      ACCEPT_TOKEN(sym_reference);
       END_STATE();
     case 188:
-      ACCEPT_TOKEN(anon_sym_or);
+      ACCEPT_TOKEN(sym_processing_instruction);
       END_STATE();
     case 189:
-      ACCEPT_TOKEN(anon_sym_and);
+      ACCEPT_TOKEN(sym_cdata);
       END_STATE();
     case 190:
-      ACCEPT_TOKEN(anon_sym_EQ_EQ);
+      ACCEPT_TOKEN(anon_sym_LBRACE);
       END_STATE();
     case 191:
-      ACCEPT_TOKEN(anon_sym_BANG_EQ);
+      ACCEPT_TOKEN(anon_sym_LBRACE2);
       END_STATE();
     case 192:
-      ACCEPT_TOKEN(anon_sym_AMPlt_SEMI);
-      if (lookahead == '=') ADVANCE(193);
+      ACCEPT_TOKEN(anon_sym_RBRACE);
       END_STATE();
     case 193:
-      ACCEPT_TOKEN(anon_sym_AMPlt_SEMI_EQ);
+      ACCEPT_TOKEN(anon_sym_or);
       END_STATE();
     case 194:
-      ACCEPT_TOKEN(anon_sym_GT_EQ);
+      ACCEPT_TOKEN(anon_sym_and);
       END_STATE();
     case 195:
-      ACCEPT_TOKEN(anon_sym_AMPgt_SEMI);
-      if (lookahead == '=') ADVANCE(196);
+      ACCEPT_TOKEN(anon_sym_EQ_EQ);
       END_STATE();
     case 196:
-      ACCEPT_TOKEN(anon_sym_AMPgt_SEMI_EQ);
+      ACCEPT_TOKEN(anon_sym_BANG_EQ);
       END_STATE();
     case 197:
-      ACCEPT_TOKEN(anon_sym_PLUS);
+      ACCEPT_TOKEN(anon_sym_AMPlt_SEMI);
+      if (lookahead == '=') ADVANCE(198);
       END_STATE();
     case 198:
-      ACCEPT_TOKEN(anon_sym_DASH);
+      ACCEPT_TOKEN(anon_sym_AMPlt_SEMI_EQ);
       END_STATE();
     case 199:
-      ACCEPT_TOKEN(anon_sym_u2212);
+      ACCEPT_TOKEN(anon_sym_GT_EQ);
       END_STATE();
     case 200:
-      ACCEPT_TOKEN(anon_sym_u00d7);
+      ACCEPT_TOKEN(anon_sym_AMPgt_SEMI);
+      if (lookahead == '=') ADVANCE(201);
       END_STATE();
     case 201:
-      ACCEPT_TOKEN(anon_sym_SLASH);
+      ACCEPT_TOKEN(anon_sym_AMPgt_SEMI_EQ);
       END_STATE();
     case 202:
-      ACCEPT_TOKEN(anon_sym_SLASH);
-      if (lookahead == '>') ADVANCE(169);
+      ACCEPT_TOKEN(anon_sym_PLUS);
       END_STATE();
     case 203:
-      ACCEPT_TOKEN(anon_sym_u00f7);
+      ACCEPT_TOKEN(anon_sym_DASH);
       END_STATE();
     case 204:
-      ACCEPT_TOKEN(anon_sym_PERCENT);
+      ACCEPT_TOKEN(anon_sym_u2212);
       END_STATE();
     case 205:
-      ACCEPT_TOKEN(anon_sym_not);
+      ACCEPT_TOKEN(anon_sym_u00d7);
       END_STATE();
     case 206:
-      ACCEPT_TOKEN(anon_sym_not);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      ACCEPT_TOKEN(anon_sym_SLASH);
       END_STATE();
     case 207:
-      ACCEPT_TOKEN(anon_sym_LPAREN);
+      ACCEPT_TOKEN(anon_sym_SLASH);
+      if (lookahead == '>') ADVANCE(174);
       END_STATE();
     case 208:
-      ACCEPT_TOKEN(anon_sym_RPAREN);
+      ACCEPT_TOKEN(anon_sym_u00f7);
       END_STATE();
     case 209:
-      ACCEPT_TOKEN(anon_sym_COMMA);
+      ACCEPT_TOKEN(anon_sym_PERCENT);
       END_STATE();
     case 210:
-      ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'a') ADVANCE(214);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      ACCEPT_TOKEN(anon_sym_not);
       END_STATE();
     case 211:
-      ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'e') ADVANCE(217);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      ACCEPT_TOKEN(anon_sym_not);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
       END_STATE();
     case 212:
-      ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'e') ADVANCE(224);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      ACCEPT_TOKEN(anon_sym_LPAREN);
       END_STATE();
     case 213:
-      ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'e') ADVANCE(226);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      ACCEPT_TOKEN(anon_sym_RPAREN);
       END_STATE();
     case 214:
-      ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'l') ADVANCE(218);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      ACCEPT_TOKEN(anon_sym_COMMA);
       END_STATE();
     case 215:
       ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'o') ADVANCE(230);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      if (lookahead == 'a') ADVANCE(219);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
       END_STATE();
     case 216:
       ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'r') ADVANCE(219);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      if (lookahead == 'e') ADVANCE(222);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
       END_STATE();
     case 217:
       ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 's') ADVANCE(228);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      if (lookahead == 'e') ADVANCE(229);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
       END_STATE();
     case 218:
       ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 's') ADVANCE(213);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      if (lookahead == 'e') ADVANCE(231);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
       END_STATE();
     case 219:
       ACCEPT_TOKEN(sym_identifier);
-      if (lookahead == 'u') ADVANCE(212);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      if (lookahead == 'l') ADVANCE(223);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
       END_STATE();
     case 220:
       ACCEPT_TOKEN(sym_identifier);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      if (lookahead == 'o') ADVANCE(235);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
       END_STATE();
     case 221:
+      ACCEPT_TOKEN(sym_identifier);
+      if (lookahead == 'r') ADVANCE(224);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
+      END_STATE();
+    case 222:
+      ACCEPT_TOKEN(sym_identifier);
+      if (lookahead == 's') ADVANCE(233);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
+      END_STATE();
+    case 223:
+      ACCEPT_TOKEN(sym_identifier);
+      if (lookahead == 's') ADVANCE(218);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
+      END_STATE();
+    case 224:
+      ACCEPT_TOKEN(sym_identifier);
+      if (lookahead == 'u') ADVANCE(217);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
+      END_STATE();
+    case 225:
+      ACCEPT_TOKEN(sym_identifier);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
+      END_STATE();
+    case 226:
       ACCEPT_TOKEN(sym__plain_number);
       if (lookahead == '.') ADVANCE(85);
       if (lookahead == 'E' ||
           lookahead == 'e') ADVANCE(81);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(226);
       END_STATE();
-    case 222:
+    case 227:
       ACCEPT_TOKEN(sym__plain_number);
       if (lookahead == 'E' ||
           lookahead == 'e') ADVANCE(81);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(222);
-      END_STATE();
-    case 223:
-      ACCEPT_TOKEN(sym__plain_number);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(223);
-      END_STATE();
-    case 224:
-      ACCEPT_TOKEN(anon_sym_true);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
-      END_STATE();
-    case 225:
-      ACCEPT_TOKEN(anon_sym_false);
-      END_STATE();
-    case 226:
-      ACCEPT_TOKEN(anon_sym_false);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
-      END_STATE();
-    case 227:
-      ACCEPT_TOKEN(anon_sym_yes);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(227);
       END_STATE();
     case 228:
-      ACCEPT_TOKEN(anon_sym_yes);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      ACCEPT_TOKEN(sym__plain_number);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(228);
       END_STATE();
     case 229:
-      ACCEPT_TOKEN(anon_sym_no);
-      if (lookahead == 't') ADVANCE(205);
+      ACCEPT_TOKEN(anon_sym_true);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
       END_STATE();
     case 230:
-      ACCEPT_TOKEN(anon_sym_no);
-      if (lookahead == 't') ADVANCE(206);
-      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(220);
+      ACCEPT_TOKEN(anon_sym_false);
       END_STATE();
     case 231:
+      ACCEPT_TOKEN(anon_sym_false);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
+      END_STATE();
+    case 232:
+      ACCEPT_TOKEN(anon_sym_yes);
+      END_STATE();
+    case 233:
+      ACCEPT_TOKEN(anon_sym_yes);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
+      END_STATE();
+    case 234:
+      ACCEPT_TOKEN(anon_sym_no);
+      if (lookahead == 't') ADVANCE(210);
+      END_STATE();
+    case 235:
+      ACCEPT_TOKEN(anon_sym_no);
+      if (lookahead == 't') ADVANCE(211);
+      if (set_contains(sym_identifier_character_set_1, 771, lookahead)) ADVANCE(225);
+      END_STATE();
+    case 236:
       ACCEPT_TOKEN(sym_string);
       END_STATE();
     default:

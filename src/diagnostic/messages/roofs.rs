@@ -1,10 +1,12 @@
 //! Messages about roofs (HSD05xx).
 
 mod angles;
+mod dormers;
 mod pents;
 mod purpose;
 
 pub use angles::{deck, wings_at_angles};
+pub use dormers::*;
 pub use pents::*;
 pub use purpose::no_use;
 

@@ -22,6 +22,7 @@ pub(in crate::ide) const STUFFS: &Table = &[
     ("wood, glass", noun("wood, glass", "木、ガラス")),
     ("plaster on bars wound with rope", noun("plaster on bars wound with rope", "縄を巻いた格子に漆喰")),
     ("lime plaster on clay", noun("lime plaster on clay", "土壁に漆喰")),
+    ("lime plaster, wood", noun("lime plaster, wood", "漆喰、木")),
     ("boards", noun("boards", "板")),
     ("wood, plaster", noun("wood, plaster", "木、漆喰")),
     ("wood, paper", noun("wood, paper", "木、紙")),

@@ -363,6 +363,7 @@ fn fitting(
     );
     let fits = match s.value {
         RoofShape::LeanTo | RoofShape::Pent => !ridge,
+        shape if shape.is_dormer() => !ridge,
         RoofShape::Flat => true,
         _ => ridge,
     };

@@ -251,7 +251,7 @@ const ROOFS_OWN: [AttributeSchema; 3] = [
 ];
 #[rustfmt::skip]
 const ROOF_OWN: [AttributeSchema; 7] = [
-    may("shape", SHAPE, "", "KIR gable, YOS hip, YOK gable along the short side, IRI hip and gable, HAK half-hip, HOG pyramid, KAT lean-to, HIS pent roof, TER temple, KAR karahafu, RIK flat, KOS gambrel, MAN mansard; or as maps call it",
+    may("shape", SHAPE, "", "KIR gable, YOS hip, YOK gable along the short side, IRI hip and gable, HAK half-hip, HOG pyramid, KAT lean-to, HIS pent roof, TER temple, KAR karahafu, RIK flat, KOS gambrel, MAN mansard; on another roof CHI triangular gable, NOK undulating gable, KOY monitor, UDA fire wall; or as maps call it",
         "KIR 切妻、YOS 寄棟、YOK 横長切妻、IRI 入母屋、HAK 袴腰、HOG 宝形、KAT 片流れ、HIS 庇、TER 寺院、KAR 唐破風、RIK 陸屋根、KOS 腰折れ、MAN マンサード。地図の語でもよい"),
     must("a0", ANYWHERE, "a corner of the walls below, units to the left", "下の壁の角。左へ(ユニット)").units(),
     must("b0", ANYWHERE, "the same, units back", "同じく奥へ(ユニット)").units(),

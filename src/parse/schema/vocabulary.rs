@@ -67,12 +67,12 @@ pub(in crate::parse) const COVERINGS: [(&str, RoofKind); 7] = [
 ];
 
 /// The shapes of roofs: their letters, and the words of OpenStreetMap.
-pub(in crate::parse) const ROOF_SHAPES: [(&str, RoofShape); 23] =
+pub(in crate::parse) const ROOF_SHAPES: [(&str, RoofShape); 27] =
     joined(RoofShape::ALL, RoofShape::MAPPED);
 
 /// The shapes of the roofs of a house; `None` leaves it to what the house is for.
-pub(in crate::parse) const SHAPES_OF_HOUSES: [(&str, Option<RoofShape>); 24] = {
-    let mut all = [("use", None); 24];
+pub(in crate::parse) const SHAPES_OF_HOUSES: [(&str, Option<RoofShape>); 28] = {
+    let mut all = [("use", None); 28];
     let mut at = 0;
     while at < ROOF_SHAPES.len() {
         all[at] = (ROOF_SHAPES[at].0, Some(ROOF_SHAPES[at].1));

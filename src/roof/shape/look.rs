@@ -193,6 +193,7 @@ fn shape(line: Option<&RoofStyle>, house: &RoofStyle) -> RoofShape {
     let shape = line.map_or(house.shape, |s| s.shape);
     match shape.map_or(RoofShape::Gable, |s| s.value) {
         RoofShape::LeanTo | RoofShape::Pent | RoofShape::Flat => RoofShape::Gable,
+        shape if shape.stands_on_another() => RoofShape::Gable,
         shape => shape,
     }
 }

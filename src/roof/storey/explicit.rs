@@ -133,7 +133,7 @@ fn topmost(
 fn check_place(one: &PlacedLine<'_>, tops: &Tops<'_, '_>, out: &mut Diagnostics) {
     let level = &tops.levels[one.level];
     let (line, place) = (one.line, one.line.corners.span);
-    if level.is_open() || !level.orthogonal {
+    if level.is_open() || !level.orthogonal || one.shape.stands_on_another() {
         return;
     }
     if one.shape == RoofShape::Pent {
@@ -193,6 +193,12 @@ fn check_options(house: &House, one: &PlacedLine<'_>, out: &mut Diagnostics) {
     let Some(direction) = line.direction else {
         return;
     };
+    if one.shape.is_dormer() {
+        if fall(direction.value).is_none() {
+            out.push(say::dormer_direction(direction.span, one.shape.letters()));
+        }
+        return;
+    }
     let one_sided = matches!(one.shape, RoofShape::LeanTo | RoofShape::Pent);
     if one.shape != RoofShape::Flat && one_sided != fall(direction.value).is_some() {
         out.push(say::odd_direction(

@@ -22,7 +22,7 @@ pub(in crate::roof) struct PlacedLine<'h> {
 impl PlacedLine<'_> {
     /// Returns true if its rectangle is excluded from the automatic regions.
     pub(in crate::roof) fn covers(&self) -> bool {
-        self.shape != RoofShape::Pent
+        self.shape != RoofShape::Pent && !self.shape.stands_on_another()
     }
 }
 

@@ -48,6 +48,7 @@ fn seen(one: &PlacedLine<'_>, context: &Context<'_>) -> Option<(Region, Look)> {
     let main = Region::main(one.cell);
     match one.shape {
         RoofShape::Pent | RoofShape::Flat => None,
+        shape if shape.stands_on_another() => None,
         RoofShape::LeanTo => {
             let near = falls_to(one);
             let depth = context.metres(near.measure(&one.cell).1);

@@ -1,6 +1,7 @@
 //! Tiled ridges and hips: a bed, courses of flat tiles (noshi) that step in as they rise, round caps (kanmuri) and end
 //! tiles. Sizes from docs/evidence.md 4.4.
 
+pub(in crate::tessellate::trim) mod chigo_mune;
 pub(in crate::tessellate::trim) mod onigawara;
 pub(in crate::tessellate::trim) mod finial;
 pub(in crate::tessellate::trim) mod stack;
@@ -60,10 +61,20 @@ pub(super) fn tiles(context: &TrimContext<'_>, seam: &Seam, bodies: &mut Vec<Bod
         Kind::Hip => (hip_courses(trim.noshi), HIP_WIDTH),
         _ => (trim.noshi, 1.0),
     };
-    let size = laid(context, &line, courses, width, context.lean(seam), bodies);
-    if trim.ends {
-        ends(context, seam, &line, size, bodies);
-    }
+    let lean = context.lean(seam);
+    let Some((lower, upper)) = chigo_mune::parted(context, seam, &line, courses) else {
+        let size = laid(context, &line, courses, width, lean, bodies);
+        if trim.ends {
+            ends(context, seam, &line, size, bodies);
+        }
+        return;
+    };
+    let size = laid(context, &upper, courses, width, lean, bodies);
+    let out = upper.points[0] - upper.points[1];
+    close(context, (upper.points[0], out), lean, size, bodies);
+    let (courses, width) = chigo_mune::lower(courses, width);
+    let size = laid(context, &lower, courses, width, lean, bodies);
+    ends(context, seam, &lower, size, bodies);
 }
 
 /// Adds the courses and the cap along a line, `width` times as wide as a main ridge, between slopes that fall by `lean`

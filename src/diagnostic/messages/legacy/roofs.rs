@@ -100,8 +100,8 @@ pub fn direction_misfit(
     let (message, help) = if ridge {
         (
             text!([shape]
-                "a {shape} roof has no ridge, so it needs the side it slopes to",
-                "{shape} の屋根には棟がないため、流れる側の指定が必要です"
+                "a {shape} roof looks to one side, which has to be named",
+                "{shape} の屋根は片側を向くため、その側の指定が必要です"
             ),
             text!(
                 "write F (front), B (back), L (left) or R (right)",

@@ -27,7 +27,10 @@ const ASIDE: f64 = 1e-4;
 /// Returns true if a roof's gables have descending ridges beside them.
 fn has(roof: &Roof) -> bool {
     match roof.kind {
-        RoofKind::CoverTiles => !matches!(roof.shape, RoofShape::LeanTo | RoofShape::Karahafu),
+        RoofKind::CoverTiles => {
+            !matches!(roof.shape, RoofShape::LeanTo | RoofShape::Karahafu)
+                && !roof.shape.stands_on_another()
+        }
         RoofKind::Tiles => is_irimoya(roof),
         _ => false,
     }
