@@ -65,4 +65,68 @@ pub(in crate::cli::language::japanese) static TOWN: &[CommandHelp] = &[
         ],
         values: &[],
     },
+    CommandHelp {
+        path: "town plan",
+        about: "町を、一枚ずつ、どの計算機でも作れるタイルに分ける。WORK と町のフォルダーが見えればよい",
+        more: "地図を読み、タイルごとに、地物と、建物が依存するまわりのものすべてを WORK に置きます。あとの段階は地図を読みません。タイルごとに一行、キー、地物の数、入力のバイト数とハッシュをタブで区切って表示します。建物のない地面にもキーがあります。\
+               もう一度実行すると計画し直します。入力が変わらないものは、作ったものがそのまま使われます。",
+        examples: "\
+例:
+  hsd town plan kyoto.hsd -o work/                   タイルを準備して表示する
+  hsd town tile work/ 0_0 0_1                        そのうち二枚を作る
+  hsd town tile work/ --all                          足りないものを作る
+  hsd town seal work/ -o kyoto/                      町にまとめる",
+        arguments: &[
+            ("output", "準備したものをこのフォルダーに置く", ""),
+            (
+                "detail",
+                "タイルの詳細度をコンマで区切って指定する。0 は壁と屋根、1 は部材ごとにテクスチャー、\
+                 2 は開口と太い桟を立体に、3 はすべてを立体に [既定値: `Tiles` のもの、なければ 0,1,3]",
+                "",
+            ),
+            ("compress", "タイルの形を Web 向けに圧縮する (EXT_meshopt_compression)。`--features compress` を付けてビルドした hsd が必要", ""),
+            ("quiet", "指摘だけを表示する", ""),
+        ],
+        values: &[],
+    },
+    CommandHelp {
+        path: "town tile",
+        about: "`hsd town plan` で計画した町のタイルを作る",
+        more: "いくつのプロセスが同時に作っても、同じタイルを何度作ってもかまいません。WORK には全体が置かれるか、何も置かれないかで、最初のものが残ります。タイルごとに一行、キーと、`made`(作った)、`kept`(何も変わっていない)、`there`(すでにある)のどれかを、タブで区切って表示します。誤りのある建物は `hsd town` と同じく無地の形になり、`hsd town seal` が報告します。",
+        examples: "\
+終了コード: 0 指定したタイルはすべてある; 1 作れないタイルがある(壊れているか、hsd が失敗する。やり直しても同じ)。ほかは作った;
+2 そのようなタイルがないか、町が変わった; 3 ファイルを読み書きできない(やり直すとよい)。
+
+例:
+  hsd town tile work/ 0_0 0_1
+  hsd town tile work/ --all --threads 2",
+        arguments: &[
+            ("work", "計画した町のフォルダー", ""),
+            ("keys", "作るタイル。`hsd town plan` が表示するキー", ""),
+            ("all", "足りないタイルをすべて作る", ""),
+            ("threads", "N 個のスレッドを使う。一つが一度に一枚を作る。既定ではプロセッサーの数だけ", ""),
+            ("quiet", "指摘だけを表示する", ""),
+        ],
+        values: &[],
+    },
+    CommandHelp {
+        path: "town seal",
+        about: "`hsd town tile` で作ったタイルを町にまとめる",
+        more: "OUT は `hsd town TOWN -o OUT/` が書くものと一バイトも違いません。タイル、表、最後にタイルセットを書きます。OUT と WORK に残った、別の入力のものや中断されたプロセスのものは片付けます。できる所では、WORK と OUT はタイルを共有します(ハードリンク)。",
+        examples: "\
+終了コード: 0 成功; 1 省くと書いていない地物に建物がない; 2 足りないタイルがある(何も書かない)、WORK が計画した町のフォルダーでない、または町が変わった;
+3 ファイルを読み書きできない。
+
+例:
+  hsd town seal work/ -o kyoto/
+  hsd town seal work/ -o kyoto/ --lacking    作れないタイルを省く",
+        arguments: &[
+            ("work", "計画した町のフォルダー", ""),
+            ("output", "町をこのフォルダーに書く", ""),
+            ("lacking", "足りないタイルを省く。その地物は報告に載る", ""),
+            ("stats", "タイルの三角形、バイト数、描画メモリーの見積もりを表示する", ""),
+            ("quiet", "指摘だけを表示する", ""),
+        ],
+        values: &[],
+    },
 ];
