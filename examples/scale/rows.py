@@ -1,4 +1,5 @@
-"""Writes a town of machiya in rows, as many as wanted: `python rows.py 200000 FOLDER` makes FOLDER/rows.hsd with its maps.
+"""Writes a town of machiya in rows, as many as wanted: `python rows.py 200000 FOLDER [SIDE]` makes FOLDER/rows.hsd with its maps,
+in tiles of SIDE metres (250).
 
 All houses differ: frontage, depth and type are drawn by place. Metres of a survey; 20 houses on each side of a street.
 """
@@ -10,8 +11,8 @@ import sys
 from pathlib import Path
 
 TOWN = """<Town name="rows" crs="local" origin="0 0" seed="7">
-  <Layer name="houses" src="houses.geojson"/>
-  <Layer name="roads" src="roads.geojson"/>
+  <Layer name="houses" src="houses.geojson" crs="local"/>
+  <Layer name="roads" src="roads.geojson" crs="local"/>
   <for each="houses">
     <random>
       <choice weight="6"><Place type="so-nikai" on="plot"/></choice>
@@ -47,8 +48,9 @@ def write(count: int, folder: Path, *, size: float = 250, detail: str = "0") -> 
                 for house in range(ROW // 2):
                     if left == 0:
                         break
-                    last = house == ROW // 2 - 1
-                    frontage = west + WIDTH - x if last else 6.0 + round(draw.uniform(-0.9, 0.9), 2)
+                    rest = ROW // 2 - house
+                    mean = (west + WIDTH - x) / rest
+                    frontage = mean if rest == 1 else mean + round(draw.uniform(-0.9, 0.9), 2)
                     depth = round(draw.uniform(12, 18), 2)
                     near = south + DEPTH - depth if back else south
                     far = south + DEPTH if back else south + depth
@@ -81,4 +83,5 @@ def write(count: int, folder: Path, *, size: float = 250, detail: str = "0") -> 
 if __name__ == "__main__":
     if len(sys.argv) not in (3, 4):
         sys.exit(__doc__)
-    print(write(int(sys.argv[1]), Path(sys.argv[2]), size=float(sys.argv[3]) if len(sys.argv) > 3 else 250))
+    side = float(sys.argv[3]) if len(sys.argv) > 3 else 250
+    print(write(int(sys.argv[1]), Path(sys.argv[2]), size=side))

@@ -20,7 +20,7 @@ impl Home {
         }
         let shared = own.iter().zip(&other).take_while(|(a, b)| a == b).count();
         let up = &own[shared..];
-        if up.iter().any(|c| *c == Component::ParentDir) {
+        if up.contains(&Component::ParentDir) {
             return path.to_owned();
         }
         let ups = up.iter().map(|_| "..".into());

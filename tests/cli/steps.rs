@@ -92,7 +92,7 @@ fn the_steps_make_what_one_command_makes() {
         }
         // Nothing is left to do, from another folder and for a folder that lies elsewhere.
         let work = folder.join("work");
-        let all = hsd(&root(), &["town", "tile", work.to_str().unwrap(), "--all"]);
+        let all = hsd(root(), &["town", "tile", work.to_str().unwrap(), "--all"]);
         assert!(
             stdout(&all).lines().all(|l| l.ends_with("\tthere")),
             "{}",
