@@ -30,7 +30,7 @@ pub(in crate::cli) struct TownTile {
     #[arg(value_name = "WORK")]
     work: PathBuf,
 
-    /// The tiles to make, as `hsd town plan` prints them.
+    /// The tiles to make, as `hsd town plan` prints them. Options stand before them, since keys may begin with `-`.
     #[arg(
         value_name = "KEY",
         required_unless_present = "all",

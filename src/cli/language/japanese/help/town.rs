@@ -102,7 +102,7 @@ pub(in crate::cli::language::japanese) static TOWN: &[CommandHelp] = &[
   hsd town tile work/ --all --threads 2",
         arguments: &[
             ("work", "計画した町のフォルダー", ""),
-            ("keys", "作るタイル。`hsd town plan` が表示するキー", ""),
+            ("keys", "作るタイル。`hsd town plan` が表示するキー。`-` で始まるキーもあるので、オプションはその前に置く", ""),
             ("all", "足りないタイルをすべて作る", ""),
             ("threads", "N 個のスレッドを使う。一つが一度に一枚を作る。既定ではプロセッサーの数だけ", ""),
             ("quiet", "指摘だけを表示する", ""),
