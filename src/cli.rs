@@ -156,40 +156,67 @@ enum Command {
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let language = language::of(&arguments);
-    let parsed = command(language).try_get_matches_from(arguments);
-    let cli = match parsed.and_then(|matches| Cli::from_arg_matches(&matches)) {
-        Ok(cli) => cli,
+    let (status, message) = match parsed(arguments, language) {
+        Ok(cli) => status(cli.command.run(language), language),
         Err(error) => return print_clap_error(&error, language),
     };
-    let outcome = match cli.command {
-        Command::Build(c) => c.run(language),
-        Command::Town(c) => c.run(language),
-        Command::Check(c) => c.run(language),
-        Command::Draw(c) => c.run(language),
-        Command::Plan(c) => c.run(language),
-        Command::Dump(c) => c.run(language),
-        Command::New(c) => c.run(language),
-        Command::Params(c) => c.run(language),
-        Command::Parts(c) => c.run(language),
-        Command::Explain(c) => c.run(language),
-        Command::Fmt(c) => c.run(language),
-        Command::Textures(c) => c.run(language),
-        #[cfg(feature = "view")]
-        Command::View(c) => c.run(language),
-        #[cfg(feature = "view")]
-        Command::Render(c) => c.run(language),
-        #[cfg(feature = "lsp")]
-        Command::Lsp(c) => c.run(language),
-        Command::Completions(c) => c.run(language),
-    };
+    if !message.is_empty() {
+        let _ = writeln!(io::stderr(), "hsd: {message}");
+    }
+    ExitCode::from(status)
+}
+
+/// Runs a command line inside of another program: returns the exit status and what it says of a failure, which is not printed.
+/// Signals are left to that program.
+pub fn call(arguments: Vec<OsString>) -> (u8, String) {
+    files::temporary::leave_signals();
+    let language = language::of(&arguments);
+    match parsed(arguments, language) {
+        Ok(cli) => status(cli.command.run(language), language),
+        Err(error) => (error.exit_code() as u8, error.to_string()),
+    }
+}
+
+fn parsed(arguments: Vec<OsString>, language: Language) -> Result<Cli, clap::Error> {
+    let matches = command(language).try_get_matches_from(arguments)?;
+    Cli::from_arg_matches(&matches)
+}
+
+/// Returns the exit status of an outcome, and what is to be said of a failure.
+fn status(outcome: Outcome, language: Language) -> (u8, String) {
     let (message, status) = match outcome {
-        Ok(exit) => return ExitCode::from(exit as u8),
-        Err(Failure::Pipe) => return ExitCode::SUCCESS,
+        Ok(exit) => return (exit as u8, String::new()),
+        Err(Failure::Pipe) => return (0, String::new()),
         Err(Failure::Usage(message)) => (message, 2),
         Err(Failure::Io(message)) => (message, 3),
     };
-    let _ = writeln!(io::stderr(), "hsd: {}", message.in_language(language));
-    ExitCode::from(status)
+    (status, message.in_language(language).into_owned())
+}
+
+impl Command {
+    fn run(self, language: Language) -> Outcome {
+        match self {
+            Command::Build(c) => c.run(language),
+            Command::Town(c) => c.run(language),
+            Command::Check(c) => c.run(language),
+            Command::Draw(c) => c.run(language),
+            Command::Plan(c) => c.run(language),
+            Command::Dump(c) => c.run(language),
+            Command::New(c) => c.run(language),
+            Command::Params(c) => c.run(language),
+            Command::Parts(c) => c.run(language),
+            Command::Explain(c) => c.run(language),
+            Command::Fmt(c) => c.run(language),
+            Command::Textures(c) => c.run(language),
+            #[cfg(feature = "view")]
+            Command::View(c) => c.run(language),
+            #[cfg(feature = "view")]
+            Command::Render(c) => c.run(language),
+            #[cfg(feature = "lsp")]
+            Command::Lsp(c) => c.run(language),
+            Command::Completions(c) => c.run(language),
+        }
+    }
 }
 
 /// The clap command with help in `language`.

@@ -9,6 +9,8 @@ use std::sync::Arc;
 mod collected;
 pub mod messages;
 pub mod pages;
+#[cfg(feature = "models")]
+pub mod stored;
 pub(crate) mod suggest;
 mod text;
 pub mod visible;

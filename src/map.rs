@@ -21,6 +21,7 @@ mod geojson;
 pub mod heights;
 mod input;
 mod osm;
+pub mod pack;
 mod rings;
 mod shapefile;
 #[cfg(any(feature = "geopackage", feature = "geoparquet"))]

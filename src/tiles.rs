@@ -8,19 +8,24 @@
 //! | the houses are made once and written at each level of detail | `make` |
 //! | or written as CityJSON, or as a scene each | `city`, `scenes` |
 //! | the ground is cut into pieces and thinned, each by itself | `terrain`, `piece` |
-//! | tiles that are there already are kept, others made; all become a tileset | `run` |
+//! | a tile that is there already is kept, another is made | `maker` |
+//! | all become a tileset | `run` |
+//! | or each step is taken by itself, on many machines | `work` |
 //!
 //! Files go to a [`TileStore`], which a shell provides; nothing here touches a file system.
 
 pub mod city;
+mod home;
 pub mod input;
 pub mod make;
+pub mod maker;
 pub mod mesh;
 mod piece;
 pub mod record;
 pub mod run;
 pub mod scenes;
 pub mod terrain;
+pub mod work;
 
 use std::io;
 

@@ -8,6 +8,7 @@ mod leftovers;
 mod plan;
 mod printing;
 mod render;
+mod steps;
 
 use hsd::fs::FolderWorld;
 use hsd::source::World;

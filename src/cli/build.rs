@@ -6,6 +6,7 @@ pub(in crate::cli) mod draw;
 mod job;
 pub(in crate::cli) mod plan;
 mod statistics;
+mod steps;
 pub(in crate::cli) mod streamed;
 pub(in crate::cli) mod init;
 mod tiled;

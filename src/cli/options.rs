@@ -11,13 +11,14 @@ use crate::scene::{Detail, Shown};
 use crate::source::Limits;
 use crate::text;
 use clap::{Args, ValueEnum};
+use serde::{Deserialize, Serialize};
 use std::io::{IsTerminal, Write};
 use std::num::NonZeroUsize;
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
 /// Input files and the options for reading them.
-#[derive(Clone, Debug, Args)]
+#[derive(Clone, Debug, Args, Deserialize, Serialize)]
 pub(super) struct InputArgs {
     /// House files to read; `-` for standard input.
     #[arg(required = true, value_name = "IN")]
@@ -36,7 +37,7 @@ impl Deref for InputArgs {
 }
 
 /// Options for reading source files.
-#[derive(Clone, Debug, Args)]
+#[derive(Clone, Debug, Args, Deserialize, Serialize)]
 pub(super) struct ReadArgs {
     /// Search this folder for part images; repeatable.
     ///
@@ -108,7 +109,25 @@ pub(super) struct ReadArgs {
     ///
     /// The result is the same for any number.
     #[arg(long, value_name = "N")]
+    #[serde(skip)]
     threads: Option<NonZeroUsize>,
+}
+
+impl InputArgs {
+    /// Returns the same with other paths.
+    pub(super) fn moved(self, to: &dyn Fn(&Path) -> PathBuf) -> InputArgs {
+        let all = |paths: Vec<PathBuf>| paths.iter().map(|path| to(path)).collect();
+        let read = self.read_args;
+        InputArgs {
+            inputs: all(self.inputs),
+            read_args: ReadArgs {
+                textures: all(read.textures),
+                root: read.root.map(|root| to(&root)),
+                catalogs: all(read.catalogs),
+                ..read
+            },
+        }
+    }
 }
 
 /// The level of detail of a model.

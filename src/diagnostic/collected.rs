@@ -194,6 +194,24 @@ impl Diagnostics {
         self
     }
 
+    /// Returns how many of each kind are only counted, with the last one that is kept.
+    pub fn left_out(&self) -> Vec<(&Origin, Code, Severity, usize)> {
+        let kinds = self.kinds.iter();
+        let more = kinds.map(|(kind, tally)| {
+            let more = tally.count.saturating_sub(kind.enough());
+            (&tally.last, kind.code, kind.severity, more)
+        });
+        more.filter(|(_, _, _, more)| *more > 0).collect()
+    }
+
+    /// Counts more of the kind of one that is kept.
+    pub fn count_more(&mut self, of: Origin, code: Code, severity: Severity, more: usize) {
+        let sample = Diagnostic::new(severity, code.0, of, "".into());
+        if let Some(tally) = self.kinds.get_mut(&Kind::of(&sample)) {
+            tally.count += more;
+        }
+    }
+
     /// Returns true if there are none.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()

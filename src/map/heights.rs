@@ -15,6 +15,7 @@ mod cut;
 mod geokeys;
 mod geotiff;
 mod gml;
+mod packed;
 mod tile;
 
 use super::fault::{Fault, Kind};
@@ -37,6 +38,19 @@ pub struct Heights {
     columns: usize,
     /// Metres, row after row; NaN where there is none.
     values: Vec<f32>,
+    /// Which part of the grid `values` are; `None` for all of it.
+    part: Option<Part>,
+}
+
+/// The cells of a grid that are here.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Part {
+    /// The number of rows of the whole grid.
+    rows: usize,
+    /// The first column and row that are here.
+    from: [usize; 2],
+    /// The number of columns that are here.
+    width: usize,
 }
 
 /// The box of places that are asked for, in the system of a file; `None` for all.
@@ -169,11 +183,15 @@ impl Heights {
             step: cut.step(),
             columns: cut.columns(),
             values: cut.values,
+            part: None,
         }
     }
 
     fn rows(&self) -> usize {
-        self.values.len() / self.columns.max(1)
+        match &self.part {
+            Some(part) => part.rows,
+            None => self.values.len() / self.columns.max(1),
+        }
     }
 
     /// Returns its corners, lowest and highest.
@@ -199,6 +217,18 @@ impl Heights {
         self.values.len() * size_of::<f32>()
     }
 
+    /// Returns the height of a cell; `None` for one that is not here.
+    fn cell_at(&self, column: usize, row: usize) -> Option<f32> {
+        let (x, y, width) = match &self.part {
+            None => (column, row, self.columns),
+            Some(part) => {
+                let x = column.checked_sub(part.from[0])?;
+                (x, row.checked_sub(part.from[1])?, part.width)
+            }
+        };
+        (x < width).then(|| self.values.get(y * width + x).copied())?
+    }
+
     /// Returns the height at a place: between the middles of four cells, at the edge that of the outer ones; `None` where a
     /// cell that counts has none.
     pub fn at(&self, place: DVec2) -> Option<f64> {
@@ -217,8 +247,7 @@ impl Heights {
             let weight = share(part.x, dx) * share(part.y, dy);
             // On the middle of a cell, but for rounding, others do not count.
             if weight > 1e-6 {
-                let cell = (low.y as usize + dy) * self.columns + low.x as usize + dx;
-                let height = *self.values.get(cell)?;
+                let height = self.cell_at(low.x as usize + dx, low.y as usize + dy)?;
                 sum += weight * f64::from(height);
                 whole += weight;
             }

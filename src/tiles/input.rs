@@ -65,6 +65,11 @@ impl TileSalt {
 }
 
 impl TileSalt {
+    /// Returns its bytes.
+    pub fn bytes(&self) -> &[u8] {
+        &self.0
+    }
+
     /// Returns the hash of all that the files of a piece of ground depend on.
     pub fn piece(&self, patch: &Patch, row: &FeatureRow) -> String {
         let mut hasher = XxHash3_128::new();

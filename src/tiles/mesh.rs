@@ -29,6 +29,13 @@ pub enum TileLots {
 }
 
 impl Tile {
+    /// Returns the tile of this name whose features are in a town, or in a part of one.
+    pub fn of(key: TileKey, lots: Vec<LotId>, plan: &Plan, size: f64) -> Tile {
+        let centre = centre(&key, size, || middle(plan, &lots));
+        let lots = TileLots::Here(lots);
+        Tile { key, lots, centre }
+    }
+
     /// Returns the number of its features.
     pub fn features(&self) -> usize {
         match &self.lots {
@@ -69,11 +76,7 @@ pub fn tiles(plan: &Plan, division: &Tiles) -> Vec<Tile> {
         let key = TileKey::of(&plan.layers[id.0], plan.lot(id), division);
         all.entry(key).or_default().push(id);
     }
-    let made = |(key, lots): (TileKey, Vec<LotId>)| {
-        let centre = centre(&key, division.size, || middle(plan, &lots));
-        let lots = TileLots::Here(lots);
-        Tile { key, lots, centre }
-    };
+    let made = |(key, lots)| Tile::of(key, lots, plan, division.size);
     all.into_iter().map(made).collect()
 }
 

@@ -1,24 +1,20 @@
 //! All tiles of a town: those that are there are kept, the others are made, each by one thread from beginning to end.
 
 use super::TileStore;
-use super::input::{TileSalt, evaluate};
-use super::make::{MadeTile, make, picture_hash};
+use super::maker::{Done, Maker, TileMeans};
 pub use super::mesh::Reach;
 use super::mesh::{Tile, TileKey, tiles};
-use super::piece;
-use super::record::{TileRecord, record_file};
-use super::terrain::{self, Cell, Patch};
+use super::record::TileRecord;
+use super::terrain::{self, Cell};
 use crate::ast::WrittenPart;
 use crate::ast::town::Tiles;
 use crate::backend::spool::NewSpool;
 use crate::backend::tileset::{self, TreeFiles};
 use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
-use crate::driver::{Options, Read, TileDriver};
+use crate::driver::{Options, Read};
 use crate::map::{on_globe, sea_level};
-use crate::scene::Detail;
 use crate::source::Source;
-use crate::town::run::Chunk;
 use crate::town::stream::Ledger;
 use crate::town::{Plan, TownInput};
 use std::collections::{BTreeMap, BTreeSet};
@@ -74,6 +70,24 @@ impl<'a> TileParts<'a> {
         }
     }
 
+    /// Returns what tiles are made with.
+    pub fn means(
+        &'a self,
+        input: TownInput<'a>,
+        catalog: &'a Catalog,
+        division: &'a Tiles,
+    ) -> TileMeans<'a> {
+        TileMeans {
+            input,
+            catalog,
+            parts: &self.parts,
+            written: &self.written,
+            year: self.year.as_deref(),
+            division,
+            packed: false,
+        }
+    }
+
     /// Returns the job of making the tiles, by as many threads as there are.
     pub fn job(
         &'a self,
@@ -98,6 +112,21 @@ impl<'a> TileParts<'a> {
     }
 }
 
+impl<'a> TileJob<'a> {
+    /// Returns what its tiles are made with.
+    pub fn means(&self) -> TileMeans<'a> {
+        TileMeans {
+            input: self.input,
+            catalog: self.catalog,
+            parts: self.parts,
+            written: self.written,
+            year: self.year,
+            division: self.division,
+            packed: self.packed,
+        }
+    }
+}
+
 /// A town in tiles.
 #[derive(Debug)]
 pub struct TiledTown {
@@ -113,16 +142,6 @@ pub struct TiledTown {
     pub zero: Option<f64>,
 }
 
-/// The result of a thread for one tile, or for one cell of the ground.
-#[derive(Default)]
-struct Done {
-    /// The decisions on its features; their houses are written already.
-    chunk: Option<Chunk>,
-    record: Option<TileRecord>,
-    found: Diagnostics,
-    kept: bool,
-}
-
 /// Makes the tiles that are missing, and writes the tileset last. `progress` is called with the number of features and of
 /// houses of a tile when it is done.
 ///
@@ -135,45 +154,21 @@ pub fn run(
     out: &mut Diagnostics,
 ) -> io::Result<TiledTown> {
     let tiles = tiles(job.plan, job.division);
-    let levels: Vec<Detail> = levels(job.division);
     let tiles = job.reach.of(tiles);
     let mut pieces = terrain::cells(job.plan, job.division)?;
     if job.reach != Reach::All {
         let near = |cell: &Cell| tiles.iter().any(|t| t.key == TileKey::Cell(cell.0, cell.1));
         pieces.retain(near);
     }
-    let maker = Maker {
-        job,
-        store,
-        driver: TileDriver::new(
-            job.input.source,
-            job.catalog,
-            (job.input.world, job.input.options),
-            &levels,
-        ),
-        salt: TileSalt::new(job.input, (&levels, job.packed), (job.parts, job.written)),
-        levels,
+    let maker = Maker::new(job.means(), store);
+    let mut town = TiledTown::new(job.spool)?;
+    let queue = Queue {
+        job: &job,
+        maker: &maker,
+        tiles: &tiles,
+        pieces: &pieces,
     };
-    let mut town = TiledTown {
-        ledger: Ledger::new(job.spool)?,
-        tiles: vec![],
-        kept: 0,
-        included: vec![],
-        zero: None,
-    };
-    maker.all((&tiles, &pieces), progress, &mut |done| {
-        if let Some(chunk) = done.chunk {
-            town.ledger.add(chunk)?;
-        }
-        town.kept += usize::from(done.kept);
-        if let Some(record) = done.record {
-            let corrected = record.corrected.iter().cloned();
-            town.ledger.report.corrected.extend(corrected);
-            town.tiles.push(record);
-        }
-        out.append(done.found);
-        Ok(())
-    })?;
+    queue.all(progress, &mut |done| town.take(done, out))?;
     let (ledger, included) = town.ledger.finish(job.plan, out)?;
     Ok(TiledTown {
         ledger,
@@ -184,6 +179,40 @@ pub fn run(
 }
 
 impl TiledTown {
+    /// Begins a town without tiles, whose table of decisions waits in a spool if there is one.
+    ///
+    /// # Errors
+    /// Those of the spool.
+    pub fn new(spool: Option<NewSpool<'_>>) -> io::Result<TiledTown> {
+        Ok(TiledTown {
+            ledger: Ledger::new(spool)?,
+            tiles: vec![],
+            kept: 0,
+            included: vec![],
+            zero: None,
+        })
+    }
+
+    /// Adds a tile or a piece of ground; they come in their order.
+    ///
+    /// # Errors
+    /// Those of the spool.
+    pub fn take(&mut self, done: Done, out: &mut Diagnostics) -> io::Result<()> {
+        if let Some(account) = done.account {
+            self.ledger.enter(account)?;
+        }
+        self.ledger.values.append(done.values);
+        self.ledger.read(done.included);
+        self.kept += usize::from(done.kept);
+        if let Some(record) = done.record {
+            let corrected = record.corrected.iter().cloned();
+            self.ledger.report.corrected.extend(corrected);
+            self.tiles.push(record);
+        }
+        out.append(done.found);
+        Ok(())
+    }
+
     /// Returns its tree.
     pub fn tileset(&self, plan: &Plan) -> TreeFiles {
         let frame = &plan.frame;
@@ -212,17 +241,10 @@ impl TiledTown {
 }
 
 /// Returns how far the height 0 of a town is above the ellipsoid, metres; `None` for one in local metres.
-fn zero(plan: &Plan) -> Option<f64> {
+pub(super) fn zero(plan: &Plan) -> Option<f64> {
     let frame = &plan.frame;
     let sea = sea_level(&frame.crs, frame.origin)?;
     Some(if plan.town.geoid { sea } else { 0.0 })
-}
-
-/// Returns the levels of detail, from far to near.
-fn levels(division: &Tiles) -> Vec<Detail> {
-    let numbers: BTreeSet<u8> = division.detail.iter().copied().collect();
-    let level = |number: u8| Detail::ALL[usize::from(number).min(3)];
-    numbers.into_iter().map(level).collect()
 }
 
 /// Results of tiles: threads finish in any order, and the results are passed on in the order of the tiles.
@@ -243,33 +265,28 @@ impl Ordered<'_> {
     }
 }
 
-struct Maker<'a> {
-    job: TileJob<'a>,
-    store: &'a dyn TileStore,
-    driver: TileDriver<'a>,
-    salt: TileSalt,
-    levels: Vec<Detail>,
+/// The tiles and pieces of ground that threads make.
+struct Queue<'q> {
+    job: &'q TileJob<'q>,
+    maker: &'q Maker<'q>,
+    tiles: &'q [Tile],
+    pieces: &'q [Cell],
 }
 
-impl Maker<'_> {
+impl Queue<'_> {
     /// Makes all tiles and hands over what was made, in their order. The first error stops all threads.
     fn all(
         &self,
-        (tiles, pieces): (&[Tile], &[Cell]),
         progress: &(dyn Fn(usize) + Sync),
         take: &mut (dyn FnMut(Done) -> io::Result<()> + Send),
     ) -> io::Result<()> {
         let next = AtomicUsize::new(0);
-        let count = tiles.len() + pieces.len();
+        let count = self.tiles.len() + self.pieces.len();
         let made = Mutex::new(Ordered {
             waiting: BTreeMap::new(),
             next: 0,
             take,
         });
-        let one = |number: usize| match tiles.get(number) {
-            Some(tile) => (self.one(tile, number == 0), tile.features()),
-            None => (self.piece(pieces[number - tiles.len()]), 0),
-        };
         let failed: Mutex<Option<io::Error>> = Mutex::new(None);
         let work = || {
             // A tile is the work of one thread: no more tiles are in memory than there are threads.
@@ -280,8 +297,8 @@ impl Maker<'_> {
                     return;
                 }
                 let (done, features) = match &alone {
-                    Ok(pool) => pool.install(|| one(number)),
-                    Err(_) => one(number),
+                    Ok(pool) => pool.install(|| self.one(number)),
+                    Err(_) => self.one(number),
                 };
                 if let Err(error) = done.and_then(|done| locked(&made).add(number, done)) {
                     next.store(count, Ordering::Relaxed);
@@ -302,88 +319,18 @@ impl Maker<'_> {
         }
     }
 
-    /// Makes a tile, unless it is there. Only the first tells which files were read.
-    fn one(&self, tile: &Tile, first: bool) -> io::Result<Done> {
-        let of = (self.job.plan, self.job.input);
-        let mut input = evaluate(tile, of, self.job.year, &self.salt)?;
-        if !first {
-            input.chunk.included.clear();
-        }
-        let mut done = Done {
-            chunk: Some(Chunk {
-                houses: vec![],
-                records: std::mem::take(&mut input.chunk.records),
-                found: std::mem::take(&mut input.chunk.found),
-                missing: std::mem::take(&mut input.chunk.missing),
-                included: std::mem::take(&mut input.chunk.included),
-                values: std::mem::take(&mut input.chunk.values),
-            }),
-            record: None,
-            found: Diagnostics::new(),
-            kept: false,
+    /// Makes one of them; returns the number of its features too. Only the first tile tells which files were read.
+    fn one(&self, number: usize) -> (io::Result<Done>, usize) {
+        let plan = self.job.plan;
+        let Some(tile) = self.tiles.get(number) else {
+            let cell = self.pieces[number - self.tiles.len()];
+            return (self.maker.piece(plan, cell), 0);
         };
-        if input.houses.is_empty() {
-            return Ok(done);
+        let mut done = self.maker.tile_or_why_not(plan, tile);
+        if let (Ok(done), true) = (&mut done, number > 0) {
+            done.included.clear();
         }
-        if let Some(known) = self.known(&tile.key.stem(), &input.hash) {
-            done.kept = true;
-            done.record = Some(known);
-            return Ok(done);
-        }
-        let made = make(
-            &self.driver,
-            tile,
-            input,
-            (&self.levels, self.job.packed),
-            self.job.input.world,
-        )?;
-        self.keep(&made)?;
-        done.found = made.found;
-        done.record = Some(made.record);
-        Ok(done)
-    }
-
-    /// Makes a piece of ground, unless it is there.
-    fn piece(&self, cell: Cell) -> io::Result<Done> {
-        let size = self.job.division.size;
-        let Some(patch) = Patch::new(&self.job.plan.ground, cell, size) else {
-            return Ok(Done::default());
-        };
-        let row = piece::row((self.job.plan, self.job.input.source), cell);
-        let hash = self.salt.piece(&patch, &row);
-        if let Some(known) = self.known(&patch.name(), &hash) {
-            return Ok(Done {
-                record: Some(known),
-                kept: true,
-                ..Done::default()
-            });
-        }
-        let made = piece::make(&patch, row, &hash, (&self.levels, self.job.packed));
-        self.keep(&made)?;
-        Ok(Done {
-            record: Some(made.record),
-            ..Done::default()
-        })
-    }
-
-    /// Keeps what was made; its record comes last, since whoever finds that finds the others too.
-    fn keep(&self, made: &MadeTile) -> io::Result<()> {
-        for (name, bytes) in &made.files {
-            self.store.commit(name, bytes)?;
-        }
-        let mut json = serde_json::to_vec(&made.record)?;
-        json.push(b'\n');
-        self.store.commit(&made.record.file(), &json)
-    }
-
-    /// Returns the record of a tile whose files are all there.
-    fn known(&self, tile: &str, hash: &str) -> Option<TileRecord> {
-        let bytes = self.store.read(&record_file(tile, hash))?;
-        let record: TileRecord = serde_json::from_slice(&bytes).ok()?;
-        let world = self.job.input.world;
-        let same = |(path, hash): &(String, String)| picture_hash(path, world) == *hash;
-        let there = record.files().all(|name| self.store.has(name));
-        (there && record.pictures.iter().all(same)).then_some(record)
+        (done, tile.features())
     }
 }
 

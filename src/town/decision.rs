@@ -252,7 +252,7 @@ impl Record {
 }
 
 /// What the ledger of a town keeps of a feature.
-#[derive(Debug, Deserialize, Serialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Entry {
     /// The feature.
     pub id: LotId,
@@ -302,6 +302,33 @@ impl Entry {
     }
 }
 
+impl Entry {
+    /// Returns what is kept of a feature whose tile could not be made.
+    pub fn unmade(layer: usize, name: &str, lot: &Lot) -> Entry {
+        const WHY: &str = "its tile was not made";
+        let at = lot.shape.centre();
+        let mut cells = vec![String::new(); HEAD.split(',').count()];
+        cells[0] = quoted(&lot.key);
+        cells[1] = quoted(name);
+        cells[2] = "0".to_owned();
+        (cells[4], cells[5]) = (format!("{:.3}", at.x + 0.0), format!("{:.3}", at.y + 0.0));
+        (cells[17], cells[18]) = ("not made".to_owned(), WHY.to_owned());
+        Entry {
+            id: (layer, lot.number as usize),
+            line: cells.join(",") + "\n",
+            built: false,
+            is_part: false,
+            skipped: Some(SkippedFeature {
+                layer: name.to_owned(),
+                key: lot.key.to_string(),
+                code: "not made".to_owned(),
+                reason: WHY.to_owned(),
+            }),
+            corrected: vec![],
+        }
+    }
+}
+
 /// Returns a value with at most three decimals.
 fn short(value: &Value) -> String {
     match value {
@@ -343,12 +370,11 @@ pub struct SkippedFeature {
     pub reason: String,
 }
 
-impl TownReport {
-    /// Adds a feature that cannot be read.
-    pub fn unread(&mut self, layer: &str, fault: &Fault) {
+impl SkippedFeature {
+    /// Returns a feature that cannot be read.
+    pub fn unread(layer: &str, fault: &Fault) -> SkippedFeature {
         let found = map::diagnostic(fault, 1, Span::default().into());
-        self.features += 1;
-        self.skipped.push(SkippedFeature {
+        SkippedFeature {
             layer: layer.to_owned(),
             key: fault
                 .feature
@@ -356,7 +382,15 @@ impl TownReport {
                 .map_or(String::new(), |w| w.key().to_string()),
             code: found.code.to_string(),
             reason: found.message.in_language(Language::English).to_string(),
-        });
+        }
+    }
+}
+
+impl TownReport {
+    /// Adds a feature that cannot be read.
+    pub fn unread(&mut self, feature: SkippedFeature) {
+        self.features += 1;
+        self.skipped.push(feature);
     }
 
     /// Adds a feature; what stands behind its house is counted with it.

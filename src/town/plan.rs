@@ -3,11 +3,13 @@
 mod blocks;
 mod key;
 mod lodged;
+mod packed;
 mod shelves;
 
 pub use key::TileKey;
 pub(in crate::town) use lodged::Lodger;
 pub use lodged::{Lodged, LodgedTile, Lodging};
+pub use packed::PartReader;
 pub(in crate::town) use shelves::Shelves;
 
 use super::frontage::first_front;

@@ -1,23 +1,24 @@
 //! The houses of a town one after another, and the ledger of what became of its features.
 
+mod account;
 mod entries;
 
+pub use account::{Account, Closing, StoredAccount};
 pub use entries::{Entries, Table};
 
-use super::decision::{Entry, HEAD, Outcome, SkippedFeature, TownReport};
+use super::decision::{HEAD, SkippedFeature, TownReport};
 use super::layer::Unjoined;
 use super::plan::Plan;
 use super::run::{Chunk, TownHouses, TownInput};
-use super::site::Footing;
 use crate::backend::spool::NewSpool;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::town as say;
 use crate::driver::FeatureHouse;
 use crate::parse::Values;
-use crate::parse::xml::MissingFields;
 use crate::source::Source;
+use account::Totals;
 use rayon::prelude::*;
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::collections::{BTreeSet, VecDeque};
 use std::io;
 
 /// The number of chunks that are evaluated at a time. It is fixed, so that nothing depends on the number of threads.
@@ -30,15 +31,9 @@ pub struct Ledger {
     pub decisions: Table,
     /// The report.
     pub report: TownReport,
-    /// True if something is missing that the author wanted.
-    pub incomplete: bool,
     entries: Entries,
     found: Diagnostics,
-    missing: MissingFields,
-    /// How many features no rule takes, by layer.
-    unruled: BTreeMap<String, usize>,
-    /// How many features have no height under them, and how many of them none round them, by layer.
-    off_ground: BTreeMap<String, (usize, usize)>,
+    totals: Totals,
     /// Types and files that were read.
     included: Vec<Source>,
     /// The values of expressions in the town file, if the options ask for them.
@@ -109,38 +104,51 @@ impl Ledger {
     ///
     /// # Errors
     /// Those of the spool.
-    pub fn add(&mut self, chunk: Chunk) -> io::Result<Vec<FeatureHouse>> {
-        for record in &chunk.records {
-            self.entries.push(Entry::of(record))?;
-            self.incomplete |= !record.is_wanted();
-            if record.footing != Footing::Known {
-                let layer = record.layer.to_string();
-                let (off, lost) = self.off_ground.entry(layer).or_default();
-                *off += 1;
-                *lost += usize::from(record.footing == Footing::Lost);
-            }
-            if let Outcome::NoRule = record.outcome {
-                *self.unruled.entry(record.layer.to_string()).or_default() += 1;
-            }
-        }
-        self.found.push_new(chunk.found);
-        for (place, count) in chunk.missing {
-            *self.missing.entry(place).or_default() += count;
-        }
+    pub fn add(&mut self, mut chunk: Chunk) -> io::Result<Vec<FeatureHouse>> {
+        self.enter(Account::of(&mut chunk))?;
         self.values.append(chunk.values);
-        if self.included.is_empty() {
-            self.included = chunk.included;
-        }
+        self.read(chunk.included);
         Ok(chunk.houses)
+    }
+
+    /// Enters the account of some features.
+    ///
+    /// # Errors
+    /// Those of the spool.
+    pub fn enter(&mut self, account: Account) -> io::Result<()> {
+        self.found.push_new(account.found);
+        let entries = (account.entries, &mut self.entries);
+        self.totals.add(account.totals, entries)
+    }
+
+    /// Keeps the types and files that were read, unless some are known already.
+    pub fn read(&mut self, included: Vec<Source>) {
+        if self.included.is_empty() {
+            self.included = included;
+        }
+    }
+
+    /// Returns true if something is missing that the author wanted.
+    pub fn is_incomplete(&self) -> bool {
+        self.totals.incomplete
     }
 
     /// Closes it: features in the order of their files, whatever the order in which they came. Reports what concerns all.
     ///
     /// # Errors
     /// Those of the spool.
-    pub fn finish(
+    pub fn finish(self, plan: &Plan, out: &mut Diagnostics) -> io::Result<(Ledger, Vec<Source>)> {
+        self.close(plan, Closing::of(plan), out)
+    }
+
+    /// Closes it with what is known of the whole town; of `plan` only what it is without features counts.
+    ///
+    /// # Errors
+    /// Those of the spool.
+    pub fn close(
         mut self,
         plan: &Plan,
+        closing: Closing,
         out: &mut Diagnostics,
     ) -> io::Result<(Ledger, Vec<Source>)> {
         out.append(std::mem::take(&mut self.found));
@@ -152,49 +160,39 @@ impl Ledger {
             Ok(())
         })?;
         let mut told = BTreeSet::new();
-        for ((span, name), count) in &self.missing {
+        for ((span, name), count) in &self.totals.missing {
             if told.insert(name.clone()) {
                 out.push(say::field_missing(*span, name, *count));
             }
         }
-        for layer in &plan.layers {
-            let name = &layer.layer.name.value;
-            if plan.town.rules.iter().any(|rule| rule.each.value == *name) {
-                self.incomplete |= !layer.unread.is_empty();
-                layer
-                    .unread
-                    .iter()
-                    .for_each(|f| self.report.unread(name, f));
-            }
-        }
-        self.report
-            .corrected
-            .extend(plan.unjoined.iter().map(unjoined));
-        self.report_layers(plan, out);
+        self.report_layers(plan, &closing, out);
+        self.totals.incomplete |= !closing.unread.is_empty();
+        let unread = closing.unread.into_iter();
+        unread.for_each(|feature| self.report.unread(feature));
+        self.report.corrected.extend(closing.unjoined);
         let included = std::mem::take(&mut self.included);
         Ok((self, included))
     }
 
     /// Reports features that no rule takes, keys of several features and a town without streets.
-    fn report_layers(&self, plan: &Plan, out: &mut Diagnostics) {
+    fn report_layers(&self, plan: &Plan, closing: &Closing, out: &mut Diagnostics) {
         for layer in &plan.town.layers {
             let name = &layer.name.value;
-            if let Some(count) = self.unruled.get(name) {
+            if let Some(count) = self.totals.unruled.get(name) {
                 out.push(say::nothing_made(layer.name.span, name, *count));
             }
-            if let Some((off, lost)) = self.off_ground.get(name) {
+            if let Some((off, lost)) = self.totals.off_ground.get(name) {
                 out.push(say::off_the_ground(layer.name.span, name, *off, *lost));
             }
         }
         for (number, layer) in plan.layers.iter().enumerate() {
-            let twice = plan.keys_of_several(number);
-            if !twice.is_empty() {
-                let twice: Vec<String> = twice.into_iter().collect();
+            if let Some(twice) = closing.twice.get(&number) {
+                let twice: Vec<String> = twice.iter().cloned().collect();
                 let name = &layer.layer.name;
                 out.push(say::same_keys(name.span, &name.value, &twice));
             }
         }
-        if plan.has_no_streets() {
+        if closing.no_streets {
             out.push(say::no_streets(plan.town.span));
         }
     }

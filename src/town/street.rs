@@ -2,7 +2,9 @@
 
 use super::grid::{Bounds, Grid, wider};
 use super::shape::{Segment, angle, sides};
+use crate::map::pack::{Packer, Unpacker};
 use glam::DVec2;
+use std::io;
 
 /// Streets farther away than this do not count, metres.
 pub const FAR: f64 = 30.0;
@@ -117,6 +119,46 @@ impl Streets {
     pub fn near(&self, bounds: Bounds, far: f64) -> Vec<Piece> {
         let found = self.grid.near(wider(bounds, far + self.reach));
         found.iter().map(|n| self.pieces[*n as usize]).collect()
+    }
+}
+
+impl Streets {
+    /// Appends the pieces whose sides may be within [`FAR`] of something in a box to bytes.
+    pub(in crate::town) fn pack(&self, bounds: Bounds, out: &mut Packer<'_>) {
+        let pieces = self.near(bounds, FAR);
+        // How far they reach is told by all streets, so that a part finds what the whole town does.
+        out.float(self.reach);
+        out.count(pieces.len());
+        for piece in pieces {
+            out.point(piece.line.from);
+            out.point(piece.line.to);
+            out.float(piece.half);
+            out.bytes(&piece.street.to_le_bytes());
+            out.float(piece.width);
+        }
+    }
+
+    /// Takes streets from the start of bytes.
+    ///
+    /// # Errors
+    /// If the bytes are not those that were written.
+    pub(in crate::town) fn unpack(from: &mut Unpacker<'_, '_>) -> io::Result<Streets> {
+        let reach = from.float()?;
+        let pieces = (0..from.count()?).map(|_| {
+            Ok(Piece {
+                line: Segment::new(from.point()?, from.point()?),
+                half: from.float()?,
+                street: u32::from_le_bytes(from.array()?),
+                width: from.float()?,
+            })
+        });
+        let pieces = pieces.collect::<io::Result<Vec<Piece>>>()?;
+        let boxes = pieces.iter().map(|p| p.line.bounds()).collect();
+        Ok(Streets {
+            grid: Grid::new(boxes),
+            pieces,
+            reach,
+        })
     }
 }
 

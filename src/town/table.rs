@@ -2,6 +2,8 @@
 
 use crate::ast::Value;
 use crate::ast::town::Unfound;
+use crate::map::pack::{Packer, Unpacker};
+use std::io;
 
 /// A table.
 #[derive(Debug)]
@@ -54,6 +56,36 @@ impl Rows {
             key,
             columns,
             rows,
+        })
+    }
+
+    /// Appends the table to bytes.
+    pub(in crate::town) fn pack(&self, out: &mut Packer<'_>) {
+        out.text(&self.name);
+        out.count(self.key);
+        out.count(self.columns.len());
+        out.count(self.rows.len());
+        let cells = self.columns.iter().chain(self.rows.iter().flatten());
+        cells.for_each(|cell| out.text(cell));
+    }
+
+    /// Takes a table from the start of bytes.
+    ///
+    /// # Errors
+    /// If the bytes are not those that were written.
+    pub(in crate::town) fn unpack(from: &mut Unpacker<'_, '_>) -> io::Result<Rows> {
+        let (name, key) = (from.text()?.into(), from.count()?);
+        let (columns, rows) = (from.count()?, from.count()?);
+        let mut row = || (0..columns).map(|_| Ok(from.text()?.into())).collect();
+        let columns: Vec<String> = row()?;
+        if key >= columns.len() {
+            return Err(io::ErrorKind::InvalidData.into());
+        }
+        Ok(Rows {
+            name,
+            key,
+            columns,
+            rows: (0..rows).map(|_| row()).collect::<io::Result<_>>()?,
         })
     }
 

@@ -1,5 +1,6 @@
 //! `hsd town init`: writes a first town from maps.
 
+use super::steps::{TownPlan, TownSeal, TownTile};
 use super::town::Town;
 use super::town::candidates::Candidates;
 use crate::cli::files::output::{self, Files};
@@ -29,6 +30,9 @@ pub(in crate::cli) enum TownCommand {
 pub(in crate::cli) enum Step {
     Init(Init),
     Candidates(Box<Candidates>),
+    Plan(Box<TownPlan>),
+    Tile(TownTile),
+    Seal(TownSeal),
 }
 
 impl TownCommand {
@@ -37,6 +41,9 @@ impl TownCommand {
             TownCommand::Build(build) => build.run(language),
             TownCommand::Step(Step::Init(init)) => init.run(language),
             TownCommand::Step(Step::Candidates(candidates)) => candidates.run(language),
+            TownCommand::Step(Step::Plan(plan)) => plan.run(language),
+            TownCommand::Step(Step::Tile(tile)) => tile.run(language),
+            TownCommand::Step(Step::Seal(seal)) => seal.run(language),
         }
     }
 }

@@ -1,12 +1,14 @@
 //! `hsd town` to a folder: a town in tiles.
 
+mod folder;
+
+pub(super) use folder::Folder;
+
 use super::streamed;
 use crate::ast;
 use crate::backend::spool::Spool;
-use crate::backend::tileset::TreeFiles;
 use crate::cli::Failure;
 use crate::cli::files::output::{write_all, write_poured};
-use crate::cli::files::temporary::Temporary;
 use crate::cli::files::terminal::{HOUSE, bytes, counted};
 use crate::diagnostic::{Diagnostics, Language, Noun, Text, noun};
 use crate::driver;
@@ -18,79 +20,14 @@ use crate::tiles::run::{self, TileJob, TileParts, TiledTown};
 use crate::town::stream::Ledger;
 use crate::town::{Plan, TownInput};
 use indicatif::{ProgressBar, ProgressStyle};
-use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
+use std::collections::BTreeMap;
 use std::io::{self, IsTerminal, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The noun for features of maps.
 pub(super) const FEATURE: Noun = noun("feature", "地物{}件");
 
-const TILE: Noun = noun("tile", "タイル{}枚");
-
-/// The folders in which a town's own files stand; what else is in them is swept away.
-const FOLDERS: [&str; 2] = ["tiles", "textures"];
-
-/// A folder that takes the files of tiles.
-struct Folder(PathBuf);
-
-impl Folder {
-    /// Makes the folder of a town.
-    fn new(path: &Path) -> io::Result<Folder> {
-        for folder in FOLDERS {
-            fs::create_dir_all(path.join(folder))?;
-        }
-        Ok(Folder(path.to_owned()))
-    }
-
-    /// Removes the files that the town does not have: of other inputs, or left by a run that was killed.
-    fn sweep(&self, town: &TiledTown, branches: &BTreeSet<String>) -> io::Result<()> {
-        for entry in fs::read_dir(&self.0)? {
-            let entry = entry?;
-            let name = entry.file_name().to_string_lossy().into_owned();
-            if TreeFiles::is_branch(&name) && !branches.contains(&name) {
-                fs::remove_file(entry.path())?;
-            }
-        }
-        let own = town.files();
-        for folder in FOLDERS {
-            for entry in fs::read_dir(self.0.join(folder))? {
-                let entry = entry?;
-                let name = format!("{folder}/{}", entry.file_name().to_string_lossy());
-                if !own.contains(&name) && entry.file_type()?.is_file() {
-                    fs::remove_file(entry.path())?;
-                }
-            }
-        }
-        Ok(())
-    }
-}
-
-impl TileStore for Folder {
-    fn read(&self, name: &str) -> Option<Vec<u8>> {
-        fs::read(self.0.join(name)).ok()
-    }
-
-    fn has(&self, name: &str) -> bool {
-        self.0.join(name).is_file()
-    }
-
-    fn commit(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
-        let target = self.0.join(name);
-        let folder = target.parent().unwrap_or(&self.0);
-        let mut file = Temporary::new_in(folder)?;
-        file.as_file_mut().write_all(bytes)?;
-        file.as_file_mut().sync_all()?;
-        if file.persist_new(&target)? || fs::read(&target)? == bytes {
-            return Ok(());
-        }
-        // An image that has changed since.
-        let mut file = Temporary::new_in(folder)?;
-        file.as_file_mut().write_all(bytes)?;
-        file.as_file_mut().sync_all()?;
-        file.persist(&target)
-    }
-}
+pub(super) const TILE: Noun = noun("tile", "タイル{}枚");
 
 /// The options of a town in tiles.
 pub(super) struct Wish<'a> {
@@ -146,7 +83,7 @@ pub(super) fn build(
     language: Language,
 ) -> Result<(bool, Vec<Source>, Diagnostics), Failure> {
     let failed = |error| Failure::at(wish.output.display(), error);
-    let folder = Folder::new(wish.output).map_err(failed)?;
+    let folder = Folder::of_town(wish.output).map_err(failed)?;
     let division = ast::town::Tiles {
         detail: wish
             .levels
@@ -165,6 +102,18 @@ pub(super) fn build(
     let made = run::run(job, &folder, &|features| bar.inc(features as u64), &mut out);
     bar.finish_and_clear();
     let mut made = made.map_err(failed)?;
+    finish(wish, (&mut made, plan), &folder, language)?;
+    Ok((made.ledger.is_incomplete(), made.included, out))
+}
+
+/// Writes the tables and the tileset of a town whose tiles are in its folder, sweeps that, and prints what was built.
+pub(super) fn finish(
+    wish: &Wish<'_>,
+    (made, plan): (&mut TiledTown, &Plan),
+    folder: &Folder,
+    language: Language,
+) -> Result<(), Failure> {
+    let failed = |error| Failure::at(wish.output.display(), error);
     let tree = made.tileset(plan);
     tables(wish.output, &mut made.ledger)?;
     // The root comes last: whoever reads it finds what it names.
@@ -173,16 +122,17 @@ pub(super) fn build(
     }
     write_all(vec![(wish.output.join("tileset.json"), tree.root)])?;
     let branches = tree.branches.into_iter().map(|(name, _)| name);
-    folder.sweep(&made, &branches.collect()).map_err(failed)?;
+    let branches = branches.collect();
+    folder.sweep(&made.files(), &branches).map_err(failed)?;
     if !wish.quiet {
-        for line in lines(wish, &made) {
+        for line in lines(wish, made) {
             writeln!(io::stderr(), "{}", line.in_language(language))?;
         }
     }
     if wish.stats {
-        writeln!(io::stderr(), "{}", statistics(&made).in_language(language))?;
+        writeln!(io::stderr(), "{}", statistics(made).in_language(language))?;
     }
-    Ok((made.ledger.incomplete, made.included, out))
+    Ok(())
 }
 
 /// Returns a bar with rate and time left, hidden where nobody looks.

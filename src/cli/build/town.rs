@@ -9,7 +9,6 @@ use super::NO_COMPRESS;
 use super::tiled;
 use super::tiled::{FEATURE, Wish, tables};
 use crate::backend::gltf::Writer;
-use crate::backend::spool::NewSpool;
 use crate::cli::files::input::Inputs;
 use crate::cli::files::output::{self, Files};
 use crate::cli::files::terminal::counted;
@@ -76,10 +75,10 @@ pub(in crate::cli) struct Town {
 }
 
 /// Reads a town and its maps and hands them to `then`; prints what is wrong with one that cannot be read. The features of a
-/// large town wait in a spool, if there is a maker of them.
-fn planned(
+/// town wait in spools, if there is a maker of these.
+pub(super) fn planned(
     args: &InputArgs,
-    (detail, spool): (Detail, Option<NewSpool<'_>>),
+    (detail, lodging): (Detail, Option<Lodging<'_>>),
     language: Language,
     then: impl FnOnce(TownInput<'_>, driver::Read, &Plan, Diagnostics) -> Outcome,
 ) -> Outcome {
@@ -118,7 +117,6 @@ fn planned(
         kept: None,
         texts: false,
     };
-    let lodging = spool.map(|new| Lodging { new, from: LARGE });
     match run::plan_lodged(input, &town, lodging, &mut out)? {
         Some(plan) if !out.has_errors() => then(input, read, &plan, out),
         _ => {
@@ -128,13 +126,25 @@ fn planned(
     }
 }
 
-fn print(sources: &[Source], out: Diagnostics, language: Language) -> Result<(), Failure> {
+pub(super) fn print(
+    sources: &[Source],
+    out: Diagnostics,
+    language: Language,
+) -> Result<(), Failure> {
     let list = out.into_sorted();
     if list.is_empty() {
         return Ok(());
     }
     let written = Report::new(sources, &list).in_language(language);
     report(&written, Format::Human, &mut io::stderr())
+}
+
+/// Fails if tiles are to be packed but this build cannot.
+pub(super) fn check_packed(packed: bool) -> Result<(), Failure> {
+    match packed && !cfg!(feature = "compress") {
+        true => Err(Failure::Usage(NO_COMPRESS.into())),
+        false => Ok(()),
+    }
 }
 
 impl Town {
@@ -145,9 +155,13 @@ impl Town {
         let spool = tiled::spools_beside(&self.output);
         // What is written tile by tile needs no more of the town at a time.
         let by_tiles = self.is_folder() || self.is_obj() || CityForm::of(&self.output).is_some();
+        let lodging = Lodging {
+            new: &spool,
+            from: LARGE,
+        };
         planned(
             &self.input_args,
-            (detail, by_tiles.then_some(&spool)),
+            (detail, by_tiles.then_some(lodging)),
             language,
             |input, read, plan, out| match CityForm::of(&self.output).filter(|_| !self.is_folder())
             {
@@ -171,10 +185,7 @@ impl Town {
                 "--compress が圧縮するのはタイルです。`-o town/` のようにフォルダーを指定してください"
             )));
         }
-        match cfg!(feature = "compress") {
-            true => Ok(()),
-            false => Err(Failure::Usage(NO_COMPRESS.into())),
-        }
+        check_packed(true)
     }
 
     /// Builds a town as CityJSON.
@@ -301,7 +312,7 @@ impl Town {
         let size = output::write(&model, Files::glb(glb.map_err(failed)?))?;
         tables(&model, &mut ledger)?;
         self.summary(&model, size, &ledger, streamed.houses, language)?;
-        Ok(match ledger.incomplete {
+        Ok(match ledger.is_incomplete() {
             true => Exit::Errors,
             false => Exit::Done,
         })

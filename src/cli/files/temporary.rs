@@ -51,9 +51,16 @@ impl Drop for Guarded {
     }
 }
 
+/// Done once signals are caught, or are left to others.
+static CAUGHT: Once = Once::new();
+
+/// Leaves signals to the program that this one is part of.
+pub(in crate::cli) fn leave_signals() {
+    CAUGHT.call_once(|| {});
+}
+
 /// Removes what is left where INT, TERM or HUP end the program.
 fn catch_signals() {
-    static CAUGHT: Once = Once::new();
     CAUGHT.call_once(|| {
         // Without a handler, files are left where they are until they are swept.
         let _ = ctrlc::set_handler(|| {

@@ -4,10 +4,12 @@ use super::TownFrame;
 use super::kept::KeptMaps;
 use crate::ast::town::Layer;
 use crate::map::heights::{self, Heights};
+use crate::map::pack::{Packer, Unpacker};
 use crate::map::{Crs, Datums, Fault, Mismatch, Options, Transform};
 use crate::source::World;
 use crate::town::grid::Bounds;
 use glam::DVec2;
+use std::io;
 use std::sync::Arc;
 
 /// The ground of a town; empty where no layer has heights.
@@ -100,6 +102,35 @@ impl GroundLayer {
         })
     }
 
+    /// Appends the part that places in a box of the town look at to bytes; all of it where that cannot be told.
+    fn pack(&self, [low, high]: Bounds, out: &mut Packer<'_>) {
+        let wide = [low - MARGIN, high + MARGIN].map(|corner| corner + self.origin);
+        let window = over(&self.way, wide).unwrap_or(self.heights.bounds());
+        out.text(&self.layer.name.value);
+        out.float(self.cell);
+        self.heights.pack(window, out);
+    }
+
+    fn unpack(
+        from: &mut Unpacker<'_, '_>,
+        frame: &TownFrame,
+        layers: &[Layer],
+    ) -> io::Result<GroundLayer> {
+        let wrong = || io::Error::from(io::ErrorKind::InvalidData);
+        let name = from.text()?;
+        let cell = from.float()?;
+        let heights = Heights::unpack(from)?;
+        let layer = layers.iter().find(|layer| *layer.name.value == *name);
+        let crs = heights.crs.as_ref().ok_or_else(wrong)?;
+        Ok(GroundLayer {
+            layer: layer.ok_or_else(wrong)?.clone(),
+            way: Transform::new(&frame.crs, crs, Datums::Exact).map_err(|_| wrong())?,
+            heights: Arc::new(heights),
+            origin: frame.origin,
+            cell,
+        })
+    }
+
     fn at(&self, place: DVec2) -> Option<f64> {
         self.heights.at(self.way.apply(place + self.origin)?)
     }
@@ -123,6 +154,25 @@ impl Ground {
     /// Returns the ground of these layers, the first of which counts before the others.
     pub fn new(layers: Vec<GroundLayer>) -> Ground {
         Ground { layers }
+    }
+
+    /// Appends what places in a box look at to bytes.
+    pub(in crate::town) fn pack(&self, bounds: Bounds, out: &mut Packer<'_>) {
+        out.count(self.layers.len());
+        self.layers.iter().for_each(|layer| layer.pack(bounds, out));
+    }
+
+    /// Takes ground from the start of bytes; `layers` are those of the town file.
+    ///
+    /// # Errors
+    /// If the bytes are not those that were written, or the town has no such layer.
+    pub(in crate::town) fn unpack(
+        from: &mut Unpacker<'_, '_>,
+        frame: &TownFrame,
+        layers: &[Layer],
+    ) -> io::Result<Ground> {
+        let layers = (0..from.count()?).map(|_| GroundLayer::unpack(from, frame, layers));
+        Ok(Ground::new(layers.collect::<io::Result<_>>()?))
     }
 
     /// Returns true if no layer has heights.

@@ -1,31 +1,32 @@
-//! A feature as bytes, for the time that it waits in a spool.
+//! A feature, and what a layer is without features, as bytes: for the time that they wait in a spool or a folder of work.
 
-use super::{Lot, Shape};
-use crate::map::Value;
-use glam::DVec2;
+use super::{Lot, Lots, Shape};
+use crate::ast::town::Layer;
+use crate::map::pack::{Packer, Unpacker};
+use crate::map::{Faults, Value};
 use std::io;
 
 impl Lot {
     /// Appends it to bytes, behind the number of its layer.
     pub(in crate::town) fn pack(&self, layer: usize, out: &mut Vec<u8>) {
-        let mut out = Packer(out);
+        let mut out = Packer::new(out);
         out.count(layer);
-        out.0.extend(self.number.to_le_bytes());
+        out.bytes(&self.number.to_le_bytes());
         out.text(&self.key);
         out.float(self.z);
         out.count(self.parts_left);
         match &self.shape {
             Shape::Area(ring, holes) => {
-                out.0.push(0);
+                out.bytes(&[0]);
                 out.points(ring);
                 out.lines(holes);
             }
             Shape::Lines(lines) => {
-                out.0.push(1);
+                out.bytes(&[1]);
                 out.lines(lines);
             }
             Shape::Point(point) => {
-                out.0.push(2);
+                out.bytes(&[2]);
                 out.point(*point);
             }
         }
@@ -33,18 +34,18 @@ impl Lot {
         for (column, value) in &self.fields {
             out.count(*column);
             match value {
-                Value::Null => out.0.push(0),
-                Value::Bool(truth) => out.0.extend([1, u8::from(*truth)]),
+                Value::Null => out.bytes(&[0]),
+                Value::Bool(truth) => out.bytes(&[1, u8::from(*truth)]),
                 Value::Integer(n) => {
-                    out.0.push(2);
-                    out.0.extend(n.to_le_bytes());
+                    out.bytes(&[2]);
+                    out.bytes(&n.to_le_bytes());
                 }
                 Value::Number(n) => {
-                    out.0.push(3);
+                    out.bytes(&[3]);
                     out.float(*n);
                 }
                 Value::Text(text) => {
-                    out.0.push(4);
+                    out.bytes(&[4]);
                     out.text(text);
                 }
             }
@@ -56,7 +57,7 @@ impl Lot {
     /// # Errors
     /// If the bytes are not those that were written.
     pub(in crate::town) fn unpack(bytes: &mut &[u8]) -> io::Result<(usize, Lot)> {
-        let mut from = Unpacker(bytes);
+        let mut from = Unpacker::new(bytes);
         let layer = from.count()?;
         let number = u32::from_le_bytes(from.array()?);
         let (key, z, parts_left) = (from.text()?, from.float()?, from.count()?);
@@ -89,84 +90,48 @@ impl Lot {
     }
 }
 
-struct Packer<'b>(&'b mut Vec<u8>);
-
-impl Packer<'_> {
-    fn count(&mut self, count: usize) {
-        self.0.extend((count as u64).to_le_bytes());
+impl Lots {
+    /// Appends the layer without features and faults to bytes.
+    pub(in crate::town) fn pack_head(&self, out: &mut Packer<'_>) {
+        out.text(&self.layer.name.value);
+        out.text(&self.file);
+        out.count(self.columns.len());
+        for (name, column) in &self.columns {
+            out.text(name);
+            out.count(*column);
+        }
     }
 
-    fn float(&mut self, number: f64) {
-        self.0.extend(number.to_bits().to_le_bytes());
-    }
-
-    fn text(&mut self, text: &str) {
-        self.count(text.len());
-        self.0.extend(text.as_bytes());
-    }
-
-    fn point(&mut self, point: DVec2) {
-        self.float(point.x);
-        self.float(point.y);
-    }
-
-    fn points(&mut self, points: &[DVec2]) {
-        self.count(points.len());
-        points.iter().for_each(|point| self.point(*point));
-    }
-
-    fn lines(&mut self, lines: &[Vec<DVec2>]) {
-        self.count(lines.len());
-        lines.iter().for_each(|line| self.points(line));
-    }
-}
-
-struct Unpacker<'r, 'b>(&'r mut &'b [u8]);
-
-impl Unpacker<'_, '_> {
-    fn bytes(&mut self, count: usize) -> io::Result<&[u8]> {
-        let short = || io::Error::from(io::ErrorKind::UnexpectedEof);
-        let (taken, rest) = self.0.split_at_checked(count).ok_or_else(short)?;
-        *self.0 = rest;
-        Ok(taken)
-    }
-
-    fn array<const N: usize>(&mut self) -> io::Result<[u8; N]> {
-        let mut array = [0; N];
-        array.copy_from_slice(self.bytes(N)?);
-        Ok(array)
-    }
-
-    fn count(&mut self) -> io::Result<usize> {
-        Ok(u64::from_le_bytes(self.array()?) as usize)
-    }
-
-    fn float(&mut self) -> io::Result<f64> {
-        Ok(f64::from_bits(u64::from_le_bytes(self.array()?)))
-    }
-
-    fn text(&mut self) -> io::Result<Box<str>> {
-        let count = self.count()?;
-        let text = str::from_utf8(self.bytes(count)?).map_err(io::Error::other)?;
-        Ok(text.into())
-    }
-
-    fn point(&mut self) -> io::Result<DVec2> {
-        Ok(DVec2::new(self.float()?, self.float()?))
-    }
-
-    fn points(&mut self) -> io::Result<Vec<DVec2>> {
-        (0..self.count()?).map(|_| self.point()).collect()
-    }
-
-    fn lines(&mut self) -> io::Result<Vec<Vec<DVec2>>> {
-        (0..self.count()?).map(|_| self.points()).collect()
+    /// Takes a layer without features from the start of bytes; `layers` are those of the town file.
+    ///
+    /// # Errors
+    /// If the bytes are not those that were written, or the town has no such layer.
+    pub(in crate::town) fn unpack_head(
+        from: &mut Unpacker<'_, '_>,
+        layers: &[Layer],
+    ) -> io::Result<Lots> {
+        let name = from.text()?;
+        let file = from.text()?.into();
+        let columns = (0..from.count()?).map(|_| Ok((from.text()?, from.count()?)));
+        let columns = columns.collect::<io::Result<_>>()?;
+        let layer = layers.iter().find(|layer| *layer.name.value == *name);
+        let layer = layer.ok_or_else(|| io::Error::from(io::ErrorKind::InvalidData))?;
+        Ok(Lots {
+            layer: layer.clone(),
+            lots: vec![],
+            bounds: None,
+            columns,
+            faults: Faults::default(),
+            unread: vec![],
+            file,
+        })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec2;
 
     #[test]
     fn a_feature_comes_back_as_it_was() {

@@ -1,9 +1,11 @@
 //! Blocks: the polygons of layers without houses, by place.
 
-use crate::town::grid::Grid;
+use crate::map::pack::{Packer, Unpacker};
+use crate::town::grid::{Bounds, Grid, bounds};
 use crate::town::layer::{Lots, Shape};
 use crate::town::shape::contains;
 use glam::DVec2;
+use std::io;
 
 /// The blocks of a town.
 #[derive(Debug, Default)]
@@ -26,6 +28,30 @@ impl Blocks {
             all,
             index: Grid::new(boxes),
         }
+    }
+
+    /// Appends those that meet a box to bytes.
+    pub(super) fn pack(&self, bounds: Bounds, out: &mut Packer<'_>) {
+        let near = self.index.near(bounds);
+        out.count(near.len());
+        for (key, ring) in near.iter().map(|n| &self.all[*n as usize]) {
+            out.text(key);
+            out.points(ring);
+        }
+    }
+
+    /// Takes blocks from the start of bytes.
+    ///
+    /// # Errors
+    /// If the bytes are not those that were written.
+    pub(super) fn unpack(from: &mut Unpacker<'_, '_>) -> io::Result<Blocks> {
+        let all = (0..from.count()?).map(|_| Ok((from.text()?, from.points()?)));
+        let all = all.collect::<io::Result<Vec<(Box<str>, Vec<DVec2>)>>>()?;
+        let boxes = all.iter().map(|(_, ring)| bounds(ring.iter().copied()));
+        Ok(Blocks {
+            index: Grid::new(boxes.map(Option::unwrap_or_default).collect()),
+            all,
+        })
     }
 
     /// Returns the key of the first one that a place lies in.

@@ -89,7 +89,7 @@ pub(super) fn build(
         let line = summary(path, &ledger, houses, size);
         writeln!(io::stderr(), "{}", line.in_language(language))?;
     }
-    Ok((ledger.incomplete, included, out))
+    Ok((ledger.is_incomplete(), included, out))
 }
 
 /// Returns the line that tells what was built.

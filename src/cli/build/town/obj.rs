@@ -69,5 +69,5 @@ pub(super) fn build(
         writeln!(io::stderr(), "{}", line.in_language(language))
             .map_err(|error| Failure::at(path.display(), error))?;
     }
-    Ok((ledger.incomplete, included, out))
+    Ok((ledger.is_incomplete(), included, out))
 }

@@ -68,7 +68,11 @@ pub(super) fn build(
     if !quiet {
         summary(path, &ledger, count, language).map_err(failed)?;
     }
-    Ok((ledger.incomplete || !unwritten.is_empty(), included, out))
+    Ok((
+        ledger.is_incomplete() || !unwritten.is_empty(),
+        included,
+        out,
+    ))
 }
 
 /// Prints what was written.
