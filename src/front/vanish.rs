@@ -130,8 +130,6 @@ pub fn bending(edges: &[Edge], lens: &Lens, longest: f64) -> Option<[f64; 2]> {
         }
     }
     // A gain of a few per cent is noise.
-        eprintln!("= {} {:?} of {}", long.len(), best, none);
-    }
     Some(if best.1 < 0.985 * none {
         best.0
     } else {
