@@ -224,12 +224,13 @@ pub fn view(photo: &Photo, corners: Option<[DVec2; 4]>, given: &Given) -> Result
     let wall = match corners {
         Some(corners) => Wall {
             corners,
+            straight: corners.map(|c| lens.straight(c)),
             lens,
             trust: 1.0,
         },
         None => wall::find(&photo.pixels, &edges, &lens)?,
     };
-    let map = homography(UNIT, wall.corners.map(|c| lens.straight(c)));
+    let map = homography(UNIT, wall.straight);
     let square = focal_of(map, middle).filter(|f| (0.3..4.0).contains(&(f / usual)));
     let focal = told
         .or(square.map(|f| (f, Told::Square)))

@@ -9,7 +9,7 @@ const TRIED: usize = 70;
 /// The sine of how far an edge may point past the place where it should meet the others: 1.4 degrees.
 const TURN: f64 = 0.025;
 /// The same while places are refined.
-const FINE: f64 = 0.010;
+const FINE: f64 = 0.006;
 /// The edges that say how a lens bends, as a part of the longer side of the picture.
 const LONG: f64 = 0.16;
 /// Half of the weight of an edge is lost if its places lie so far off a line, pixels.

@@ -20,7 +20,9 @@ const APART: f64 = 0.0022;
 /// The most lines of one direction that may be sides.
 const SIDES: usize = 56;
 /// The least part of a side along which there is an edge.
-const LEAST: f64 = 0.25;
+const LEAST: f64 = 0.08;
+/// The least part of a side that is seen for it to be moved onto its edge: otherwise the edges of the whole wall know better.
+const CLEAR: f64 = 0.35;
 /// Places along a side at which its edge is looked for.
 const PLACES: usize = 140;
 /// How far off it is looked for, as a part of the longer side of the photograph.
@@ -31,6 +33,8 @@ const NEAR: f64 = 0.0022;
 pub struct Wall {
     /// Its corners in the photograph, clockwise from the upper left, pixels.
     pub corners: [DVec2; 4],
+    /// The same in the straight picture, in which they may lie where the lens shows nothing.
+    pub straight: [DVec2; 4],
     /// The lens.
     pub lens: Lens,
     /// How far the sides are seen, 0 to 1.
@@ -86,7 +90,8 @@ pub fn find(photo: &RgbImage, edges: &[lines::Edge], lens: &Lens) -> Result<Wall
     let meeting = vanish::meeting(&straight, lens).ok_or(Lost::Meeting)?;
     let plane = plane(&meeting, lens).ok_or(Lost::Meeting)?;
     let [across, down] = sorted(&straight, plane);
-    let (sides, trust) = rectangle(&across, &down).ok_or(Lost::Sides(0.0))?;
+    let (sides, shares) = rectangle(&across, &down).ok_or(Lost::Sides(0.0))?;
+    let trust = shares.into_iter().fold(1.0, f64::min);
     if trust < LEAST {
         return Err(Lost::Sides(trust));
     }
@@ -94,8 +99,10 @@ pub fn find(photo: &RgbImage, edges: &[lines::Edge], lens: &Lens) -> Result<Wall
     let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
     let back = plane.inverse();
     let rough = corners.map(|(u, v)| project(back, dvec2(u, v)));
+    let straight = refined(photo, lens, rough, shares.map(|s| s > CLEAR));
     Ok(Wall {
-        corners: refined(photo, lens, rough).map(|p| lens.bent(p)),
+        corners: straight.map(|p| lens.bent(p)),
+        straight,
         lens: *lens,
         trust,
     })
@@ -219,8 +226,9 @@ fn part(at: f64, (from, to): (f64, f64)) -> u32 {
     ((at - from) / (to - from) * 128.0).clamp(0.0, 127.0) as u32
 }
 
-/// The rectangle whose sides are seen best, and that holds most: left, top, right, bottom; and how far its sides are seen.
-fn rectangle(across: &[Stroke], down: &[Stroke]) -> Option<([f64; 4], f64)> {
+/// The rectangle whose sides are seen best, and that holds most: left, top, right, bottom; and how far its sides are seen: upper,
+/// right, lower, left.
+fn rectangle(across: &[Stroke], down: &[Stroke]) -> Option<([f64; 4], [f64; 4])> {
     let reach = |along: &[Stroke], over: &[Stroke]| {
         let ends = along
             .iter()
@@ -234,8 +242,8 @@ fn rectangle(across: &[Stroke], down: &[Stroke]) -> Option<([f64; 4], f64)> {
     let apart = APART * (us.1 - us.0).max(vs.1 - vs.0);
     let rows = joined(across, us, apart);
     let columns = joined(down, vs, apart);
-    let (sides, trust) = chosen(&columns, &rows, us, vs)?;
-    Some((widened(sides, &columns, &rows, us, vs), trust))
+    let (sides, shares) = chosen(&columns, &rows, us, vs)?;
+    Some((widened(sides, &columns, &rows, us, vs), shares))
 }
 
 /// The best rectangle of lines down and lines across.
@@ -244,8 +252,8 @@ fn chosen(
     rows: &[Line],
     us: (f64, f64),
     vs: (f64, f64),
-) -> Option<([f64; 4], f64)> {
-    let mut best: Option<([f64; 4], f64, f64)> = None;
+) -> Option<([f64; 4], [f64; 4])> {
+    let mut best: Option<([f64; 4], f64, [f64; 4])> = None;
     for (i, left) in columns.iter().enumerate() {
         for right in &columns[i + 1..] {
             let (u0, u1) = (part(left.at, us), part(right.at, us));
@@ -275,13 +283,18 @@ fn chosen(
                         left.beyond(v0, v1) + right.beyond(v0, v1) + 0.3 * top.beyond(u0, u1);
                     let score = mean + least + AREA * area.sqrt() - OVER * over;
                     if best.is_none_or(|b| score > b.1) {
-                        best = Some(([left.at, top.at, right.at, bottom.at], score, least));
+                        let [upper, lower, west, east] = shares;
+                        best = Some((
+                            [left.at, top.at, right.at, bottom.at],
+                            score,
+                            [upper, east, lower, west],
+                        ));
                     }
                 }
             }
         }
     }
-    best.map(|(sides, _, trust)| (sides, trust))
+    best.map(|(sides, _, shares)| (sides, shares))
 }
 
 /// A rectangle whose sides lie on the outermost of the lines beside them: a wall ends where its cornice and its foot end.
@@ -337,10 +350,11 @@ const OVER: f64 = 1.0;
 /// How much a rectangle that holds everything is worth beside sides that are seen whole.
 const AREA: f64 = 3.0;
 
-/// Corners of the straight picture, moved so that the sides lie on the edges beside them.
-pub fn refined(photo: &RgbImage, lens: &Lens, corners: [DVec2; 4]) -> [DVec2; 4] {
-    let sides: [Option<(DVec2, DVec2)>; 4] =
-        std::array::from_fn(|k| side(photo, lens, corners[k], corners[(k + 1) % 4]));
+/// Corners of the straight picture, moved so that the clear sides (upper, right, lower, left) lie on the edges beside them.
+fn refined(photo: &RgbImage, lens: &Lens, corners: [DVec2; 4], clear: [bool; 4]) -> [DVec2; 4] {
+    let sides: [Option<(DVec2, DVec2)>; 4] = std::array::from_fn(|k| {
+        clear[k].then(|| side(photo, lens, corners[k], corners[(k + 1) % 4]))?
+    });
     let line = |k: usize| {
         let (a, b) = (corners[k], corners[(k + 1) % 4]);
         sides[k].unwrap_or((a, b - a))

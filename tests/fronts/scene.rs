@@ -118,8 +118,14 @@ impl Facade {
 
     /// The colour of a place, linear light; equal bays are equal.
     pub fn tone(&self, x: f64, y: f64) -> Tone {
-        let row = self.rows[1..self.rows.len() - 1].iter().filter(|r| y >= **r).count();
-        let bay = self.columns[1..self.columns.len() - 1].iter().filter(|c| x >= **c).count();
+        let row = self.rows[1..self.rows.len() - 1]
+            .iter()
+            .filter(|r| y >= **r)
+            .count();
+        let bay = self.columns[1..self.columns.len() - 1]
+            .iter()
+            .filter(|c| x >= **c)
+            .count();
         let (left, right) = (self.columns[bay], self.columns[bay + 1]);
         let (top, bottom) = (self.rows[row], self.rows[row + 1]);
         let (u, v) = ((x - left) / (right - left), (y - top) / (bottom - top));
@@ -140,12 +146,16 @@ impl Facade {
                 false => wall,
             },
             Kind::Door => match inside(0.25, 0.75, 0.30, 1.0) {
-                true if inside(0.30, 0.70, 0.35, 1.0) => [0.16, 0.07, 0.04].map(|c| c * (1.0 + 0.4 * wave(20.0 * u, 0.0))),
+                true if inside(0.30, 0.70, 0.35, 1.0) => {
+                    [0.16, 0.07, 0.04].map(|c| c * (1.0 + 0.4 * wave(20.0 * u, 0.0)))
+                }
                 true => self.trim,
                 false => wall,
             },
             Kind::Pair => match inside(0.12, 0.44, 0.25, 0.82) || inside(0.56, 0.88, 0.25, 0.82) {
-                true if inside(0.15, 0.41, 0.28, 0.79) || inside(0.59, 0.85, 0.28, 0.79) => shaded(self.glass, 1.0 + 3.0 * v),
+                true if inside(0.15, 0.41, 0.28, 0.79) || inside(0.59, 0.85, 0.28, 0.79) => {
+                    shaded(self.glass, 1.0 + 3.0 * v)
+                }
                 true => self.trim,
                 false => wall,
             },
@@ -156,9 +166,13 @@ impl Facade {
                 match kind {
                     _ if !frame => wall,
                     _ if !pane => self.trim,
-                    Kind::Shuttered => [0.10, 0.22, 0.13].map(|c| c * (1.0 + 0.5 * wave(0.0, 60.0 * v))),
+                    Kind::Shuttered => {
+                        [0.10, 0.22, 0.13].map(|c| c * (1.0 + 0.5 * wave(0.0, 60.0 * v)))
+                    }
                     _ if bar => self.trim,
-                    Kind::Curtained if u < 0.42 || u > 0.58 => [0.5, 0.42, 0.33].map(|c| c * (1.0 + 0.2 * wave(40.0 * u, 0.0))),
+                    Kind::Curtained if u < 0.42 || u > 0.58 => {
+                        [0.5, 0.42, 0.33].map(|c| c * (1.0 + 0.2 * wave(40.0 * u, 0.0)))
+                    }
                     _ => shaded(self.glass, 1.0 + 4.0 * v),
                 }
             }
@@ -203,7 +217,11 @@ impl Shot {
         let mut dice = Dice::new(seed ^ 0xABCD);
         let size = (longest, longest * 3 / 4);
         let focal = f64::from(longest) * dice.range(0.75, 1.1);
-        let (yaw, pitch, roll) = (dice.range(-0.45, 0.45), dice.range(-0.02, 0.20), dice.range(-0.025, 0.025));
+        let (yaw, pitch, roll) = (
+            dice.range(-0.45, 0.45),
+            dice.range(-0.02, 0.20),
+            dice.range(-0.025, 0.025),
+        );
         let turn = |a: f64| (a.sin(), a.cos());
         let ((sy, cy), (sp, cp), (sr, cr)) = (turn(yaw), turn(pitch), turn(roll));
         // Camera frame: x right, y down, z forwards; the camera looks up by `pitch`.
@@ -218,7 +236,12 @@ impl Shot {
             bend: [dice.range(-0.12, 0.02), dice.range(0.0, 0.03)],
             pose: [rotate([1.0, 0.0, 0.0]), rotate([0.0, 1.0, 0.0]), [0.0; 3]],
             before: vec![],
-            light: [dice.range(-0.35, 0.35), dice.range(-0.2, 0.2), dice.range(-0.1, 0.1), 0.0],
+            light: [
+                dice.range(-0.35, 0.35),
+                dice.range(-0.2, 0.2),
+                dice.range(-0.1, 0.1),
+                0.0,
+            ],
             noise: 0.006,
             seed,
         };
@@ -228,11 +251,16 @@ impl Shot {
             let middle = rotate([0.0, 0.0, 0.0]);
             let back = [middle[0], middle[1], away];
             for k in 0..3 {
-                shot.pose[2][k] = back[k] - shot.pose[0][k] * facade.width / 2.0 - shot.pose[1][k] * facade.height / 2.0;
+                shot.pose[2][k] = back[k]
+                    - shot.pose[0][k] * facade.width / 2.0
+                    - shot.pose[1][k] * facade.height / 2.0;
             }
             let margin = 0.04 * f64::from(longest);
             let is_in = shot.corners(facade).iter().all(|(x, y)| {
-                *x > margin && *y > margin && *x < f64::from(size.0) - margin && *y < f64::from(size.1) - margin
+                *x > margin
+                    && *y > margin
+                    && *x < f64::from(size.0) - margin
+                    && *y < f64::from(size.1) - margin
             });
             if is_in {
                 break;
@@ -242,15 +270,31 @@ impl Shot {
         let [_, _, right, left] = shot.corners(facade);
         for _ in 0..trees {
             let t = dice.range(0.05, 0.95);
-            let (x, y) = (left.0 + (right.0 - left.0) * t, left.1 + (right.1 - left.1) * t);
+            let (x, y) = (
+                left.0 + (right.0 - left.0) * t,
+                left.1 + (right.1 - left.1) * t,
+            );
             let high = f64::from(size.1) * dice.range(0.10, 0.26);
             for _ in 0..26 {
-                let (dx, dy) = (dice.bell() * 0.022 * f64::from(longest), -high + dice.bell() * 0.03 * f64::from(longest));
+                let (dx, dy) = (
+                    dice.bell() * 0.022 * f64::from(longest),
+                    -high + dice.bell() * 0.03 * f64::from(longest),
+                );
                 let green = dice.range(0.04, 0.14);
-                shot.before.push((x + dx, y + dy, dice.range(0.008, 0.016) * f64::from(longest), [green * 0.5, green, green * 0.3]));
+                shot.before.push((
+                    x + dx,
+                    y + dy,
+                    dice.range(0.008, 0.016) * f64::from(longest),
+                    [green * 0.5, green, green * 0.3],
+                ));
             }
             for k in 0..12 {
-                shot.before.push((x, y - high * f64::from(k) / 12.0, 0.004 * f64::from(longest), [0.05, 0.035, 0.02]));
+                shot.before.push((
+                    x,
+                    y - high * f64::from(k) / 12.0,
+                    0.004 * f64::from(longest),
+                    [0.05, 0.035, 0.02],
+                ));
             }
         }
         shot
@@ -258,7 +302,9 @@ impl Shot {
 
     /// The pixel of a place on the wall, metres from its upper left corner; the middle of the first pixel is at 0.5, 0.5.
     pub fn pixel(&self, x: f64, y: f64) -> (f64, f64) {
-        let p: Vec<f64> = (0..3).map(|k| self.pose[2][k] + self.pose[0][k] * x + self.pose[1][k] * y).collect();
+        let p: Vec<f64> = (0..3)
+            .map(|k| self.pose[2][k] + self.pose[0][k] * x + self.pose[1][k] * y)
+            .collect();
         let (u, v) = (p[0] / p[2], p[1] / p[2]);
         let r2 = u * u + v * v;
         let bent = 1.0 + r2 * (self.bend[0] + r2 * self.bend[1]);
@@ -271,12 +317,20 @@ impl Shot {
     /// The corners of the wall, clockwise from the upper left.
     pub fn corners(&self, facade: &Facade) -> [(f64, f64); 4] {
         let (w, h) = (facade.width, facade.height);
-        [self.pixel(0.0, 0.0), self.pixel(w, 0.0), self.pixel(w, h), self.pixel(0.0, h)]
+        [
+            self.pixel(0.0, 0.0),
+            self.pixel(w, 0.0),
+            self.pixel(w, h),
+            self.pixel(0.0, h),
+        ]
     }
 
     /// The place on the wall that a pixel sees, if it does not see the sky behind it.
     fn wall(&self, x: f64, y: f64) -> Option<(f64, f64)> {
-        let (x, y) = ((x - f64::from(self.size.0) / 2.0) / self.focal, (y - f64::from(self.size.1) / 2.0) / self.focal);
+        let (x, y) = (
+            (x - f64::from(self.size.0) / 2.0) / self.focal,
+            (y - f64::from(self.size.1) / 2.0) / self.focal,
+        );
         let (mut u, mut v) = (x, y);
         for _ in 0..12 {
             let r2 = u * u + v * v;
@@ -286,7 +340,8 @@ impl Shot {
         // Solve pose * (a, b, 1) = s (u, v, 1).
         let [p, q, o] = self.pose;
         let det = |a: [f64; 3], b: [f64; 3], c: [f64; 3]| {
-            a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+            a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+                + a[2] * (b[0] * c[1] - b[1] * c[0])
         };
         let ray = [u, v, 1.0];
         let all = det(p, q, ray);
@@ -334,12 +389,18 @@ impl Shot {
         RgbImage::from_fn(self.size.0, self.size.1, |x, y| {
             if y != row {
                 row = y;
-                let near = self.before.iter().filter(|b| (b.1 - f64::from(y)).abs() < b.2 + 1.0);
+                let near = self
+                    .before
+                    .iter()
+                    .filter(|b| (b.1 - f64::from(y)).abs() < b.2 + 1.0);
                 before = near.copied().collect();
             }
             let mut sum = [0.0; 3];
             for k in 0..4 {
-                let (dx, dy) = ((f64::from(k % 2) + 0.5) / 2.0, (f64::from(k / 2) + 0.5) / 2.0);
+                let (dx, dy) = (
+                    (f64::from(k % 2) + 0.5) / 2.0,
+                    (f64::from(k / 2) + 0.5) / 2.0,
+                );
                 let tone = self.seen(facade, &before, f64::from(x) + dx, f64::from(y) + dy);
                 sum.iter_mut().zip(tone).for_each(|(s, t)| *s += t / 4.0);
             }
@@ -352,6 +413,10 @@ impl Shot {
 /// sRGB of linear light.
 pub fn encoded(c: f64) -> u8 {
     let c = c.clamp(0.0, 1.0);
-    let s = if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 };
+    let s = if c <= 0.003_130_8 {
+        12.92 * c
+    } else {
+        1.055 * c.powf(1.0 / 2.4) - 0.055
+    };
     (s * 255.0).round() as u8
 }
