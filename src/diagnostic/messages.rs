@@ -4,7 +4,6 @@
 pub mod catalog;
 pub mod file;
 pub mod fittings;
-pub mod front;
 pub mod legacy;
 pub mod limits;
 #[cfg(feature = "maps")]

@@ -5,14 +5,14 @@ use crate::cli::files::output;
 use crate::cli::files::terminal::counted;
 use crate::cli::options::report;
 use crate::cli::{Exit, Failure, Outcome};
-use crate::diagnostic::messages::front as say;
+use crate::diagnostic::messages::plan::photographed as say;
 use crate::diagnostic::{Diagnostics, Language, noun};
 use crate::driver;
 use crate::front::{self, Front, Given, Lattice, Photo, Told, exif, record, sheet, whole};
 use crate::fs::FolderWorld;
 use crate::plan::Picture;
 use crate::report::{Format, Report};
-use crate::source::{FileId, Source};
+use crate::source::{FileId, Source, Span};
 use crate::text;
 use clap::Args;
 use glam::DVec2;
@@ -169,77 +169,69 @@ impl Facade {
         out: &mut Diagnostics,
     ) -> Result<crate::diagnostic::Text, Failure> {
         std::fs::create_dir_all(&self.output).map_err(|e| Failure::at(self.output.display(), e))?;
-        let name = self
-            .output
-            .file_name()
-            .unwrap_or("front".as_ref())
-            .to_string_lossy()
-            .into_owned();
-        let path = self.output.join(format!("{name}.hsd"));
+        let name = self.output.file_name().unwrap_or("front".as_ref());
+        let path = self.output.join(format!("{}.hsd", name.to_string_lossy()));
         let text = front::text::write(front, &self.head(photos, front));
-        let place = sources[0].span(0..0);
-        let view = front.views[0];
-        if self.size.is_none() && view.focal == Told::Usual {
-            out.push(say::guessed(place));
-        }
-        if matches!(self.given().lattice, Lattice::Found)
-            && front.grid.columns.len() + front.grid.rows.len() < 6
-        {
-            out.push(say::no_lattice(place));
-        }
-        let spoiled = front
-            .cells
-            .iter()
-            .zip(&front.shown)
-            .filter(|(_, s)| s.is_spoiled);
-        for (cell, _) in spoiled {
-            out.push(say::spoiled(place, &front.name_at(cell.row, cell.column)));
-        }
+        self.doubts(front, sources[0].span(0..0), out);
         let source = Source::new(
             FileId(sources.len() as u32),
             path.display().to_string(),
             text.as_bytes(),
         );
-        let mut files = vec![
-            (path, text.into_bytes()),
-            (
-                self.output.join("facade.json"),
-                record::json(photos, front).into_bytes(),
-            ),
-            (
-                self.output.join("parts.csv"),
-                front::text::catalogue(front).into_bytes(),
-            ),
-            (self.output.join("rectified.png"), png(&front.wall)?),
-            (
-                self.output.join("compared.png"),
-                png(&sheet::draw(&photos[0], front))?,
-            ),
-        ];
-        for part in &front.parts {
-            files.push((
-                self.output.join(format!("{}.png", part.name)),
-                png(&part.picture)?,
-            ));
-        }
-        if let Some(name) = &self.fronts {
-            files.extend(self.fronts(name, front)?);
-        }
+        let mut files = self.files(photos, front)?;
+        files.push((path.clone(), text.into_bytes()));
         output::write_all(files)?;
         let world = FolderWorld::new(vec![self.output.clone()], 0);
         driver::check(&[&source], &world, &driver::Options::default(), out);
         sources.push(source);
         let replaced = front.shown.iter().filter(|s| s.is_replaced).count();
-        let (cells, parts) = (
-            front.cells.len(),
-            counted(front.parts.len(), noun("part", "部材{}個")),
-        );
-        let folder = self.output.join(format!("{name}.hsd"));
-        let folder = folder.display();
-        Ok(text!([folder, cells, parts, replaced]
-            "{folder}: {parts} for {cells} places, {replaced} of them cleared of what stands before them; `hsd build {folder} -o OUT.glb` builds it",
-            "{folder}: {cells} か所に{parts}。うち {replaced} か所は手前の物を取り除きました。`hsd build {folder} -o OUT.glb` で作れます"
+        let parts = counted(front.parts.len(), noun("part", "部材{}個"));
+        let (path, cells) = (path.display(), front.cells.len());
+        Ok(text!([path, cells, parts, replaced]
+            "{path}: {parts} for {cells} places, {replaced} of them cleared of what stands before them; `hsd build {path} -o OUT.glb` builds it",
+            "{path}: {cells} か所に{parts}。うち {replaced} か所は手前の物を取り除きました。`hsd build {path} -o OUT.glb` で作れます"
         ))
+    }
+
+    /// Says what is not certain.
+    fn doubts(&self, front: &Front, place: Span, out: &mut Diagnostics) {
+        if self.size.is_none() && front.views[0].focal == Told::Usual {
+            out.push(say::guessed(place));
+        }
+        let is_whole = front.grid.columns.len() == 2 || front.grid.rows.len() == 2;
+        if matches!(self.given().lattice, Lattice::Found) && is_whole {
+            out.push(say::no_lattice(place));
+        }
+        for (cell, shown) in front.cells.iter().zip(&front.shown) {
+            if shown.is_spoiled {
+                out.push(say::spoiled(place, &front.name_at(cell.row, cell.column)));
+            }
+        }
+    }
+
+    /// All files but the text, with their paths.
+    fn files(&self, photos: &[Photo], front: &Front) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+        let path = |name: &str| self.output.join(name);
+        let compared = sheet::draw(&photos[0], front);
+        let mut files = vec![
+            (
+                path("facade.json"),
+                record::json(photos, front).into_bytes(),
+            ),
+            (
+                path("parts.csv"),
+                front::text::catalogue(front).into_bytes(),
+            ),
+            (path("rectified.png"), png(&front.wall)?),
+            (path("compared.png"), png(&compared)?),
+        ];
+        for part in &front.parts {
+            files.push((path(&format!("{}.png", part.name)), png(&part.picture)?));
+        }
+        if let Some(name) = &self.fronts {
+            files.extend(self.fronts(name, front)?);
+        }
+        Ok(files)
     }
 
     /// What the text says of where it comes from: everything that was assumed.

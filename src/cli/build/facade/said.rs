@@ -1,7 +1,7 @@
 //! What is said of photographs: refusals.
 
 use crate::diagnostic::Diagnostic;
-use crate::diagnostic::messages::front as say;
+use crate::diagnostic::messages::plan::photographed as say;
 use crate::front::wall::Lost;
 use crate::front::{MOST_CELLS, Refused};
 use crate::plan::Unreadable;
