@@ -1,7 +1,6 @@
 //! The camera of a photograph: its lens, and how it sees a plane.
 
-use crate::plan::flatten::project;
-use glam::{DMat3, DVec2, DVec3, dvec2};
+use glam::{DMat3, DVec2, DVec3};
 
 /// Steps of the search for a radius; each doubles the digits that are right.
 const STEPS: usize = 6;
@@ -112,59 +111,6 @@ pub fn focal_of(unit: DMat3, middle: DVec2) -> Option<f64> {
     let steep = |h: DVec3| h.z.abs() * square.max(0.0).sqrt() / h.truncate().length();
     (square > 0.0 && square.is_finite() && long > 0.0 && steep(h1) > 0.1 && steep(h2) > 0.1)
         .then(|| square.sqrt())
-}
-
-/// The projective map that takes points to others best, by least squares; `None` for fewer than four, or on a line.
-///
-/// The direct linear transform in frames in which the points lie round the origin, then steps that make the distances in the
-/// target least.
-pub fn fitted(pairs: &[(DVec2, DVec2, f64)]) -> Option<DMat3> {
-    if pairs.len() < 4 {
-        return None;
-    }
-    let from = frame(pairs.iter().map(|p| p.0))?;
-    let to = frame(pairs.iter().map(|p| p.1))?;
-    let framed: Vec<(DVec2, DVec2, f64)> = pairs
-        .iter()
-        .map(|(a, b, w)| (project(from, *a), project(to, *b), *w))
-        .collect();
-    let mut map = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
-    for step in 0..6 {
-        let mut sums = [[0.0; 9]; 8];
-        for (a, b, weight) in &framed {
-            let z = map[6] * a.x + map[7] * a.y + 1.0;
-            // The first step is linear: distances are not divided by the depth.
-            let z = if step == 0 { 1.0 } else { z };
-            let rows = [
-                [a.x, a.y, 1.0, 0.0, 0.0, 0.0, -b.x * a.x, -b.x * a.y, b.x],
-                [0.0, 0.0, 0.0, a.x, a.y, 1.0, -b.y * a.x, -b.y * a.y, b.y],
-            ];
-            for row in rows {
-                for (i, sum) in sums.iter_mut().enumerate() {
-                    for (s, r) in sum.iter_mut().zip(row) {
-                        *s += weight * row[i] * r / (z * z);
-                    }
-                }
-            }
-        }
-        map = solved(sums)?;
-    }
-    let map = DMat3::from_cols(
-        DVec3::new(map[0], map[3], map[6]),
-        DVec3::new(map[1], map[4], map[7]),
-        DVec3::new(map[2], map[5], 1.0),
-    );
-    Some(to.inverse() * map * from)
-}
-
-/// The frame in which points lie round the origin, a unit away on average.
-fn frame(points: impl Iterator<Item = DVec2> + Clone) -> Option<DMat3> {
-    let count = points.clone().count() as f64;
-    let middle = points.clone().sum::<DVec2>() / count;
-    let away = points.map(|p| p.distance(middle)).sum::<f64>() / count;
-    (away > 1e-9).then(|| {
-        DMat3::from_scale(dvec2(1.0 / away, 1.0 / away)) * DMat3::from_translation(-middle)
-    })
 }
 
 /// Solves linear equations: the last column is the right side.

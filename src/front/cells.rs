@@ -106,10 +106,15 @@ pub struct Likeness {
     pub off: Vec<bool>,
 }
 
+/// Whether cells are of one size.
+pub fn are_equal(a: &Cell, b: &Cell) -> bool {
+    let near = |m: u32, n: u32| (f64::from(m) / f64::from(n) - 1.0).abs() <= SIZE;
+    near(a.size().0, b.size().0) && near(a.size().1, b.size().1)
+}
+
 /// Compares cells, whatever light lies on each; `None` if they are of different sizes or too little of them is seen.
 pub fn compare(a: &Cell, b: &Cell) -> Option<Likeness> {
-    let differs = |m: u32, n: u32| (f64::from(m) / f64::from(n) - 1.0).abs() > SIZE;
-    if differs(a.size().0, b.size().0) || differs(a.size().1, b.size().1) {
+    if !are_equal(a, b) {
         return None;
     }
     let both = |k: usize| a.seen[k] && b.seen[k];

@@ -1,6 +1,6 @@
 //! Which cells of a wall show the same part, and which are hidden by something that stands before them.
 
-use super::cells::{Cell, Likeness, SIDE, compare};
+use super::cells::{Cell, Likeness, SIDE, are_equal, compare};
 
 /// The part of two cells that agrees if they show the same.
 const SAME: f64 = 0.93;
@@ -14,8 +14,6 @@ const BLOT: f64 = 0.02;
 const EVEN: f64 = 0.7;
 /// More than this part of a cell is nearly everything.
 const MUCH: f64 = 0.75;
-/// The part of a cell by which its kind is known where the photograph shows next to nothing of it: that of its storey.
-const GUESSED: f64 = 0.0;
 
 /// What a cell shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +26,7 @@ pub struct Shown {
     pub gain: f32,
     /// Whether something stands before it.
     pub is_replaced: bool,
-    /// Whether it is seen whole, and nothing clean stands for it.
+    /// Whether it is not seen whole, and nothing clean stands for it.
     pub is_spoiled: bool,
 }
 
@@ -73,7 +71,7 @@ pub fn sorted(cells: &[Cell]) -> Vec<Shown> {
     for _ in 0..2 {
         for k in 0..cells.len() {
             if shown[k].is_none() {
-                shown[k] = covered(k, cells, &shown, &pair);
+                shown[k] = covered(k, cells, &shown, whole[k], &pair);
             }
         }
     }
@@ -136,9 +134,8 @@ fn hidden<'p>(
         .map(|(m, p)| (m, p, p.share + nearness(m)))
         .max_by(|a, b| a.2.total_cmp(&b.2).then(b.0.cmp(&a.0)))
         .map(|(m, p, _)| (m, p))?;
-    let least = if whole[k] { HIDDEN } else { GUESSED };
     let blot = likeness.off.iter().filter(|o| **o).count() as f64 / (SIDE * SIDE) as f64;
-    let is_hidden = !whole[k] || (likeness.share >= least && blot >= BLOT && comes_in(likeness));
+    let is_hidden = !whole[k] || (likeness.share >= HIDDEN && blot >= BLOT && comes_in(likeness));
     is_hidden.then(|| standing(Some(likeness), core, true))
 }
 
@@ -172,12 +169,13 @@ fn is_even(likeness: &Likeness) -> bool {
     both as f64 > EVEN * either as f64 && (either as f64) < MUCH * (SIDE * SIDE) as f64
 }
 
-/// What stands for a cell of which next to nothing is seen, since what hides a cell beside it goes on over it: what its bay shows
-/// in other storeys, else what its storey shows in other bays.
+/// What stands for a cell of which next to nothing is seen, since a mask hides it, or what hides a cell beside it goes on over it:
+/// what its bay shows in other storeys, else what its storey shows in other bays.
 fn covered<'p>(
     k: usize,
     cells: &[Cell],
     shown: &[Option<Shown>],
+    is_whole: bool,
     pair: &dyn Fn(usize, usize) -> Option<&'p Likeness>,
 ) -> Option<Shown> {
     let own = &cells[k];
@@ -195,13 +193,13 @@ fn covered<'p>(
         let hidden = shown[m].filter(|s| s.is_replaced);
         hidden.is_some_and(|s| pair(m, s.as_cell).is_some_and(|p| borders(p)[side] >= 2))
     });
-    if !goes_on {
+    if is_whole && !goes_on {
         return None;
     }
     let of = |along: &dyn Fn(&Cell) -> bool| {
         let clean = (0..cells.len()).filter(|m| along(&cells[*m]));
         let cores = clean.filter_map(|m| shown[m].filter(|s| !s.is_replaced).map(|s| s.as_cell));
-        let cores: Vec<usize> = cores.filter(|core| pair(k, *core).is_some()).collect();
+        let cores: Vec<usize> = cores.filter(|core| are_equal(own, &cells[*core])).collect();
         let most = cores.iter().copied().max_by_key(|core| {
             (
                 cores.iter().filter(|c| *c == core).count(),
@@ -211,6 +209,7 @@ fn covered<'p>(
         (2 * cores.iter().filter(|c| **c == most).count() > cores.len()).then_some(most)
     };
     let core = of(&|c| c.column == own.column).or_else(|| of(&|c| c.row == own.row))?;
-    let likeness = pair(k, core).filter(|p| p.share >= COVERED && !is_even(p))?;
-    Some(standing(Some(likeness), core, true))
+    let likeness = pair(k, core);
+    let agrees = likeness.is_some_and(|p| p.share >= COVERED && !is_even(p));
+    (!is_whole || agrees).then(|| standing(likeness, core, true))
 }

@@ -47,6 +47,9 @@ pub struct Light {
 /// The least and the most by which light is corrected.
 pub const CORRECTED: (f64, f64) = (0.5, 3.0);
 
+/// A part as it is seen: its group, its place across and down, and the logarithm of its brightness.
+pub type Seen = (usize, f64, f64, f64);
+
 impl Light {
     /// The logarithm of the light at a place, parts of the wall from its upper left corner.
     pub fn at(&self, u: f64, v: f64) -> f64 {
@@ -63,9 +66,9 @@ impl Light {
     }
 
     /// The light that explains brightnesses best: group, place, logarithm. What is of one group would be equally bright.
-    pub fn fitted(seen: &[(usize, f64, f64, f64)]) -> Light {
+    pub fn fitted(seen: &[Seen]) -> Light {
         let groups = seen.iter().map(|s| s.0 + 1).max().unwrap_or(0);
-        let mean = |of: &dyn Fn(&(usize, f64, f64, f64)) -> f64, group: usize| {
+        let mean = |of: &dyn Fn(&Seen) -> f64, group: usize| {
             let own: Vec<f64> = seen.iter().filter(|s| s.0 == group).map(of).collect();
             own.iter().sum::<f64>() / own.len().max(1) as f64
         };
