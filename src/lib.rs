@@ -23,7 +23,7 @@
 //! | `cli` | the program `hsd` |
 //! | `view` | `hsd view`, `hsd render` |
 //! | `drawings` | plans, elevations, sections to scale |
-//! | `plans` | houses out of drawn floor plans |
+//! | `plans` | houses out of drawn floor plans, fronts out of photographs |
 //! | `lsp` | `hsd lsp` |
 //! | `compress` (off by default, needs C++) | models for the web |
 //! | `geopackage` (off by default, needs C) | maps in GeoPackage |
@@ -138,6 +138,9 @@ pub mod tiles;
 #[cfg(feature = "plans")]
 #[doc(hidden)]
 pub mod plan;
+#[cfg(feature = "plans")]
+#[doc(hidden)]
+pub mod front;
 #[cfg(any(feature = "plans", feature = "view"))]
 #[doc(hidden)]
 pub mod plan_file;

@@ -1,6 +1,7 @@
 //! The program as its users run it.
 
 mod draw;
+mod facade;
 mod fmt;
 mod folders;
 mod languages;

@@ -83,6 +83,12 @@ const WITHOUT_FIXTURE: &[(u16, &str)] = &[
     (1204, "a picture: tests/plans.rs"),
     (1205, "a legend: tests/plans.rs"),
     (1206, "a picture: tests/plans.rs"),
+    (1301, "a photograph: tests/cli/facade.rs"),
+    (1302, "a photograph: tests/cli/facade.rs"),
+    (1303, "a photograph: tests/cli/facade.rs"),
+    (1304, "a photograph: tests/cli/facade.rs"),
+    (1305, "a photograph: tests/cli/facade.rs"),
+    (1306, "a photograph: tests/cli/facade.rs"),
 ];
 
 /// Codes whose page shows no text that can be run, and why.
@@ -163,6 +169,12 @@ const WITHOUT_EXAMPLE: &[(u16, &str)] = &[
     (1204, "a picture, no text of a house"),
     (1205, "a legend, no text of a house"),
     (1206, "a picture, no text of a house"),
+    (1301, "a photograph, no text of a house"),
+    (1302, "a photograph, no text of a house"),
+    (1303, "a photograph, no text of a house"),
+    (1304, "a photograph, no text of a house"),
+    (1305, "a photograph, no text of a house"),
+    (1306, "a photograph, no text of a house"),
 ];
 
 /// Messages of layouts are said by `hsd fmt` alone; they have their own fixtures and test, in tests/convert.rs.

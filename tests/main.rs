@@ -31,6 +31,7 @@ mod fixtures;
 mod fmt;
 mod ide;
 mod joined;
+mod fronts;
 mod ground;
 mod heights;
 mod joins;

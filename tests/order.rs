@@ -35,6 +35,7 @@ const ORDER: &[(&str, Part)] = &[
     ("survey", Shell),
     ("tiles", Shell),
     ("plan", Shell),
+    ("front", Shell),
     ("plan_file", Shell),
     ("drawing", Shell),
     ("facade", Shell),

@@ -1,6 +1,7 @@
 //! `hsd build`: builds 3D models from house files.
 
 mod bake;
+pub(in crate::cli) mod facade;
 mod format;
 pub(in crate::cli) mod draw;
 mod job;

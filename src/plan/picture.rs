@@ -36,28 +36,23 @@ impl Picture {
     /// # Errors
     /// If it is none, damaged or too large.
     pub fn decode(bytes: &[u8]) -> Result<Picture, Unreadable> {
-        let damaged = |e: &ImageError| Unreadable::Damaged(e.to_string());
-        let mut reader = ImageReader::new(Cursor::new(bytes))
-            .with_guessed_format()
-            .map_err(|_| Unreadable::Format)?;
-        let format = reader.format().ok_or(Unreadable::Format)?;
-        if format == ImageFormat::Jpeg && !is_whole(bytes) {
-            return Err(Unreadable::Damaged(
-                "the picture ends before its end mark".to_owned(),
-            ));
-        }
-        let mut limits = Limits::default();
-        limits.max_alloc = Some(1 << 30);
-        reader.limits(limits);
-        let mut decoder = reader.into_decoder().map_err(|e| refused(&e))?;
-        let (width, height) = decoder.dimensions();
-        if u64::from(width) * u64::from(height) > MOST {
-            return Err(Unreadable::TooLarge);
-        }
-        let orientation = decoder.orientation().map_err(|e| damaged(&e))?;
-        let mut image = DynamicImage::from_decoder(decoder).map_err(|e| refused(&e))?;
-        image.apply_orientation(orientation);
-        Ok(Picture::of(image))
+        Ok(Picture::of(upright(bytes)?.0))
+    }
+
+    /// Decodes a photograph in its full size, with what its camera wrote (Exif).
+    ///
+    /// # Errors
+    /// If it is none, damaged or too large.
+    pub fn whole(bytes: &[u8]) -> Result<(Picture, Option<Vec<u8>>), Unreadable> {
+        let (image, exif) = upright(bytes)?;
+        let pixels = on_white(image);
+        Ok((
+            Picture {
+                pixels,
+                shrink: 1.0,
+            },
+            exif,
+        ))
     }
 
     fn of(image: DynamicImage) -> Picture {
@@ -74,6 +69,33 @@ impl Picture {
         let pixels = imageops::thumbnail(&pixels, size(pixels.width()), size(pixels.height()));
         Picture { pixels, shrink }
     }
+}
+
+/// The picture of a file, turned as its camera was held, and its Exif block.
+fn upright(bytes: &[u8]) -> Result<(DynamicImage, Option<Vec<u8>>), Unreadable> {
+    let damaged = |e: &ImageError| Unreadable::Damaged(e.to_string());
+    let mut reader = ImageReader::new(Cursor::new(bytes))
+        .with_guessed_format()
+        .map_err(|_| Unreadable::Format)?;
+    let format = reader.format().ok_or(Unreadable::Format)?;
+    if format == ImageFormat::Jpeg && !is_whole(bytes) {
+        return Err(Unreadable::Damaged(
+            "the picture ends before its end mark".to_owned(),
+        ));
+    }
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(1 << 30);
+    reader.limits(limits);
+    let mut decoder = reader.into_decoder().map_err(|e| refused(&e))?;
+    let (width, height) = decoder.dimensions();
+    if u64::from(width) * u64::from(height) > MOST {
+        return Err(Unreadable::TooLarge);
+    }
+    let exif = decoder.exif_metadata().ok().flatten();
+    let orientation = decoder.orientation().map_err(|e| damaged(&e))?;
+    let mut image = DynamicImage::from_decoder(decoder).map_err(|e| refused(&e))?;
+    image.apply_orientation(orientation);
+    Ok((image, exif))
 }
 
 fn refused(error: &ImageError) -> Unreadable {

@@ -25,7 +25,7 @@ use std::path::{Path, PathBuf};
 use values::{EraArg, Ken, Same, Side};
 
 mod sheets;
-mod values;
+pub(super) mod values;
 
 /// Metres in a shaku.
 const SHAKU: f64 = 10.0 / 33.0;

@@ -12,6 +12,7 @@ use crate::cli::files::terminal;
 use clap::builder::PossibleValue;
 use clap::{Arg, Command};
 use help::draw::DRAW;
+use help::facade::FACADE;
 use help::plan::PLAN;
 use help::town::TOWN;
 use help::{COMMANDS, COMMON, CommandHelp};
@@ -40,6 +41,7 @@ fn translated(mut command: Command, path: &str) -> Command {
         .chain(TOWN)
         .chain(DRAW)
         .chain(PLAN)
+        .chain(FACADE)
         .find(|w| w.path == path);
     let below = |name: &str| match path {
         "" | "help" => name.to_owned(),

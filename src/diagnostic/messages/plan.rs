@@ -1,6 +1,7 @@
 //! Messages about walls, outlines and storeys (HSD04xx).
 
 pub mod drawn;
+pub mod photographed;
 mod meeting;
 pub(crate) mod fixtures;
 pub(crate) mod rooms;

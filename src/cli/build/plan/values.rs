@@ -100,7 +100,7 @@ pub(super) fn degrees(text: &str) -> Result<f64, String> {
 }
 
 /// Four corners, clockwise from the upper left.
-pub(super) fn corners(text: &str) -> Result<[DVec2; 4], String> {
+pub(in crate::cli::build) fn corners(text: &str) -> Result<[DVec2; 4], String> {
     let points: Option<Vec<DVec2>> = text.split_whitespace().map(point).collect();
     let points = points.and_then(|p| <[DVec2; 4]>::try_from(p).ok());
     let Some(points) = points else {
@@ -111,10 +111,7 @@ pub(super) fn corners(text: &str) -> Result<[DVec2; 4], String> {
     };
     match (0..4).all(|k| turn(k) > 1.0) {
         true => Ok(points),
-        false => Err(
-            "the four points must go clockwise round the sheet, from its upper left corner"
-                .to_owned(),
-        ),
+        false => Err("the four points must go clockwise, from the upper left corner".to_owned()),
     }
 }
 

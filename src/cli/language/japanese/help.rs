@@ -2,6 +2,7 @@
 //! entries.
 
 pub(super) mod draw;
+pub(super) mod facade;
 pub(super) mod plan;
 pub(super) mod town;
 

@@ -1,0 +1,32 @@
+//! What is said of photographs: refusals.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagnostic::messages::plan::photographed as say;
+use crate::front::wall::Lost;
+use crate::front::{MOST_CELLS, Refused};
+use crate::plan::Unreadable;
+use crate::source::{Source, Span};
+
+/// Says why there is no front; `sources` are the photographs.
+pub(super) fn refused(sources: &[Source], why: Refused) -> Diagnostic {
+    match why {
+        Refused::Lost(photo, lost) => {
+            let span = sources[photo].span(0..0);
+            match lost {
+                Lost::Edges(edges) => say::few_edges(span, edges),
+                Lost::Meeting => say::no_meeting(span),
+                Lost::Sides(share) => say::no_sides(span, share),
+            }
+        }
+        Refused::Lattice => say::lattice(sources[0].span(0..0), MOST_CELLS),
+    }
+}
+
+/// Says that a photograph cannot be read; `span` is the photograph.
+pub(super) fn unreadable(span: Span, why: &Unreadable) -> Diagnostic {
+    match why {
+        Unreadable::Format => say::no_picture(span),
+        Unreadable::TooLarge => say::too_large(span),
+        Unreadable::Damaged(why) => say::damaged(span, why),
+    }
+}
