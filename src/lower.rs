@@ -86,6 +86,7 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
         platform: house.platform,
         finials: house.finials,
         puts: house.puts,
+        outdoors: house.outdoors,
         roofs,
     }
 }

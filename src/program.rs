@@ -74,6 +74,9 @@ pub struct House {
     /// Parts on the ground beside it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub puts: Vec<Put>,
+    /// What a town made in place of a house.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outdoors: Option<Box<crate::ast::Outdoors>>,
     /// Its age; `None` = no weathering.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub age: Option<Age>,

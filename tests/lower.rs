@@ -105,6 +105,7 @@ fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
         platform: None,
         finials: vec![],
         puts: vec![],
+        outdoors: None,
         roofs: Roofs::default().into(),
     };
     let mut out = Diagnostics::new();

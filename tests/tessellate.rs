@@ -127,6 +127,7 @@ fn building(storeys: Vec<Storey>) -> Building {
         platform: None,
         finials: vec![],
         puts: vec![],
+        outdoors: None,
         roofs: Roofs::default().into(),
     };
     Building {

@@ -220,6 +220,9 @@ pub struct Fittings {
     pub finials: Vec<Finial>,
     /// Parts on the ground beside it.
     pub puts: Vec<Put>,
+    /// What a town made in place of a house: a piece of road, trees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outdoors: Option<Box<super::Outdoors>>,
 }
 
 /// The posts, veranda and brackets of one storey.

@@ -1,7 +1,7 @@
 //! A town as written (docs/contract.md 10): layers of maps, and rules for what is made of their features. What stands
 //! in a `for` is evaluated for each feature, at its [`Site`].
 
-use super::{House, Value};
+use super::{House, Outdoor, Value};
 use crate::rng::Place;
 use crate::source::{Span, Spanned};
 use glam::DVec2;
@@ -30,6 +30,8 @@ pub struct Town {
     pub rules: Vec<Rule>,
     /// The layers that a `front` names.
     pub fronts: Vec<Spanned<String>>,
+    /// The layers of which a rule may make houses.
+    pub housed: Vec<String>,
     /// How its model is divided.
     pub tiles: Tiles,
 }
@@ -354,6 +356,15 @@ pub enum Made {
         span: Span,
         /// The reason.
         because: String,
+    },
+    /// What stands or lies outside houses.
+    Outdoor {
+        /// The place of the element.
+        span: Span,
+        /// Where it comes from.
+        evidence: String,
+        /// What is wanted.
+        wish: Outdoor,
     },
     /// Houses.
     Houses {

@@ -262,6 +262,7 @@ impl Key {
             platform: _,
             finials: _,
             puts: _,
+            outdoors: _,
             roofs,
         } = house;
         let Roofs {

@@ -3,6 +3,7 @@
 
 mod brackets;
 mod finial;
+mod outdoors;
 mod platform;
 mod shrine;
 mod sorin;

@@ -68,8 +68,14 @@ pub fn houses(
             .zip(names)
             .zip(&input.row_of)
             .map(|((built, name), row)| {
-                let known = attributes(&input.rows[*row as usize]);
-                built.map(|built| CityHouse::new(name, known, built))
+                let row = &input.rows[*row as usize];
+                let known = attributes(row);
+                let outdoors = built.and_then(|b| b.house.outdoors.as_deref());
+                let class = object(outdoors.map_or(&*row.kind, |outdoors| outdoors.word));
+                built.map(|built| match class {
+                    None => CityHouse::new(name, known, built),
+                    Some(class) => CityHouse::open(name, known, class),
+                })
             })
             .collect();
         for (lod, detail) in levels {
@@ -104,6 +110,18 @@ fn grounds(
         take(CityHouse::ground(id, known, shape))?;
     }
     Ok(())
+}
+
+/// Returns the class of what a rule made of a feature, by its type; `None` for a building.
+fn object(kind: &str) -> Option<&'static str> {
+    Some(match kind {
+        "road" => "Road",
+        "rail" => "Railway",
+        "tree" => "SolitaryVegetationObject",
+        "hedge" => "PlantCover",
+        "fence" | "wall" => "CityFurniture",
+        _ => return None,
+    })
 }
 
 /// Returns what is known of a feature; what is not known is left out.

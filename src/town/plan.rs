@@ -86,7 +86,7 @@ impl Plan {
             }
         }
         streets.insert(String::new(), all.finish());
-        let blocks = layers.iter().filter(|layer| !is_housed(&town, layer));
+        let blocks = layers.iter().filter(|layer| !is_ruled(&town, layer));
         Plan {
             blocks: Arc::new(Blocks::new(blocks)),
             town: Arc::new(town),
@@ -172,8 +172,8 @@ impl Plan {
     }
 
     /// Returns true if rules name a layer.
-    fn is_housed(&self, layer: usize) -> bool {
-        is_housed(&self.town, &self.layers[layer])
+    fn is_ruled(&self, layer: usize) -> bool {
+        is_ruled(&self.town, &self.layers[layer])
     }
 
     /// Returns true if no layer counts as streets.
@@ -188,7 +188,7 @@ impl Plan {
 
     /// Returns all features of layers that rules name, in the order of the file.
     pub fn lots(&self) -> Vec<LotId> {
-        let layers = (0..self.layers.len()).filter(|n| self.is_housed(*n));
+        let layers = (0..self.layers.len()).filter(|n| self.is_ruled(*n));
         layers
             .flat_map(|n| (0..self.layers[n].lots.len()).map(move |lot| (n, lot)))
             .collect()
@@ -243,9 +243,14 @@ impl Plan {
 }
 
 /// Returns true if rules name a layer.
-fn is_housed(town: &Town, layer: &Lots) -> bool {
+fn is_ruled(town: &Town, layer: &Lots) -> bool {
     let name = &layer.layer.name.value;
     town.rules.iter().any(|rule| rule.each.value == *name)
+}
+
+/// Returns true if rules may make houses of a layer.
+fn is_housed(town: &Town, layer: &Lots) -> bool {
+    is_ruled(town, layer) && town.housed.contains(&layer.layer.name.value)
 }
 
 /// Returns true if the streets of a town cannot depend on a layer without lines.

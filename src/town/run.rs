@@ -2,6 +2,7 @@
 //! feature depends on the town file, the feature and what stands round it; chunks only save time.
 
 mod maps;
+mod outdoors;
 
 pub use maps::{plan, plan_lodged};
 
@@ -206,8 +207,19 @@ fn record(
         let rule = made.rule + 1;
         let unit = match &made.made {
             Made::Houses { unit, .. } => unit.as_ref(),
-            Made::Skip { .. } => None,
+            Made::Skip { .. } | Made::Outdoor { .. } => None,
         };
+        if let Made::Outdoor { .. } = &made.made {
+            outdoors::enter(
+                made.made,
+                rule,
+                (site, &mut record),
+                (&layer, input),
+                houses,
+                found,
+            );
+            continue;
+        }
         let Some(unit) = unit else {
             let ring = lot.shape.ring();
             enter(made.made, rule, &mut record, (ring, &layer, input), houses);
@@ -236,6 +248,7 @@ fn enter(
     record.rule = rule;
     match made {
         Made::Skip { because, .. } => record.outcome = Outcome::Skipped(because),
+        Made::Outdoor { .. } => {}
         Made::Houses {
             kind,
             evidence,

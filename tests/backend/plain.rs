@@ -109,6 +109,7 @@ fn regions_are_written_as_documented() {
         platform: None,
         finials: vec![],
         puts: vec![],
+        outdoors: None,
         roofs: Default::default(),
     };
     let plan = StoreyPlan {

@@ -103,6 +103,7 @@ pub fn house(storeys: Vec<Vec<Ring>>) -> House {
         platform: None,
         finials: vec![],
         puts: vec![],
+        outdoors: None,
         roofs: Roofs::default().into(),
     }
 }

@@ -38,8 +38,12 @@ pub(super) fn build(
         ));
         file.push('\n');
     }
-    let (mut count, mut unwritten) = (0, vec![]);
+    let (mut count, mut open, mut unwritten) = (0, 0, vec![]);
     for house in town.by_ref() {
+        if house.house.fittings.outdoors.is_some() {
+            open += 1;
+            continue;
+        }
         let text = house.text.as_ref().map_or("", |text| text.text());
         if text.is_empty() {
             unwritten.push(house.name);
@@ -62,6 +66,13 @@ pub(super) fn build(
         let line = text!([first, number]
             "{number} houses cannot be written by themselves, the first of them `{first}`",
             "{number} 棟は単独のテキストにできません。最初は `{first}` です"
+        );
+        writeln!(io::stderr(), "{}", line.in_language(language)).map_err(failed)?;
+    }
+    if open > 0 {
+        let line = text!([open]
+            "{open} pieces of road, rows of trees and the like are no houses, and are left out",
+            "道や木などの {open} 件は建物ではないため書きません"
         );
         writeln!(io::stderr(), "{}", line.in_language(language)).map_err(failed)?;
     }

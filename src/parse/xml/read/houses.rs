@@ -8,6 +8,7 @@ use crate::parse::over;
 use crate::parse::schema;
 use crate::parse::schema::vocabulary::ANCHORS;
 use crate::parse::schema::{Schema, Tag};
+use crate::parse::xml::language::RuleFacts;
 use crate::parse::xml::read::{AllowedChild, Attributes, Reader};
 use crate::parse::xml::tree::{Child, Element, MEANT};
 use crate::source::Spanned;
@@ -29,9 +30,9 @@ impl<'t> Reader<'t, '_> {
     pub(in crate::parse::xml) fn houses(
         &mut self,
         parts: &mut Vec<WrittenPart>,
-        (town, fronts): (&mut Option<Box<Town>>, Vec<Spanned<String>>),
+        (town, facts): (&mut Option<Box<Town>>, RuleFacts),
     ) -> Vec<House> {
-        let mut fronts = Some(fronts);
+        let mut facts = Some(facts);
         let mut houses = vec![];
         for node in self.roots() {
             let AllowedChild::Element(schema, element) = node else {
@@ -41,8 +42,8 @@ impl<'t> Reader<'t, '_> {
                 Tag::House => houses.push(self.house(schema, element)),
                 Tag::Structure => houses.push(self.lone_structure(schema, element)),
                 Tag::Town => {
-                    let fronts = fronts.take().unwrap_or_default();
-                    *town = Some(Box::new(self.town(schema, element, fronts)));
+                    let facts = facts.take().unwrap_or_default();
+                    *town = Some(Box::new(self.town(schema, element, facts)));
                 }
                 Tag::Catalog => {
                     self.attributes(schema, element);

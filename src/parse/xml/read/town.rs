@@ -8,6 +8,7 @@ use crate::diagnostic::messages::{town, xml as say};
 use crate::diagnostic::noun;
 use crate::parse::schema;
 use crate::parse::schema::{Schema, Tag};
+use crate::parse::xml::language::RuleFacts;
 use crate::parse::xml::read::houses::Around;
 use crate::parse::xml::read::{AllowedChild, Attributes, Reader};
 use crate::parse::xml::tree::{Child, Element};
@@ -21,7 +22,7 @@ impl<'t> Reader<'t, '_> {
         &mut self,
         schema: &'static Schema,
         element: &'t Element<'t>,
-        fronts: Vec<Spanned<String>>,
+        facts: RuleFacts,
     ) -> Town {
         let of = self.attributes(schema, element);
         let origin = self.point(&of, "origin");
@@ -32,7 +33,8 @@ impl<'t> Reader<'t, '_> {
             seed: self.whole_number(&of, "seed").map_or(0, |seed| seed.value),
             origin,
             geoid: self.yes_no(&of, "geoid").is_some_and(|g| g.value),
-            fronts,
+            fronts: facts.fronts,
+            housed: facts.housed,
             ..Town::default()
         };
         for node in self.children(element, schema.content()) {
@@ -249,6 +251,13 @@ impl<'t> Reader<'t, '_> {
                     all.push(Made::Skip {
                         span: self.start(child),
                         because: of_child("because"),
+                    });
+                }
+                Tag::Road | Tag::Rail | Tag::Tree | Tag::Fence | Tag::Hedge | Tag::Wall => {
+                    all.push(Made::Outdoor {
+                        span: self.start(child),
+                        evidence: of_child("evidence"),
+                        wish: self.outdoor(schema, child),
                     });
                 }
                 Tag::Place | Tag::House | Tag::Rear => {
