@@ -3,11 +3,13 @@
 mod blocks;
 mod key;
 mod lodged;
+mod roads;
 mod shelves;
 
 pub use key::TileKey;
 pub(in crate::town) use lodged::Lodger;
 pub use lodged::{Lodged, LodgedTile, Lodging};
+pub use roads::{BORDERS, RoadPiece, Roads};
 pub(in crate::town) use shelves::Shelves;
 
 use super::frontage::first_front;
@@ -45,6 +47,8 @@ pub struct Plan {
     /// The streets of each layer of streets, by name; the empty name stands for all that count by default.
     streets: Arc<BTreeMap<String, Streets>>,
     blocks: Arc<Blocks>,
+    /// The roads that its rules make; none if they make none, or by a definition that they use.
+    pub roads: Arc<Roads>,
     /// Its features, if they wait in a spool: then no layer has any.
     pub lodged: Option<Lodged>,
     /// Outlines on which houses may stand: layer and feature.
@@ -95,6 +99,7 @@ impl Plan {
             ground: Arc::default(),
             unjoined: vec![],
             streets: Arc::new(streets),
+            roads: Arc::default(),
             lodged: None,
             outlines: vec![],
             index: Grid::default(),
@@ -125,6 +130,7 @@ impl Plan {
             unjoined: vec![],
             streets: self.streets.clone(),
             blocks: self.blocks.clone(),
+            roads: self.roads.clone(),
             lodged: None,
             outlines,
             layers,

@@ -111,8 +111,8 @@ impl Iterator for TownHouses<'_> {
     }
 }
 
-/// Evaluates some features of a town, or of a part of one.
-pub fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
+/// Returns an empty cache of the files that rules read.
+fn cache(input: TownInput<'_>) -> SourceCache {
     let limits = &input.options.expand.limits;
     let first = input.source.id().0 as usize + 1;
     let cache = SourceCache::new(first, limits.includes, limits.included_bytes);
@@ -120,16 +120,31 @@ pub fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
     for template in TYPES.iter().chain(EXAMPLES) {
         let _ = cache.add_own(&template.source_name(), template.text().as_bytes());
     }
-    let values = Values::default();
-    let setting = parse::ReadContext {
-        limits: *limits,
+    cache
+}
+
+/// Returns what rules are read with.
+fn context<'a>(
+    input: TownInput<'a>,
+    cache: &'a SourceCache,
+    values: &'a Values,
+) -> parse::ReadContext<'a> {
+    parse::ReadContext {
+        limits: input.options.expand.limits,
         parameters: &input.options.parameters,
         seed: input.options.expand.seed,
         world: input.world,
-        cache: &cache,
-        values: input.options.notes_values.then_some(&values),
+        cache,
+        values: input.options.notes_values.then_some(values),
         before: None,
-    };
+    }
+}
+
+/// Evaluates some features of a town, or of a part of one.
+pub fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
+    let limits = &input.options.expand.limits;
+    let (cache, values) = (cache(input), Values::default());
+    let setting = context(input, &cache, &values);
     let sites: Vec<LotSite<'_>> = lots.iter().map(|id| LotSite::new(plan, *id)).collect();
     let features: Vec<FeatureOf<'_>> = sites
         .iter()

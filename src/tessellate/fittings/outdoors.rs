@@ -25,10 +25,14 @@ const TRUNK: [f64; 2] = [0.022, 0.012];
 impl Walker<'_> {
     /// Adds the nodes of what a town made in place of a house.
     pub(in crate::tessellate) fn outdoors(&mut self, root: NodeId, it: &Outdoors) {
-        let (detail, lift) = (self.detail, self.detail.ground_tolerance());
+        let detail = self.detail;
         let mut bodies = Bodies::default();
         for sheet in it.sheets.iter().filter(|sheet| sheet.least <= detail as u8) {
-            lay(&mut bodies, sheet, if sheet.on_ground { lift } else { 0.0 });
+            let lift = match sheet.on_ground {
+                true => detail.ground_tolerance(),
+                false => lift(detail),
+            };
+            lay(&mut bodies, sheet, lift);
         }
         let mesh = self.own(it.word, bodies);
         if mesh.is_some() {
@@ -53,6 +57,15 @@ impl Walker<'_> {
                 size: [tree.width as f32, tree.height as f32],
             });
         }
+    }
+}
+
+/// Returns how far sheets are raised over a plane, metres: from afar, viewers cannot tell them from what they lie on.
+fn lift(detail: Detail) -> f64 {
+    match detail {
+        Detail::Body => 0.12,
+        Detail::Flat => 0.03,
+        Detail::Openings | Detail::Everything => 0.0,
     }
 }
 

@@ -1,16 +1,61 @@
 //! Enters what a rule makes beside houses: pieces of road, trees, fences.
 
-use super::name;
+use super::{CHUNK, cache, context, name};
+use crate::ast::Outdoor;
 use crate::ast::town::{Made, Site};
 use crate::diagnostic::messages::town as say;
 use crate::diagnostic::{Diagnostics, Origin};
 use crate::driver::FeatureHouse;
+use crate::parse::Values;
+use crate::parse::xml::{self, FeatureOf, Trees};
 use crate::rng::Place;
-use crate::town::TownInput;
 use crate::town::decision::{Outcome, Record};
+use crate::town::plan::{LotId, RoadPiece, Roads};
 use crate::town::site::LotSite;
 use crate::town::text;
+use crate::town::{Plan, TownInput};
+use rayon::prelude::*;
 use std::sync::Arc;
+
+/// Finds the roads that rules make of lines, so that each knows those that it meets. What is wrong with a rule is told when its
+/// features are evaluated.
+pub(super) fn roads(input: TownInput<'_>, plan: &Plan) -> Roads {
+    let makes = |layer: &usize| {
+        plan.town
+            .roads
+            .contains(&plan.layers[*layer].layer.name.value)
+    };
+    let layers = (0..plan.layers.len()).filter(makes);
+    let lots = layers.flat_map(|layer| (0..plan.layers[layer].lots.len()).map(move |n| (layer, n)));
+    let lots: Vec<LotId> = lots.collect();
+    let pieces = lots.par_chunks(CHUNK).flat_map_iter(|lots| {
+        let (cache, values) = (cache(input), Values::default());
+        let sites: Vec<LotSite<'_>> = lots.iter().map(|id| LotSite::new(plan, *id)).collect();
+        let features = sites.iter().zip(lots).map(|(site, (layer, _))| FeatureOf {
+            layer: &plan.layers[*layer].layer.name.value,
+            site,
+        });
+        let features: Vec<FeatureOf<'_>> = features.collect();
+        let setting = context(input, &cache, &values);
+        let (mut trees, mut unsaid) = (Trees::default(), Diagnostics::new());
+        let wanted = (&*features, false);
+        let (made, _) = xml::features(input.source, setting, &mut trees, wanted, &mut unsaid);
+        let pieces = made.into_iter().zip(&sites).flat_map(|(made, site)| {
+            let roads = made.made.into_iter().filter_map(|made| match made.made {
+                Made::Outdoor {
+                    wish: Outdoor::Road(road),
+                    ..
+                } => Some(road),
+                _ => None,
+            });
+            roads
+                .flat_map(|road| site.road_pieces(&road))
+                .collect::<Vec<_>>()
+        });
+        pieces.collect::<Vec<RoadPiece>>()
+    });
+    Roads::new(pieces.collect())
+}
 
 /// Lays what was made on the ground and records it. A feature that bears a house keeps the type of that in its record.
 pub(super) fn enter(

@@ -12,6 +12,8 @@ pub(in crate::parse::xml) struct RuleFacts {
     pub(in crate::parse::xml) fronts: Vec<Spanned<String>>,
     /// The layers of which they may make houses.
     pub(in crate::parse::xml) housed: Vec<String>,
+    /// The layers of which they may make roads.
+    pub(in crate::parse::xml) roads: Vec<String>,
 }
 
 impl<'a> Expander<'a, '_> {
@@ -31,6 +33,15 @@ impl<'a> Expander<'a, '_> {
             }
         }
     }
+}
+
+/// Returns true if a rule writes a road.
+pub(super) fn has_road(of: &ElementRef<'_, '_>) -> bool {
+    of.tag() == Some(Tag::Road)
+        || of.element().children.iter().any(|child| match child {
+            Child::Element(index) => has_road(&of.child(*index)),
+            Child::Text(_) => false,
+        })
 }
 
 /// Returns true if a rule makes something, but can make no house.

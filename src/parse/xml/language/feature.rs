@@ -6,7 +6,7 @@
 
 use super::super::tree::{Element, Tree};
 use super::draws::Open;
-use super::facts::{RuleFacts, is_outdoors};
+use super::facts::{RuleFacts, has_road, is_outdoors};
 use super::scope::Frame;
 use super::{ElementRef, Expander, Scope};
 use crate::ast::Value;
@@ -199,9 +199,12 @@ impl<'a, 'f> Expander<'a, 'f> {
             .push(super::Child::Element(made));
         self.fronts_in(element_ref);
         if let Some(layer) = layer {
+            let (name, facts) = (layer.as_str().trim().to_owned(), &mut self.feature.facts);
             if !is_outdoors(element_ref) {
-                let housed = &mut self.feature.facts.housed;
-                housed.push(layer.as_str().trim().to_owned());
+                facts.housed.push(name.clone());
+            }
+            if has_road(element_ref) {
+                facts.roads.push(name);
             }
             self.feature.rules.push(Rule {
                 tree: Rc::clone(element_ref.tree),

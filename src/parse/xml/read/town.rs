@@ -35,6 +35,7 @@ impl<'t> Reader<'t, '_> {
             geoid: self.yes_no(&of, "geoid").is_some_and(|g| g.value),
             fronts: facts.fronts,
             housed: facts.housed,
+            roads: facts.roads,
             ..Town::default()
         };
         for node in self.children(element, schema.content()) {

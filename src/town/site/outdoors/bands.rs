@@ -2,6 +2,7 @@
 //! there, and among equals by the wider street.
 
 use crate::geometry::clip::without;
+use crate::town::plan::BORDERS;
 use crate::town::shape::Segment;
 use glam::DVec2;
 use std::f64::consts::PI;
@@ -10,9 +11,6 @@ use std::f64::consts::PI;
 const MEETS: f64 = 0.05;
 /// The corners of a rounded end.
 const CORNERS: usize = 4;
-/// The number of borders of a way: its side, the inside of its pavement, that of its drain.
-pub(super) const BORDERS: usize = 3;
-
 /// A straight piece of a way with bands.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Way {
@@ -20,8 +18,6 @@ pub(super) struct Way {
     pub(super) line: Segment,
     /// The distance of its borders from the middle, from the outside inwards, metres.
     pub(super) half: [f64; BORDERS],
-    /// Half the width by which it is ranked among ways that cross.
-    pub(super) rank: f64,
     /// True if it belongs to the feature.
     pub(super) own: bool,
 }
@@ -31,7 +27,7 @@ impl Way {
     fn over(&self, other: &Way) -> bool {
         let place = |way: &Way| {
             let (p, q) = (way.line.from, way.line.to);
-            [way.rank, p.x, p.y, q.x, q.y]
+            [way.half[0], p.x, p.y, q.x, q.y]
         };
         place(self) > place(other)
     }
@@ -48,12 +44,8 @@ impl Ways {
     pub(super) fn new(ways: Vec<Way>) -> Ways {
         let rings = |way: &Way| {
             let ends = [way.line.from, way.line.to].map(|end| goes_on(&ways, way, end));
-            let mut last = f64::NAN;
-            way.half.map(|half| {
-                let ring = (half > 0.01).then(|| rounded(way.line, half, ends));
-                last = half;
-                ring
-            })
+            way.half
+                .map(|half| (half > 0.01).then(|| rounded(way.line, half, ends)))
         };
         let rings = ways.iter().map(rings).collect();
         Ways { ways, rings }

@@ -1,11 +1,12 @@
 //! Railways along lines: ballast, whole numbers of sleepers, two rails.
 
-use super::bands::{BORDERS, Way, Ways};
+use super::bands::{Way, Ways};
 use super::{Laid, LotSite, STEP, edges, lines, segments, told};
 use crate::ast::Railway;
 use crate::diagnostic::Text;
 use crate::source::Span;
 use crate::text;
+use crate::town::plan::BORDERS;
 
 /// How far ballast reaches outside the rails on either side, metres.
 const BALLAST: f64 = 0.95;
@@ -15,6 +16,8 @@ const HEIGHTS: [f64; 3] = [0.06, 0.08, 0.19];
 const SLEEPERS: f64 = 0.65;
 /// A sleeper: its length beyond the gauge, and its width, metres.
 const SLEEPER: [f64; 2] = [1.0, 0.22];
+/// Wider than half of any road, metres.
+const WIDEST: f64 = 1000.0;
 /// The width of the head of a rail, metres.
 const RAIL: f64 = 0.07;
 
@@ -29,15 +32,13 @@ impl LotSite<'_> {
         let own = ways.iter().flat_map(|way| segments(way)).map(|line| Way {
             line,
             half: [half; BORDERS],
-            rank: 0.0,
             own: true,
         });
-        // Roads cross over the ballast.
-        let roads = self.street_pieces().into_iter().filter(|p| p.half > 0.0);
-        let roads = roads.map(|piece| Way {
-            line: piece.line,
-            half: [piece.half; BORDERS],
-            rank: piece.half,
+        // Roads cross over the ballast, whatever their width.
+        let roads = self.plan.roads.near(self.lot().shape.bounds(), half);
+        let roads = roads.map(|road| Way {
+            line: road.line,
+            half: [road.half[0] + WIDEST, road.half[0], road.half[0]],
             own: false,
         });
         let all = Ways::new(own.chain(roads).collect());

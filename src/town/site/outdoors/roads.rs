@@ -1,6 +1,6 @@
 //! Roads: a carriageway with pavements or drains along lines, or the surface of an area.
 
-use super::bands::{BORDERS, Way, Ways};
+use super::bands::{Way, Ways};
 use super::{Laid, LotSite, STEP, edges, lines, segments, told};
 use crate::ast::{Road, Sheet, Surface, Value};
 use crate::diagnostic::Text;
@@ -9,7 +9,8 @@ use crate::source::Span;
 use crate::text;
 use crate::town::grid::{meet, wider};
 use crate::town::layer::Shape;
-use crate::town::shape::area;
+use crate::town::plan::{BORDERS, RoadPiece};
+use crate::town::shape::{Segment, area};
 use crate::town::street::{Piece, class_width};
 use glam::DVec2;
 
@@ -41,10 +42,8 @@ impl LotSite<'_> {
                 "道には線か面が要ります"
             ));
         }
-        let pieces = self.street_pieces();
-        let usual = self.usual_width(&pieces, &ways);
-        let width = wish.width.unwrap_or(usual);
-        let around = self.around_road(wish, (width, usual), &pieces, &ways);
+        let width = self.width(wish, &ways);
+        let around = self.around_road(wish, width, &ways);
         let all = Ways::new(around);
         let rings: Vec<Vec<Vec<DVec2>>> = (0..BORDERS).map(|border| all.band(border)).collect();
         let mut sheets = vec![];
@@ -77,6 +76,23 @@ impl LotSite<'_> {
         Ok(self.laid(wish, (width, span), sheets))
     }
 
+    /// Returns the pieces of a road that is made of the lines of the feature.
+    pub fn road_pieces(&self, wish: &Road) -> Vec<RoadPiece> {
+        let ways = self.ways();
+        if ways.is_empty() {
+            return vec![];
+        }
+        let half = borders(wish, self.width(wish, &ways) / 2.0);
+        let lines = ways.iter().flat_map(|way| segments(way));
+        lines.map(|line| RoadPiece { line, half }).collect()
+    }
+
+    /// Returns the width of the road, metres.
+    fn width(&self, wish: &Road, ways: &[Vec<DVec2>]) -> f64 {
+        wish.width
+            .unwrap_or_else(|| self.usual_width(&self.street_pieces(), ways))
+    }
+
     /// Returns the width of the road as the map has it, or that of its class, metres.
     fn usual_width(&self, pieces: &[Piece], ways: &[Vec<DVec2>]) -> f64 {
         let own = ways.iter().flat_map(|way| segments(way));
@@ -100,36 +116,42 @@ impl LotSite<'_> {
             })
     }
 
-    /// Returns the ways of the feature and the streets round them.
-    fn around_road(
-        &self,
-        wish: &Road,
-        (width, usual): (f64, f64),
-        pieces: &[Piece],
-        ways: &[Vec<DVec2>],
-    ) -> Vec<Way> {
-        let own = ways.iter().flat_map(|way| segments(way)).map(|line| Way {
-            line,
-            half: borders(wish, width / 2.0),
-            rank: usual / 2.0,
-            own: true,
-        });
-        let mut all: Vec<Way> = own.collect();
+    /// Returns the ways of the feature and the roads round them. Those that no rule makes visibly are like this one.
+    fn around_road(&self, wish: &Road, width: f64, ways: &[Vec<DVec2>]) -> Vec<Way> {
+        let half = borders(wish, width / 2.0);
+        let own = ways.iter().flat_map(|way| segments(way));
+        let mut all: Vec<Way> = own
+            .map(|line| Way {
+                line,
+                half,
+                own: true,
+            })
+            .collect();
         let mine: Vec<_> = all.iter().map(|way| way.line).collect();
-        let others = pieces
-            .iter()
-            .filter(|p| p.half > 0.0 && p.line.length() > 0.01);
-        let others = others.filter(|piece| !mine.contains(&piece.line));
+        let bounds = self.lot().shape.bounds();
+        let others: Vec<RoadPiece> = match self.plan.roads.is_empty() {
+            false => self.plan.roads.near(bounds, width + BESIDE).collect(),
+            true => {
+                let streets = self
+                    .street_pieces()
+                    .into_iter()
+                    .filter(|piece| piece.half > 0.0);
+                let like = streets.map(|piece| RoadPiece {
+                    line: piece.line,
+                    half: borders(wish, piece.half),
+                });
+                like.collect()
+            }
+        };
         // A long road has a wide box, and few of the pieces in it beside itself.
-        let others = others.filter(|piece| {
-            let far = piece.half + width / 2.0 + BESIDE;
-            mine.iter()
-                .any(|own| meet(wider(own.bounds(), far), piece.line.bounds()))
+        let beside = others.into_iter().filter(|piece| {
+            let far = piece.half[0] + width / 2.0 + BESIDE;
+            let near = |own: &Segment| meet(wider(own.bounds(), far), piece.line.bounds());
+            piece.line.length() > 0.01 && !mine.contains(&piece.line) && mine.iter().any(near)
         });
-        all.extend(others.map(|piece| Way {
-            line: piece.line,
-            half: borders(wish, piece.half),
-            rank: piece.half,
+        all.extend(beside.map(|RoadPiece { line, half }| Way {
+            line,
+            half,
             own: false,
         }));
         all
