@@ -132,6 +132,17 @@ pub struct Table {
     pub key: Spanned<String>,
 }
 
+/// What the rules of a town say before they are evaluated.
+#[derive(Debug, Default)]
+pub struct RuleFacts {
+    /// The words of `front` in them.
+    pub fronts: Vec<Spanned<String>>,
+    /// The layers of which they may make houses.
+    pub housed: Vec<String>,
+    /// The layers of which they may make roads.
+    pub roads: Vec<String>,
+}
+
 /// A `for`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Rule {

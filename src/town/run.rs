@@ -219,22 +219,15 @@ fn record(
     }
     let mut behind = vec![];
     for made in made.made {
+        let own = (site, &mut record);
+        let Some(made) = outdoors::enter(made, own, (&layer, input), houses, found) else {
+            continue;
+        };
         let rule = made.rule + 1;
         let unit = match &made.made {
             Made::Houses { unit, .. } => unit.as_ref(),
-            Made::Skip { .. } | Made::Outdoor { .. } => None,
+            _ => None,
         };
-        if let Made::Outdoor { .. } = &made.made {
-            outdoors::enter(
-                made.made,
-                rule,
-                (site, &mut record),
-                (&layer, input),
-                houses,
-                found,
-            );
-            continue;
-        }
         let Some(unit) = unit else {
             let ring = lot.shape.ring();
             enter(made.made, rule, &mut record, (ring, &layer, input), houses);

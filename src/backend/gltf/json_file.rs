@@ -1,11 +1,13 @@
 //! The JSON and the buffer of a `.glb` in memory whose arrays have views of their own, as tables of features want them.
 
-use super::tile::models::INSTANCES;
 use glam::DVec3;
 use serde_json::{Value, json};
 
 /// The extension of packed views.
 const MESHOPT: &str = "EXT_meshopt_compression";
+
+/// The extension that puts a mesh up many times, and that which names the feature of each.
+pub(super) const INSTANCES: [&str; 2] = ["EXT_mesh_gpu_instancing", "EXT_instance_features"];
 
 /// Returns an accessor of a whole view.
 pub(super) fn accessor(view: usize, component: u32, count: usize, kind: &str) -> Value {

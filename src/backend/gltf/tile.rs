@@ -5,7 +5,7 @@
 //! millimetre. Normals are bytes (`KHR_mesh_quantization`); at detail 0 there are none, and readers shade flat. Packed tiles have
 //! the same arrays in `EXT_meshopt_compression`.
 
-pub(super) mod models;
+mod models;
 #[cfg(feature = "compress")]
 mod packed;
 

@@ -7,7 +7,7 @@ use crate::diagnostic::messages::town as say;
 use crate::diagnostic::{Diagnostics, Origin};
 use crate::driver::FeatureHouse;
 use crate::parse::Values;
-use crate::parse::xml::{self, FeatureOf, Trees};
+use crate::parse::xml::{self, FeatureOf, RuleMade, Trees};
 use crate::rng::Place;
 use crate::town::decision::{Outcome, Record};
 use crate::town::plan::{LotId, RoadPiece, Roads};
@@ -57,22 +57,23 @@ pub(super) fn roads(input: TownInput<'_>, plan: &Plan) -> Roads {
     Roads::new(pieces.collect())
 }
 
-/// Lays what was made on the ground and records it. A feature that bears a house keeps the type of that in its record.
+/// Lays what was made on the ground and records it; what is no matter of the ground comes back. A feature that bears a house
+/// keeps the type of that in its record.
 pub(super) fn enter(
-    made: Made,
-    rule: usize,
+    made: RuleMade,
     (site, record): (&LotSite<'_>, &mut Record),
     (layer, input): (&Arc<str>, TownInput<'_>),
     houses: &mut Vec<FeatureHouse>,
     found: &mut Diagnostics,
-) {
+) -> Option<RuleMade> {
+    let rule = made.rule + 1;
     let Made::Outdoor {
         span,
         evidence,
         wish,
-    } = made
+    } = made.made
     else {
-        return;
+        return Some(made);
     };
     let origin = || Origin::Feature {
         layer: layer.clone(),
@@ -91,7 +92,7 @@ pub(super) fn enter(
                 record.rule = rule;
                 record.outcome = Outcome::Refused(why);
             }
-            return;
+            return None;
         }
     };
     for house in laid.houses {
@@ -119,11 +120,12 @@ pub(super) fn enter(
         record.kind = wish.word().to_owned();
         record.evidence = evidence;
         record.parameters = laid.parameters;
-        return;
+        return None;
     }
     // What stands there beside the first has its word before its parameters.
     let word = wish.word();
     let more = laid.parameters.into_iter();
     let more = more.map(|(name, value)| (format!("{word}_{name}"), value));
     record.parameters.extend(more);
+    None
 }

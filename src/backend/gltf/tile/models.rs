@@ -3,15 +3,11 @@
 
 use super::{Pose, TANGENT, byte};
 use crate::backend::gltf::arrays::{MaterialRef, bounds, turned, write_floats};
-use crate::backend::gltf::json_file::{File, accessor};
+use crate::backend::gltf::json_file::{File, INSTANCES, accessor};
 use crate::backend::gltf::shading::{tangents, unit};
 use crate::scene::{Primitive, Stretched};
 use glam::{DVec3, Vec3};
 use serde_json::{Map, Value, json};
-
-/// The extension that puts a mesh up many times, and that which names the feature of each.
-pub(in crate::backend::gltf) const INSTANCES: [&str; 2] =
-    ["EXT_mesh_gpu_instancing", "EXT_instance_features"];
 
 /// The models of a tile.
 #[derive(Default)]

@@ -69,17 +69,23 @@ pub(super) fn build(
         );
         writeln!(io::stderr(), "{}", line.in_language(language)).map_err(failed)?;
     }
-    if open > 0 {
-        let line = text!([open]
-            "{open} pieces of road, rows of trees and the like are no houses, and are left out",
-            "道や木などの {open} 件は建物ではないため書きません"
-        );
-        writeln!(io::stderr(), "{}", line.in_language(language)).map_err(failed)?;
-    }
+    left_out(open, language).map_err(failed)?;
     if !quiet {
         summary(path, &ledger, count, language).map_err(failed)?;
     }
     Ok((ledger.incomplete || !unwritten.is_empty(), included, out))
+}
+
+/// Prints how many things are no houses.
+fn left_out(open: usize, language: Language) -> io::Result<()> {
+    if open == 0 {
+        return Ok(());
+    }
+    let line = text!([open]
+        "{open} pieces of road, rows of trees and the like are no houses, and are left out",
+        "道や木などの {open} 件は建物ではないため書きません"
+    );
+    writeln!(io::stderr(), "{}", line.in_language(language))
 }
 
 /// Prints what was written.

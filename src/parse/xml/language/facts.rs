@@ -5,17 +5,6 @@ use super::{ElementRef, Expander};
 use crate::parse::schema::Tag;
 use crate::source::Spanned;
 
-/// What the rules of a town say before they are evaluated.
-#[derive(Default)]
-pub(in crate::parse::xml) struct RuleFacts {
-    /// The words of `front` in them.
-    pub(in crate::parse::xml) fronts: Vec<Spanned<String>>,
-    /// The layers of which they may make houses.
-    pub(in crate::parse::xml) housed: Vec<String>,
-    /// The layers of which they may make roads.
-    pub(in crate::parse::xml) roads: Vec<String>,
-}
-
 impl<'a> Expander<'a, '_> {
     /// Records the layers that `Place`s in an element front.
     pub(super) fn fronts_in(&mut self, element_ref: &ElementRef<'_, 'a>) {

@@ -6,11 +6,11 @@
 
 use super::super::tree::{Element, Tree};
 use super::draws::Open;
-use super::facts::{RuleFacts, has_road, is_outdoors};
+use super::facts::{has_road, is_outdoors};
 use super::scope::Frame;
 use super::{ElementRef, Expander, Scope};
 use crate::ast::Value;
-use crate::ast::town::{Known, Site, Stood, Unfound};
+use crate::ast::town::{Known, RuleFacts, Site, Stood, Unfound};
 use crate::diagnostic::messages::{town, xml as say};
 use crate::diagnostic::{Noun, noun};
 use crate::parse::expr::{self, Meanings, Problem};

@@ -1,6 +1,6 @@
 //! The houses of a file, alone and in groups: `Houses`, `Group`, and what a `Place` has become.
 
-use crate::ast::town::Town;
+use crate::ast::town::{RuleFacts, Town};
 use crate::ast::{Era, Frame, House, Outline, PlacedBy, Placement, Stand, WrittenPart};
 use crate::diagnostic::messages::xml as say;
 use crate::geometry::Heading;
@@ -8,7 +8,6 @@ use crate::parse::over;
 use crate::parse::schema;
 use crate::parse::schema::vocabulary::ANCHORS;
 use crate::parse::schema::{Schema, Tag};
-use crate::parse::xml::language::RuleFacts;
 use crate::parse::xml::read::{AllowedChild, Attributes, Reader};
 use crate::parse::xml::tree::{Child, Element, MEANT};
 use crate::source::Spanned;

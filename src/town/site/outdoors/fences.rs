@@ -147,6 +147,7 @@ fn run(
     };
     let mut house = House {
         span,
+        name: Some(Spanned::new(wish.word.to_owned(), span)),
         storeys: vec![Item::One(Storey {
             span,
             height: wish.height.map(|height| Spanned::new(height, wish.span)),
