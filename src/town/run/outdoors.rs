@@ -57,6 +57,14 @@ pub(super) fn roads(input: TownInput<'_>, plan: &Plan) -> Roads {
     Roads::new(pieces.collect())
 }
 
+/// Returns what keys the draws of a feature.
+fn place(input: TownInput<'_>, site: &LotSite<'_>) -> Place {
+    let (x, y) = site.key();
+    let seed = input.options.expand.seed.unwrap_or(site.seed());
+    let root = Place::seed(seed).named("place");
+    root.at(x.cast_unsigned()).at(y.cast_unsigned())
+}
+
 /// Lays what was made on the ground and records it; what is no matter of the ground comes back. A feature that bears a house
 /// keeps the type of that in its record.
 pub(super) fn enter(
@@ -67,27 +75,19 @@ pub(super) fn enter(
     found: &mut Diagnostics,
 ) -> Option<RuleMade> {
     let rule = made.rule + 1;
-    let Made::Outdoor {
-        span,
-        evidence,
-        wish,
-    } = made.made
-    else {
+    #[rustfmt::skip]
+    let Made::Outdoor { span, evidence, wish } = made.made else {
         return Some(made);
     };
-    let origin = || Origin::Feature {
+    let origin = |record: &Record| Origin::Feature {
         layer: layer.clone(),
         key: (&*record.key).into(),
     };
-    let (x, y) = site.key();
-    let seed = input.options.expand.seed.unwrap_or(site.seed());
-    let draws = Place::seed(seed).named("place");
-    let draws = draws.at(x.cast_unsigned()).at(y.cast_unsigned());
-    let draws = draws.named(wish.word()).at(rule as u64);
+    let draws = place(input, site).named(wish.word()).at(rule as u64);
     let laid = match site.lay(&wish, span, draws) {
         Ok(laid) => laid,
         Err(why) => {
-            found.push(say::not_laid(origin(), wish.word(), &why));
+            found.push(say::not_laid(origin(record), wish.word(), &why));
             if record.houses == 0 {
                 record.rule = rule;
                 record.outcome = Outcome::Refused(why);
@@ -97,35 +97,31 @@ pub(super) fn enter(
     };
     for house in laid.houses {
         record.houses += 1;
+        let name = name(layer, &record.key, record.houses);
+        let is_fence = house.fittings.outdoors.is_none();
+        let text = (input.texts && is_fence).then(|| text::lone(&house, &name));
         houses.push(FeatureHouse {
             house,
-            origin: Origin::Feature {
-                layer: layer.clone(),
-                key: (&*record.key).into(),
-            },
-            name: name(layer, &record.key, record.houses),
+            origin: origin(record),
+            name,
             plain: None,
-            text: None,
+            text,
         });
-        let last = houses.last_mut().filter(|_| input.texts);
-        if let Some(made) = last.filter(|made| made.house.fittings.outdoors.is_none()) {
-            made.text = Some(text::lone(&made.house, &made.name));
-        }
     }
     record.footing = site.footing.get();
-    if !matches!(record.outcome, Outcome::Built) || record.kind.is_empty() {
-        record.rule = rule;
-        record.span = Some(span);
-        record.outcome = Outcome::Built;
-        record.kind = wish.word().to_owned();
-        record.evidence = evidence;
-        record.parameters = laid.parameters;
+    let word = wish.word();
+    if matches!(record.outcome, Outcome::Built) && !record.kind.is_empty() {
+        // What stands there beside the first has its word before its parameters.
+        let more = laid.parameters.into_iter();
+        let more = more.map(|(name, value)| (format!("{word}_{name}"), value));
+        record.parameters.extend(more);
         return None;
     }
-    // What stands there beside the first has its word before its parameters.
-    let word = wish.word();
-    let more = laid.parameters.into_iter();
-    let more = more.map(|(name, value)| (format!("{word}_{name}"), value));
-    record.parameters.extend(more);
+    record.rule = rule;
+    record.span = Some(span);
+    record.outcome = Outcome::Built;
+    record.kind = word.to_owned();
+    record.evidence = evidence;
+    record.parameters = laid.parameters;
     None
 }

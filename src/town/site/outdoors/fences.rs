@@ -100,45 +100,55 @@ fn units(code: &CodeText, length: f64) -> u32 {
     (length / own).round().max(1.0) as u32
 }
 
+/// Returns the row of units on one of the walls that follow each other. `ends` says whether the first and the last of these are
+/// those of the line.
+fn row(
+    wish: &Fence,
+    walls: &[Segment],
+    (number, [is_first, is_last]): (usize, [bool; 2]),
+    span: Span,
+) -> Row {
+    let wall = walls[number];
+    let count = units(&wish.code, wall.length());
+    let width = wall.length() / f64::from(count) / UNIT;
+    let code = |n: u32| {
+        let begins = is_first && number == 0 && n == 0;
+        let ends = is_last && number + 1 == walls.len() && n + 1 == count;
+        let other = wish.first.as_ref().filter(|_| begins);
+        let other = other.or(wish.last.as_ref().filter(|_| ends));
+        other.unwrap_or(&wish.code).clone()
+    };
+    let part = |n: u32| {
+        Item::One(Piece::Part(Box::new(Part {
+            code: Spanned::new(code(n), wish.span),
+            width: Some(Spanned::new(width, wish.span)),
+            height: wish.height.map(|height| Spanned::new(height, wish.span)),
+        })))
+    };
+    let turn = walls.get(number + 1).map_or(0.0, |next| {
+        let (d, e) = (wall.direction(), next.direction());
+        // To the right is positive.
+        -libm::atan2(d.perp_dot(e), d.dot(e)).to_degrees()
+    });
+    Row {
+        span,
+        pieces: (0..count).map(part).collect(),
+        turn: Some(Spanned::new(turn, span)),
+    }
+}
+
 /// Returns the house of walls that follow each other, and the number of its units.
 fn run(
     wish: &Fence,
     walls: &[Segment],
-    (z, [is_first, is_last]): (f64, [bool; 2]),
+    (z, ends): (f64, [bool; 2]),
     span: Span,
 ) -> Option<(House, u32)> {
     let first = walls.first()?;
-    let mut count = 0;
-    let mut rows = vec![];
-    for (number, wall) in walls.iter().enumerate() {
-        let own = units(&wish.code, wall.length());
-        let width = wall.length() / f64::from(own) / UNIT;
-        let code = |n: u32| {
-            let begins = is_first && number == 0 && n == 0;
-            let ends = is_last && number + 1 == walls.len() && n + 1 == own;
-            let other = wish.first.as_ref().filter(|_| begins);
-            let other = other.or(wish.last.as_ref().filter(|_| ends));
-            other.unwrap_or(&wish.code).clone()
-        };
-        let part = |n: u32| {
-            Item::One(Piece::Part(Box::new(Part {
-                code: Spanned::new(code(n), wish.span),
-                width: Some(Spanned::new(width, wish.span)),
-                height: wish.height.map(|height| Spanned::new(height, wish.span)),
-            })))
-        };
-        let turn = walls.get(number + 1).map_or(0.0, |next| {
-            let (d, e) = (wall.direction(), next.direction());
-            // To the right is positive.
-            -libm::atan2(d.perp_dot(e), d.dot(e)).to_degrees()
-        });
-        rows.push(Item::One(Row {
-            span,
-            pieces: (0..own).map(part).collect(),
-            turn: Some(Spanned::new(turn, span)),
-        }));
-        count += own;
-    }
+    let count = walls.iter().map(|wall| units(&wish.code, wall.length()));
+    let count = count.sum();
+    let rows = (0..walls.len()).map(|number| row(wish, walls, (number, ends), span));
+    let rows = rows.map(Item::One).collect();
     let walk = Loop {
         span,
         inner: true,
