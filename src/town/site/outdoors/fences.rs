@@ -175,6 +175,7 @@ fn run(
         ..Settings::default()
     }
     .into();
+    house.roofs.span = Some(span);
     house.roofs.mode = Some(Spanned::new(RoofMode::Explicit, span));
     Some((house, count))
 }
