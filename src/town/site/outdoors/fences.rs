@@ -127,8 +127,8 @@ fn row(
     };
     let turn = walls.get(number + 1).map_or(0.0, |next| {
         let (d, e) = (wall.direction(), next.direction());
-        // To the right is positive.
-        -libm::atan2(d.perp_dot(e), d.dot(e)).to_degrees()
+        // To the right is positive; no negative zero.
+        0.0 - libm::atan2(d.perp_dot(e), d.dot(e)).to_degrees()
     });
     Row {
         span,
