@@ -9,6 +9,7 @@ mod fittings;
 mod fixtures;
 mod frame;
 mod monuments;
+mod outdoors;
 mod outline;
 mod parts;
 mod pieces;
@@ -28,6 +29,9 @@ pub use fittings::{
 pub use fixtures::{Fixture, FixtureKind};
 pub use frame::{Anchor, Frame, PlacedBy, Placement};
 pub use monuments::{Gate, Given, Hall, Measures, Monument, Pagoda, Pair};
+pub use outdoors::{
+    Fence, Outdoor, Outdoors, Railway, Road, Sheet, Species, Surface, Tree, TreeWish,
+};
 pub use outline::{Hole, On, Outline, OutlinePart, Points, SidePart, SideWall, Stand, Walls};
 pub use parts::{WrittenAttribute, WrittenBody, WrittenPart, attribute_value};
 pub use pieces::{CodeText, Half, Part, Piece, Split};

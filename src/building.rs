@@ -113,6 +113,9 @@ pub struct House {
     /// Gravel, moss and paving beside it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub grounds: Vec<Ground>,
+    /// What a town made in place of a house.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outdoors: Option<Box<ast::Outdoors>>,
     /// Its age; `None` = not weathered.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub age: Option<Age>,

@@ -161,7 +161,6 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(cli) => status(cli.command.run(language), language),
         Err(error) => return print_clap_error(&error, language),
     };
-<<<<<<< HEAD
     if !message.is_empty() {
         let _ = writeln!(io::stderr(), "hsd: {message}");
     }
@@ -186,30 +185,6 @@ fn parsed(arguments: Vec<OsString>, language: Language) -> Result<Cli, clap::Err
 
 /// Returns the exit status of an outcome, and what is to be said of a failure.
 fn status(outcome: Outcome, language: Language) -> (u8, String) {
-=======
-    let outcome = match cli.command {
-        Command::Build(c) => c.run(language),
-        Command::Town(c) => c.run(language),
-        Command::Check(c) => c.run(language),
-        Command::Draw(c) => c.run(language),
-        Command::Plan(c) => c.run(language),
-        Command::Facade(c) => c.run(language),
-        Command::Dump(c) => c.run(language),
-        Command::New(c) => c.run(language),
-        Command::Params(c) => c.run(language),
-        Command::Parts(c) => c.run(language),
-        Command::Explain(c) => c.run(language),
-        Command::Fmt(c) => c.run(language),
-        Command::Textures(c) => c.run(language),
-        #[cfg(feature = "view")]
-        Command::View(c) => c.run(language),
-        #[cfg(feature = "view")]
-        Command::Render(c) => c.run(language),
-        #[cfg(feature = "lsp")]
-        Command::Lsp(c) => c.run(language),
-        Command::Completions(c) => c.run(language),
-    };
->>>>>>> w-facade
     let (message, status) = match outcome {
         Ok(exit) => return (exit as u8, String::new()),
         Err(Failure::Pipe) => return (0, String::new()),
@@ -227,6 +202,7 @@ impl Command {
             Command::Check(c) => c.run(language),
             Command::Draw(c) => c.run(language),
             Command::Plan(c) => c.run(language),
+            Command::Facade(c) => c.run(language),
             Command::Dump(c) => c.run(language),
             Command::New(c) => c.run(language),
             Command::Params(c) => c.run(language),

@@ -237,6 +237,7 @@ impl<'a, 'c> Pass<'a, 'c> {
             finials: house.fittings.finials.clone(),
             puts: self.puts(&house.fittings.puts),
             grounds: house.fittings.grounds.clone(),
+            outdoors: house.fittings.outdoors.clone(),
             age: self.age(settings, place),
             roofs: roofs::roofs(&house.roofs).into(),
         };
@@ -295,7 +296,7 @@ impl<'a, 'c> Pass<'a, 'c> {
                 }
             }
         }
-        if storeys.is_empty() && !self.over {
+        if storeys.is_empty() && !self.over && house.fittings.outdoors.is_none() {
             let span = house.name.as_ref().map(|name| name.span);
             let span = span.unwrap_or_else(|| self.head(house.span));
             self.out.push(say::empty_house(span));

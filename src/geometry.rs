@@ -5,6 +5,7 @@
 //! in the scene. Walking with the interior on the right is clockwise from above; in (a, b) read as
 //! (x, y) the same walk turns counter-clockwise, so its signed area is positive.
 
+pub mod clip;
 pub(crate) mod convex;
 pub mod outline;
 pub mod overlap;

@@ -87,6 +87,7 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
         finials: house.finials,
         puts: house.puts,
         grounds: house.grounds,
+        outdoors: house.outdoors,
         roofs,
     }
 }

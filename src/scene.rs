@@ -73,6 +73,18 @@ impl Detail {
     ];
 }
 
+impl Detail {
+    /// Returns how far the mesh of a town's ground may be from its heights, metres.
+    pub fn ground_tolerance(self) -> f64 {
+        match self {
+            Detail::Body => 0.5,
+            Detail::Flat => 0.25,
+            Detail::Openings => 0.15,
+            Detail::Everything => 0.05,
+        }
+    }
+}
+
 /// A page of baked images, side by side, upright as seen from outside; encoded, since a town has many.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Baked {
@@ -252,6 +264,10 @@ pub enum Kind {
     Finial,
     /// The ground of a town.
     Ground,
+    /// What lies on the ground outside houses: a piece of road or railway; what a rule made of a feature there.
+    Outdoors,
+    /// A tree.
+    Tree,
 }
 
 impl Kind {
@@ -272,6 +288,8 @@ impl Kind {
             Kind::Bracket => "bracket",
             Kind::Finial => "finial",
             Kind::Ground => "ground",
+            Kind::Outdoors => "outdoors",
+            Kind::Tree => "tree",
         }
     }
 }
@@ -311,6 +329,18 @@ pub struct Node {
     pub place: Option<Place>,
     /// `extras.shape` of a roof.
     pub shape: Option<Label>,
+    /// Its mesh as one model of many sizes, for files that keep such a model once.
+    #[serde(skip)]
+    pub stretched: Option<Stretched>,
+}
+
+/// A mesh that is a model stretched to a size: other nodes of the model have the same mesh, stretched to theirs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stretched {
+    /// The model.
+    pub model: &'static str,
+    /// Width and height, metres.
+    pub size: [f32; 2],
 }
 
 impl Node {
@@ -331,6 +361,7 @@ impl Node {
             file: None,
             place: None,
             shape: None,
+            stretched: None,
         }
     }
 

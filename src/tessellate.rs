@@ -151,7 +151,7 @@ impl<'c> Tessellator<'c> {
             if walker.is_full() {
                 walker.nodes.truncate(before);
                 oversized.push(built.house.span);
-            } else if detail == Detail::Body {
+            } else if detail == Detail::Body && built.house.outdoors.is_none() {
                 lean::join(&mut walker.nodes, walker.root, &mut walker.store);
             }
         }
@@ -282,10 +282,15 @@ impl<'a> Walker<'a> {
         let (house, roofs) = (&built.house, &built.roofs);
         let name = match house.name.as_str() {
             "" => format_compact!("house {number}"),
+            name if house.outdoors.is_some() => name.into(),
             name => format_compact!("house {name}"),
         };
         let [x, y, z] = house.origin;
-        let node = self.node(None, Kind::House, name, dvec3(x, y, z));
+        let kind = match house.outdoors {
+            Some(_) => Kind::Outdoors,
+            None => Kind::House,
+        };
+        let node = self.node(None, kind, name, dvec3(x, y, z));
         // The compass runs clockwise, rotations run the other way; 180 is a front to the south.
         node.turn = Heading::new(180.0 - house.azimuth).vector();
         node.span = Some(house.placed.map_or(house.span, |by| by.span));
@@ -324,6 +329,9 @@ impl<'a> Walker<'a> {
         };
         for (fitting, number) in fittings.filter(|(f, _)| seen(f)) {
             self.fitting(root, fitting, number);
+        }
+        if let Some(outdoors) = &house.outdoors {
+            self.outdoors(root, outdoors);
         }
     }
 

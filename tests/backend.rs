@@ -102,6 +102,7 @@ fn node(parent: Option<u32>, kind: Kind, name: &str, mesh: Option<u32>) -> Node 
         file: None,
         place: None,
         shape: None,
+        stretched: None,
     }
 }
 

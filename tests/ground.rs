@@ -8,7 +8,7 @@ use hsd::driver::Options;
 use hsd::glam::{DVec2, dvec2};
 use hsd::scene::Detail;
 use hsd::tessellate::GroundMesh;
-use hsd::tiles::terrain::{Cell, Patch, cells, tolerance};
+use hsd::tiles::terrain::{Cell, Patch, cells};
 use hsd::town::stream::TownStream;
 use hsd::town::{Plan, TownInput, run};
 use hsd::{Diagnostics, FileId, FolderWorld, Source};
@@ -125,7 +125,7 @@ fn houses_stand_a_step_above_the_lowest_point_of_their_street() {
         for corner in [a, b, b + inward, a + inward] {
             let foot = z - plinth;
             // The mesh is coarser from afar, and its border a line of its own.
-            let lowest = surface(corner) - tolerance(Detail::Body) - 0.06;
+            let lowest = surface(corner) - Detail::Body.ground_tolerance() - 0.06;
             assert!(foot <= lowest, "{}: {foot} over {lowest}", row["key"]);
         }
         assert!(plinth < 8.0, "no deeper than it needs: {plinth}");
@@ -239,7 +239,11 @@ fn pieces(plan: &Plan) -> BTreeMap<Cell, Vec<GroundMesh>> {
     let size = plan.town.tiles.size;
     let all = cells(plan, &plan.town.tiles).expect("nothing waits in a spool");
     let patch = |cell: Cell| Some((cell, Patch::new(&plan.ground, cell, size)?));
-    let meshes = |patch: &Patch| Detail::ALL.map(|d| patch.mesh(tolerance(d))).to_vec();
+    let meshes = |patch: &Patch| {
+        Detail::ALL
+            .map(|d| patch.mesh(d.ground_tolerance()))
+            .to_vec()
+    };
     all.into_iter()
         .filter_map(patch)
         .map(|(cell, p)| (cell, meshes(&p)))
@@ -282,7 +286,7 @@ fn the_mesh_keeps_within_its_tolerance() {
                     let found = height(mesh, p).expect("no holes");
                     let known = plan.ground.at(p).expect("is covered");
                     // Half a metre of lattice between the heights adds the curve of the surface between its corners.
-                    let most = tolerance(detail) + 0.05 + 0.35;
+                    let most = detail.ground_tolerance() + 0.05 + 0.35;
                     assert!(
                         (found - known).abs() < most,
                         "{cell:?} {detail:?} {p}: {found} {known}"

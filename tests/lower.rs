@@ -106,6 +106,7 @@ fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
         finials: vec![],
         puts: vec![],
         grounds: vec![],
+        outdoors: None,
         roofs: Roofs::default().into(),
     };
     let mut out = Diagnostics::new();

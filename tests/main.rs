@@ -87,6 +87,7 @@ mod textures;
 mod tiles;
 mod town_types;
 mod town_texts;
+mod town_streets;
 mod towns;
 mod tutorial;
 mod twins;

@@ -128,6 +128,7 @@ fn building(storeys: Vec<Storey>) -> Building {
         finials: vec![],
         puts: vec![],
         grounds: vec![],
+        outdoors: None,
         roofs: Roofs::default().into(),
     };
     Building {

@@ -266,6 +266,9 @@ pub struct Fittings {
     pub puts: Vec<Put>,
     /// Gravel, moss and paving beside it, in order: later ones lie on earlier ones.
     pub grounds: Vec<Ground>,
+    /// What a town made in place of a house: a piece of road, trees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outdoors: Option<Box<super::Outdoors>>,
 }
 
 /// The posts, veranda and brackets of one storey.

@@ -1,7 +1,7 @@
 //! A town as written (docs/contract.md 10): layers of maps, and rules for what is made of their features. What stands
 //! in a `for` is evaluated for each feature, at its [`Site`].
 
-use super::{House, Value};
+use super::{House, Outdoor, Value};
 use crate::rng::Place;
 use crate::source::{Span, Spanned};
 use glam::DVec2;
@@ -30,6 +30,10 @@ pub struct Town {
     pub rules: Vec<Rule>,
     /// The layers that a `front` names.
     pub fronts: Vec<Spanned<String>>,
+    /// The layers of which a rule may make houses.
+    pub housed: Vec<String>,
+    /// The layers of which a rule may make roads.
+    pub roads: Vec<String>,
     /// How its model is divided.
     pub tiles: Tiles,
 }
@@ -126,6 +130,17 @@ pub struct Table {
     pub src: Spanned<String>,
     /// The column by which rows are found.
     pub key: Spanned<String>,
+}
+
+/// What the rules of a town say before they are evaluated.
+#[derive(Debug, Default)]
+pub struct RuleFacts {
+    /// The words of `front` in them.
+    pub fronts: Vec<Spanned<String>>,
+    /// The layers of which they may make houses.
+    pub housed: Vec<String>,
+    /// The layers of which they may make roads.
+    pub roads: Vec<String>,
 }
 
 /// A `for`.
@@ -354,6 +369,15 @@ pub enum Made {
         span: Span,
         /// The reason.
         because: String,
+    },
+    /// What stands or lies outside houses.
+    Outdoor {
+        /// The place of the element.
+        span: Span,
+        /// Where it comes from.
+        evidence: String,
+        /// What is wanted.
+        wish: Outdoor,
     },
     /// Houses.
     Houses {

@@ -146,6 +146,15 @@ impl CityHouse {
         made
     }
 
+    /// Begins what is no building: its name, which is unique, what is known of it, and its class.
+    pub fn open(id: String, attributes: Map<String, Value>, class: &str) -> CityHouse {
+        CityHouse {
+            id,
+            object: json!({"type": class, "attributes": attributes, "geometry": []}),
+            vertices: Vertices::default(),
+        }
+    }
+
     /// Makes a piece of ground: its name, what is known of it, its corners and triangles.
     pub fn ground(
         id: String,
@@ -256,6 +265,11 @@ impl CityHouse {
         if faces.is_empty() {
             return;
         }
+        if !self.is_building() {
+            // Its surfaces have no classes of their own.
+            self.add(json!({"type": "MultiSurface", "lod": lod, "boundaries": faces}));
+            return;
+        }
         // Only surfaces that there are, numbered anew.
         let mut own: Vec<usize> = kinds.clone();
         own.sort_unstable();
@@ -269,7 +283,7 @@ impl CityHouse {
         );
     }
 
-    /// Returns true if it is no ground.
+    /// Returns true if it is a building.
     pub fn is_building(&self) -> bool {
         self.object["type"] == "Building"
     }

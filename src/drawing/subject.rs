@@ -231,8 +231,8 @@ fn role(node: &Node, scene: &Scene, catalog: &Catalog) -> Role {
         Kind::House | Kind::Storey | Kind::Facade => Role::Wall,
         Kind::Post => Role::Post,
         Kind::Roof => Role::Roof,
-        Kind::Platform | Kind::Veranda | Kind::Room | Kind::Ground => Role::Floor,
-        Kind::Member | Kind::Fixture | Kind::Bracket | Kind::Finial => Role::Timber,
+        Kind::Platform | Kind::Veranda | Kind::Room | Kind::Ground | Kind::Outdoors => Role::Floor,
+        Kind::Member | Kind::Fixture | Kind::Bracket | Kind::Finial | Kind::Tree => Role::Timber,
     }
 }
 

@@ -7,7 +7,7 @@ use super::{Options, Read};
 use crate::ast::{self, Document, Variant};
 use crate::building::{Building, Built};
 use crate::catalog::{Catalog, ScopeId};
-use crate::diagnostic::messages::town::plain_body;
+use crate::diagnostic::messages::town::{not_laid, plain_body};
 use crate::diagnostic::{Diagnostics, Origin};
 use crate::expand::{self, Expander, HouseContext, HouseId};
 use crate::fit;
@@ -309,7 +309,11 @@ impl<'a> Expansion<'a> {
         };
         if let Some(first) = found.first_error() {
             let kind = house.name.map_or(String::new(), |name| name.value);
-            let message = plain_body(feature.origin.clone(), &kind, &first.message);
+            let (origin, why) = (feature.origin.clone(), &first.message);
+            let message = match feature.plain {
+                Some(_) => plain_body(origin, &kind, why),
+                None => not_laid(origin, &kind, why),
+            };
             found = Diagnostics::new();
             let mut ignored = Diagnostics::new();
             let plain = feature.plain.as_deref();

@@ -133,6 +133,13 @@ pub(super) static TABLE: &[Surface] = &[
     worn("foliage", &FOLIAGE, 0),
     tinted(worn("moss", &FOLIAGE, 0), [0.62, 0.72, 0.5]),
     tinted(worn("foliage_dark", &FOLIAGE, 0), [0.5, 0.6, 0.52]),
+    tinted(worn("asphalt", &CONCRETE, 0), [0.2, 0.2, 0.21]),
+    plain("road_paint", [0.75, 0.75, 0.72], 0.9),
+    tinted(worn("leaves_willow", &FOLIAGE, 0), [1.0, 1.0, 0.62]),
+    tinted(worn("leaves_pine", &FOLIAGE, 0), [0.42, 0.55, 0.42]),
+    tinted(worn("leaves_cherry", &FOLIAGE, 0), [0.95, 0.86, 0.7]),
+    tinted(worn("leaves_cedar", &FOLIAGE, 0), [0.45, 0.52, 0.38]),
+    tinted(worn("leaves_plane", &FOLIAGE, 0), [0.82, 0.95, 0.6]),
     worn("stone", &STONE, 0),
     worn("stone_mossy", &STONE, 1),
     // Tiles.

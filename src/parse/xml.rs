@@ -87,7 +87,7 @@ pub(super) fn parse_from<'a>(
     let (mut parts, mut town) = (vec![], None);
     let houses = match made.over {
         true => vec![],
-        false => reader.houses(&mut parts, (&mut town, made.fronts)),
+        false => reader.houses(&mut parts, (&mut town, made.facts)),
     };
     let views = reader.views;
     out.append(reporter.finish());

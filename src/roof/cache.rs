@@ -263,6 +263,7 @@ impl Key {
             finials: _,
             puts: _,
             grounds: _,
+            outdoors: _,
             roofs,
         } = house;
         let Roofs {

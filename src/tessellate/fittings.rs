@@ -4,6 +4,7 @@
 mod brackets;
 mod finial;
 mod ground;
+mod outdoors;
 mod platform;
 mod shrine;
 mod sorin;

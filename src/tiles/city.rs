@@ -9,6 +9,7 @@ use crate::backend::cityjson::{City, CityHouse};
 use crate::backend::flat::places;
 use crate::backend::gltf::FeatureRow;
 use crate::backend::names::Names;
+use crate::building::Built;
 use crate::diagnostic::Diagnostics;
 use crate::driver::TileDriver;
 use crate::scene::Detail;
@@ -68,8 +69,7 @@ pub fn houses(
             .zip(names)
             .zip(&input.row_of)
             .map(|((built, name), row)| {
-                let known = attributes(&input.rows[*row as usize]);
-                built.map(|built| CityHouse::new(name, known, built))
+                built.map(|built| begun(name, &input.rows[*row as usize], built))
             })
             .collect();
         for (lod, detail) in levels {
@@ -104,6 +104,28 @@ fn grounds(
         take(CityHouse::ground(id, known, shape))?;
     }
     Ok(())
+}
+
+/// Begins an object: a building, or what a rule made of a feature beside houses.
+fn begun(name: String, row: &FeatureRow, built: &Built) -> CityHouse {
+    let known = attributes(row);
+    let outdoors = built.house.outdoors.as_deref();
+    match object(outdoors.map_or(&*row.kind, |outdoors| outdoors.word)) {
+        None => CityHouse::new(name, known, built),
+        Some(class) => CityHouse::open(name, known, class),
+    }
+}
+
+/// Returns the class of what a rule made of a feature, by its type; `None` for a building.
+fn object(kind: &str) -> Option<&'static str> {
+    Some(match kind {
+        "road" => "Road",
+        "rail" => "Railway",
+        "tree" => "SolitaryVegetationObject",
+        "hedge" => "PlantCover",
+        "fence" | "wall" => "CityFurniture",
+        _ => return None,
+    })
 }
 
 /// Returns what is known of a feature; what is not known is left out.

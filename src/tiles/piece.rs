@@ -2,7 +2,7 @@
 
 use super::make::{FOLDER, Files, MadeTile, TileImages};
 use super::record::TileRecord;
-use super::terrain::{Cell, Patch, tolerance};
+use super::terrain::{Cell, Patch};
 use crate::backend::gltf::{FeatureRow, TileWriter};
 use crate::backend::images::Library;
 use crate::scene::Detail;
@@ -41,7 +41,7 @@ pub(super) fn make(
     let stem = patch.name();
     let meshes: Vec<GroundMesh> = levels
         .iter()
-        .map(|detail| patch.mesh(tolerance(*detail)))
+        .map(|detail| patch.mesh(detail.ground_tolerance()))
         .collect();
     let rows = [row];
     // Its images are the program's own.

@@ -28,16 +28,6 @@ const MOST: i64 = 4096;
 /// A piece: the number of its square to the east and to the north of the origin.
 pub type Cell = (i64, i64);
 
-/// Returns how far the mesh of a level may be from the heights, metres.
-pub fn tolerance(detail: Detail) -> f64 {
-    match detail {
-        Detail::Body => 0.5,
-        Detail::Flat => 0.25,
-        Detail::Openings => 0.15,
-        Detail::Everything => 0.05,
-    }
-}
-
 /// Returns the pieces of a town's ground: under all features that rules name, and between them; none without heights.
 ///
 /// # Errors
@@ -87,7 +77,7 @@ pub fn meshes(
     let patches = cells(plan, division)?.into_iter();
     let patches = patches.filter_map(|cell| Patch::new(&plan.ground, cell, division.size));
     Ok(patches.map(move |patch| {
-        let mesh = patch.mesh(tolerance(detail));
+        let mesh = patch.mesh(detail.ground_tolerance());
         (patch, mesh)
     }))
 }

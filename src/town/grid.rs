@@ -78,3 +78,8 @@ pub fn bounds(points: impl IntoIterator<Item = DVec2>) -> Option<Bounds> {
 pub fn wider([low, high]: Bounds, by: f64) -> Bounds {
     [low - DVec2::splat(by), high + DVec2::splat(by)]
 }
+
+/// Returns true if two boxes have a place in common.
+pub fn meet([a, b]: Bounds, [c, d]: Bounds) -> bool {
+    a.cmple(d).all() && c.cmple(b).all()
+}

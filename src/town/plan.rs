@@ -4,12 +4,14 @@ mod blocks;
 mod key;
 mod lodged;
 mod packed;
+mod roads;
 mod shelves;
 
 pub use key::TileKey;
 pub(in crate::town) use lodged::Lodger;
 pub use lodged::{Lodged, LodgedTile, Lodging};
 pub use packed::PartReader;
+pub use roads::{BORDERS, RoadPiece, Roads};
 pub(in crate::town) use shelves::Shelves;
 
 use super::frontage::first_front;
@@ -47,6 +49,8 @@ pub struct Plan {
     /// The streets of each layer of streets, by name; the empty name stands for all that count by default.
     streets: Arc<BTreeMap<String, Streets>>,
     blocks: Arc<Blocks>,
+    /// The roads that its rules make; none if they make none, or by a definition that they use.
+    pub roads: Arc<Roads>,
     /// Its features, if they wait in a spool: then no layer has any.
     pub lodged: Option<Lodged>,
     /// Outlines on which houses may stand: layer and feature.
@@ -88,7 +92,7 @@ impl Plan {
             }
         }
         streets.insert(String::new(), all.finish());
-        let blocks = layers.iter().filter(|layer| !is_housed(&town, layer));
+        let blocks = layers.iter().filter(|layer| !is_ruled(&town, layer));
         Plan {
             blocks: Arc::new(Blocks::new(blocks)),
             town: Arc::new(town),
@@ -97,6 +101,7 @@ impl Plan {
             ground: Arc::default(),
             unjoined: vec![],
             streets: Arc::new(streets),
+            roads: Arc::default(),
             lodged: None,
             outlines: vec![],
             index: Grid::default(),
@@ -127,6 +132,7 @@ impl Plan {
             unjoined: vec![],
             streets: self.streets.clone(),
             blocks: self.blocks.clone(),
+            roads: self.roads.clone(),
             lodged: None,
             outlines,
             layers,
@@ -174,8 +180,8 @@ impl Plan {
     }
 
     /// Returns true if rules name a layer.
-    fn is_housed(&self, layer: usize) -> bool {
-        is_housed(&self.town, &self.layers[layer])
+    fn is_ruled(&self, layer: usize) -> bool {
+        is_ruled(&self.town, &self.layers[layer])
     }
 
     /// Returns true if no layer counts as streets.
@@ -190,7 +196,7 @@ impl Plan {
 
     /// Returns all features of layers that rules name, in the order of the file.
     pub fn lots(&self) -> Vec<LotId> {
-        let layers = (0..self.layers.len()).filter(|n| self.is_housed(*n));
+        let layers = (0..self.layers.len()).filter(|n| self.is_ruled(*n));
         layers
             .flat_map(|n| (0..self.layers[n].lots.len()).map(move |lot| (n, lot)))
             .collect()
@@ -245,9 +251,14 @@ impl Plan {
 }
 
 /// Returns true if rules name a layer.
-fn is_housed(town: &Town, layer: &Lots) -> bool {
+fn is_ruled(town: &Town, layer: &Lots) -> bool {
     let name = &layer.layer.name.value;
     town.rules.iter().any(|rule| rule.each.value == *name)
+}
+
+/// Returns true if rules may make houses of a layer.
+fn is_housed(town: &Town, layer: &Lots) -> bool {
+    is_ruled(town, layer) && town.housed.contains(&layer.layer.name.value)
 }
 
 /// Returns true if the streets of a town cannot depend on a layer without lines.

@@ -2,6 +2,7 @@
 //! feature depends on the town file, the feature and what stands round it; chunks only save time.
 
 mod maps;
+mod outdoors;
 
 pub use maps::{plan, plan_lodged};
 
@@ -110,8 +111,8 @@ impl Iterator for TownHouses<'_> {
     }
 }
 
-/// Evaluates some features of a town, or of a part of one.
-pub fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
+/// Returns an empty cache of the files that rules read.
+fn cache(input: TownInput<'_>) -> SourceCache {
     let limits = &input.options.expand.limits;
     let first = input.source.id().0 as usize + 1;
     let cache = SourceCache::new(first, limits.includes, limits.included_bytes);
@@ -119,16 +120,31 @@ pub fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
     for template in TYPES.iter().chain(EXAMPLES) {
         let _ = cache.add_own(&template.source_name(), template.text().as_bytes());
     }
-    let values = Values::default();
-    let setting = parse::ReadContext {
-        limits: *limits,
+    cache
+}
+
+/// Returns what rules are read with.
+fn context<'a>(
+    input: TownInput<'a>,
+    cache: &'a SourceCache,
+    values: &'a Values,
+) -> parse::ReadContext<'a> {
+    parse::ReadContext {
+        limits: input.options.expand.limits,
         parameters: &input.options.parameters,
         seed: input.options.expand.seed,
         world: input.world,
-        cache: &cache,
-        values: input.options.notes_values.then_some(&values),
+        cache,
+        values: input.options.notes_values.then_some(values),
         before: None,
-    };
+    }
+}
+
+/// Evaluates some features of a town, or of a part of one.
+pub fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
+    let limits = &input.options.expand.limits;
+    let (cache, values) = (cache(input), Values::default());
+    let setting = context(input, &cache, &values);
     let sites: Vec<LotSite<'_>> = lots.iter().map(|id| LotSite::new(plan, *id)).collect();
     let features: Vec<FeatureOf<'_>> = sites
         .iter()
@@ -203,10 +219,14 @@ fn record(
     }
     let mut behind = vec![];
     for made in made.made {
+        let own = (site, &mut record);
+        let Some(made) = outdoors::enter(made, own, (&layer, input), houses, found) else {
+            continue;
+        };
         let rule = made.rule + 1;
         let unit = match &made.made {
             Made::Houses { unit, .. } => unit.as_ref(),
-            Made::Skip { .. } => None,
+            _ => None,
         };
         let Some(unit) = unit else {
             let ring = lot.shape.ring();
@@ -236,6 +256,7 @@ fn enter(
     record.rule = rule;
     match made {
         Made::Skip { because, .. } => record.outcome = Outcome::Skipped(because),
+        Made::Outdoor { .. } => {}
         Made::Houses {
             kind,
             evidence,

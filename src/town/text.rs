@@ -3,7 +3,7 @@
 //! back as the house that the town builds.
 
 use crate::ast::town::{HouseText, SiteWalls, Stood};
-use crate::ast::{House, Stand, Value};
+use crate::ast::{House, Item, Piece, Stand, Value};
 use crate::diagnostic::Diagnostics;
 use crate::driver::FeatureHouse;
 use crate::map::{self, Area, Chain};
@@ -52,6 +52,62 @@ pub(super) fn write(house: &House, name: &str, told: &Told<'_>) -> HouseText {
         placed: is_type.then(|| place(house, name, told.kind, told, told.parameters)),
         own: own.unwrap_or_default(),
     }
+}
+
+/// Writes a house of rows alone, which stands by itself: a fence.
+pub(super) fn lone(house: &House, name: &str) -> HouseText {
+    let settings = &house.settings;
+    let mut own = format!("<House name=\"{}\"", escaped(name));
+    for (name, value) in [
+        ("x", settings.x),
+        ("y", settings.y),
+        ("z", settings.z),
+        ("azimuth", settings.azimuth),
+    ] {
+        let _ = write!(
+            own,
+            " {name}=\"{}\"",
+            number(value.map_or(0.0, |v| v.value))
+        );
+    }
+    own.push('>');
+    for storey in &house.storeys {
+        let Item::One(storey) = storey else { continue };
+        own.push_str("<Storey");
+        if let Some(height) = storey.height {
+            let _ = write!(own, " height=\"{}\"", number(height.value));
+        }
+        own.push_str("><Loop inner=\"yes\">");
+        for row in storey.loops.iter().flat_map(|walk| &walk.rows) {
+            let Item::One(row) = row else { continue };
+            let turn = row.turn.map_or(0.0, |turn| turn.value);
+            let _ = write!(own, "<Row turn=\"{}\">", number(turn));
+            row.pieces
+                .iter()
+                .for_each(|piece| lone_part(piece, &mut own));
+            own.push_str("</Row>");
+        }
+        own.push_str("</Loop></Storey>");
+    }
+    own.push_str("<Roofs mode=\"explicit\"/></House>");
+    HouseText { placed: None, own }
+}
+
+fn lone_part(piece: &Item<Piece>, own: &mut String) {
+    let Item::One(Piece::Part(part)) = piece else {
+        return;
+    };
+    let _ = write!(
+        own,
+        "<Part code=\"{}\"",
+        escaped(part.code.value.as_str().trim_end())
+    );
+    for (name, value) in [("width", part.width), ("height", part.height)] {
+        if let Some(value) = value {
+            let _ = write!(own, " {name}=\"{}\"", number(value.value));
+        }
+    }
+    own.push_str("/>");
 }
 
 /// Returns true if the walls of an outline cross each other.

@@ -155,6 +155,7 @@ fn lines(node: &Node, first: usize) -> impl Hash + use<'_> {
         file: _,
         place: _,
         shape,
+        stretched: _,
     } = node;
     (
         parent.map(|p| (p.0 as usize).wrapping_sub(first)),

@@ -110,6 +110,7 @@ fn regions_are_written_as_documented() {
         finials: vec![],
         puts: vec![],
         grounds: vec![],
+        outdoors: None,
         roofs: Default::default(),
     };
     let plan = StoreyPlan {

@@ -104,6 +104,7 @@ pub fn house(storeys: Vec<Vec<Ring>>) -> House {
         finials: vec![],
         puts: vec![],
         grounds: vec![],
+        outdoors: None,
         roofs: Roofs::default().into(),
     }
 }

@@ -6,6 +6,9 @@ use serde_json::{Value, json};
 /// The extension of packed views.
 const MESHOPT: &str = "EXT_meshopt_compression";
 
+/// The extension that puts a mesh up many times, and that which names the feature of each.
+pub(super) const INSTANCES: [&str; 2] = ["EXT_mesh_gpu_instancing", "EXT_instance_features"];
+
 /// Returns an accessor of a whole view.
 pub(super) fn accessor(view: usize, component: u32, count: usize, kind: &str) -> Value {
     json!({ "bufferView": view, "componentType": component, "count": count, "type": kind })
@@ -86,11 +89,11 @@ impl File {
         self.accessors.len() - 1
     }
 
-    /// Adds the mesh, its node and the extensions.
+    /// Adds meshes, their nodes with the extensions of those, and the extensions of the file.
     pub(super) fn finish(
         &mut self,
         bin: &mut Vec<u8>,
-        primitives: Vec<Value>,
+        meshes: Vec<(Value, Value)>,
         table: Value,
         centre: DVec3,
     ) {
@@ -104,20 +107,32 @@ impl File {
             buffers.push(json!({ "byteLength": self.unpacked, "extensions": fallback }));
         }
         root["buffers"] = json!(buffers);
-        root["meshes"] = json!([{ "primitives": primitives }]);
-        root["nodes"] = json!([{ "mesh": 0, "translation": [centre.x, centre.z, 0.0 - centre.y] }]);
-        root["scenes"] = json!([{ "nodes": [0] }]);
+        let instanced = meshes.iter().any(|(_, extensions)| !extensions.is_null());
+        let nodes = meshes.iter().enumerate().map(|(mesh, (_, extensions))| {
+            let mut node =
+                json!({ "mesh": mesh, "translation": [centre.x, centre.z, 0.0 - centre.y] });
+            if !extensions.is_null() {
+                node["extensions"] = extensions.clone();
+            }
+            node
+        });
+        root["nodes"] = nodes.collect();
+        root["scenes"] = json!([{ "nodes": (0..meshes.len()).collect::<Vec<_>>() }]);
+        root["meshes"] = meshes.into_iter().map(|(mesh, _)| mesh).collect();
         root["scene"] = json!(0);
         let mut used = root["extensionsUsed"]
             .as_array()
             .cloned()
             .unwrap_or_default();
         let packed = (self.unpacked > 0).then_some(MESHOPT);
+        let [instances, of_instances] = INSTANCES;
         let needed: Vec<&str> = ["KHR_mesh_quantization"]
             .into_iter()
             .chain(packed)
+            .chain(instanced.then_some(instances))
             .collect();
         let own = ["EXT_mesh_features", "EXT_structural_metadata"];
+        used.extend(instanced.then(|| Value::from(of_instances)));
         used.extend(
             own.into_iter()
                 .chain(needed.iter().copied())

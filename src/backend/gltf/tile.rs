@@ -5,6 +5,7 @@
 //! millimetre. Normals are bytes (`KHR_mesh_quantization`); at detail 0 there are none, and readers shade flat. Packed tiles have
 //! the same arrays in `EXT_meshopt_compression`.
 
+mod models;
 #[cfg(feature = "compress")]
 mod packed;
 
@@ -18,6 +19,7 @@ use super::writer::root;
 use crate::backend::{Images, OutFile, images, sound};
 use crate::scene::{Detail, Material, Primitive, ScenePart};
 use glam::{DVec2, DVec3, Vec3};
+use models::Models;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::Cursor;
@@ -54,6 +56,7 @@ pub struct TileWriter {
     /// For each material, true if it has relief.
     reliefs: Vec<bool>,
     bounds: Option<[DVec3; 2]>,
+    models: Models,
 }
 
 /// The way from the frame of a node to that of the town.
@@ -99,6 +102,7 @@ impl TileWriter {
             batches: vec![],
             reliefs: vec![],
             bounds: None,
+            models: Models::default(),
         }
     }
 
@@ -127,6 +131,23 @@ impl TileWriter {
             };
             let sound = |p: &&Primitive| sound::primitive(p, part.materials);
             let list: Vec<&Primitive> = mesh.primitives.iter().filter(sound).collect();
+            if let Some(of) = node.stretched {
+                let materials = &mut self.materials;
+                let shapes = || {
+                    let known = list.iter().map(|p| {
+                        let material = &part.materials[p.material.0 as usize];
+                        (materials.of(p.material, material, images), (*p).clone())
+                    });
+                    known.collect()
+                };
+                let around = self.models.add(of, (pose, self.centre, feature), shapes);
+                if let Some(own) = around {
+                    let [a, b] = own.map(|p| p.as_dvec3() + self.centre);
+                    let [low, high] = self.bounds.get_or_insert([a, b]);
+                    (*low, *high) = (low.min(a), high.max(b));
+                }
+                continue;
+            }
             match self.detail {
                 Detail::Body => self.bare(&list, part, (pose, feature), images),
                 _ => self.whole(&list, part, (pose, feature), images),
@@ -236,16 +257,23 @@ impl TileWriter {
         let textures = known.files_in(&mut root, folder);
         let mut bin = vec![];
         let mut file = File::new(serde_json::to_value(&root).unwrap_or_default());
-        let attributes = match self.packed {
-            #[cfg(feature = "compress")]
-            true => packed::attributes(&self, &mut file, &mut bin),
-            _ => self.attributes(&mut file, &mut bin),
-        };
-        let primitives = self.primitives(&mut file, &mut bin, &attributes, rows.len());
+        let mut meshes = vec![];
+        if !self.positions.is_empty() {
+            let attributes = match self.packed {
+                #[cfg(feature = "compress")]
+                true => packed::attributes(&self, &mut file, &mut bin),
+                _ => self.attributes(&mut file, &mut bin),
+            };
+            let primitives = self.primitives(&mut file, &mut bin, &attributes, rows.len());
+            meshes.push((json!({ "primitives": primitives }), Value::Null));
+        }
+        let flat = self.materials.flat;
+        meshes.extend(self.models.written(flat, rows.len(), (&mut file, &mut bin)));
         let arrays = bin.len().max(file.unpacked);
         let table = Table::new(rows).written(&mut file, &mut bin);
-        file.finish(&mut bin, primitives, table, self.centre);
-        let triangles = self.batches.iter().map(|b| b.len() / 3).sum();
+        file.finish(&mut bin, meshes, table, self.centre);
+        let batches = self.batches.iter().map(|b| b.len() / 3);
+        let triangles = batches.sum::<usize>() + self.models.triangles();
         Some(TileContent {
             glb: file.packed(&bin),
             textures,

@@ -130,6 +130,17 @@ pub fn refused(origin: Origin, why: &Text) -> Diagnostic {
     ))
 }
 
+/// A wish for something outside houses that its feature cannot have.
+#[cold]
+pub fn not_laid(origin: Origin, word: &str, why: &Text) -> Diagnostic {
+    let message =
+        text!([word, why] "no {word} is made here: {why}", "ここには {word} を作れません: {why}");
+    Diagnostic::warning(1170, origin, message).help(text!(
+        "a `test` on the `for` can leave such features out",
+        "`for` の `test` でこうした地物を除けます"
+    ))
+}
+
 /// A house with errors, which is replaced by its plain body.
 #[cold]
 pub fn plain_body(origin: Origin, kind: &str, first: &Text) -> Diagnostic {

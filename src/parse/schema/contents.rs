@@ -69,7 +69,19 @@ pub(in crate::parse) static LAYER: Content = content("layer", &[Tag::Field, Tag:
 /// What may be made of a feature.
 pub(in crate::parse) static FOR: Content = content(
     "for",
-    &[Tag::Skip, Tag::Place, Tag::Rear, Tag::House, Tag::Random],
+    &[
+        Tag::Skip,
+        Tag::Place,
+        Tag::Rear,
+        Tag::House,
+        Tag::Road,
+        Tag::Rail,
+        Tag::Tree,
+        Tag::Fence,
+        Tag::Hedge,
+        Tag::Wall,
+        Tag::Random,
+    ],
 );
 pub(in crate::parse) static HOUSES: Content = content(
     "houses",

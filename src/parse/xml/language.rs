@@ -27,6 +27,7 @@
 mod braces;
 mod conditions;
 mod draws;
+mod facts;
 mod feature;
 mod features;
 mod files;
@@ -47,6 +48,7 @@ use super::suggest::Suggest;
 use super::tree::{Child, Element, Tree};
 use super::trees::Trees;
 use crate::ast::Parameter;
+use crate::ast::town::RuleFacts;
 use crate::diagnostic::messages::xml as say;
 use crate::parse::ReadContext;
 use crate::parse::expr::Expr;
@@ -55,7 +57,7 @@ use crate::parse::schema;
 use crate::parse::schema::{Tag, is_language};
 use crate::parse::xml::tree::text::Text;
 use crate::parse::xml::tree::token::Attribute;
-use crate::source::{Span, Spanned};
+use crate::source::Span;
 use conditions::Branch;
 use pieces::Used;
 use scope::{Frame, Scope};
@@ -76,8 +78,8 @@ const COLUMNS: usize = 5;
 pub(super) struct Computed<'a> {
     pub(super) tree: Rc<Tree<'a>>,
     pub(super) parameters: Vec<Parameter>,
-    /// The words of `front` in the rules of a town.
-    pub(super) fronts: Vec<Spanned<String>>,
+    /// What the rules of a town say.
+    pub(super) facts: RuleFacts,
     /// True if it exceeded the limit and was abandoned.
     pub(super) over: bool,
 }
@@ -94,7 +96,7 @@ pub(super) fn compute<'a>(
         return Computed {
             tree,
             parameters: vec![],
-            fronts: vec![],
+            facts: RuleFacts::default(),
             over: false,
         };
     }
@@ -111,7 +113,7 @@ pub(super) fn compute<'a>(
     Computed {
         tree: Rc::new(expander.made),
         parameters: expander.parameters,
-        fronts: expander.feature.fronts,
+        facts: expander.feature.facts,
         over: expander.over,
     }
 }

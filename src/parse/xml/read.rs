@@ -8,6 +8,7 @@ pub(in crate::parse::xml) mod fittings;
 pub(in crate::parse::xml) mod roofs;
 pub(in crate::parse::xml) mod rooms;
 pub(in crate::parse::xml) mod house;
+pub(in crate::parse::xml) mod outdoors;
 pub(in crate::parse::xml) mod outline;
 pub(in crate::parse::xml) mod houses;
 pub(in crate::parse::xml) mod codes;

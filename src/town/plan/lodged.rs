@@ -6,7 +6,7 @@ use super::shelves::Shelves;
 use super::{AROUND, LotId, Plan};
 use crate::ast::town::Tiles;
 use crate::backend::spool::NewSpool;
-use crate::town::grid::{Bounds, wider};
+use crate::town::grid::{Bounds, meet, wider};
 use crate::town::layer::{Lot, Lots};
 use crate::town::neighbour::TOUCHING;
 use std::collections::{BTreeMap, BTreeSet};
@@ -223,16 +223,12 @@ fn around([a, b]: Bounds, [c, d]: Bounds) -> Bounds {
     [a.min(c), b.max(d)]
 }
 
-fn meet([a, b]: Bounds, [c, d]: Bounds) -> bool {
-    a.cmple(d).all() && c.cmple(b).all()
-}
-
 impl Plan {
     /// Lets its features wait in a spool, those left out that wait there already.
     pub(in crate::town) fn lodge(&mut self, mut lodger: Lodger) -> io::Result<()> {
         let mut twice = BTreeMap::new();
         for number in 0..self.layers.len() {
-            if !self.is_housed(number) {
+            if !self.is_ruled(number) {
                 twice.insert(number, self.keys_of_several(number));
                 self.layers[number].lots = vec![];
                 continue;

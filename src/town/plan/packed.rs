@@ -2,7 +2,7 @@
 //! streets, blocks and heights round them. Whoever has these bytes and the town file needs no map.
 
 use super::blocks::Blocks;
-use super::{LotId, Plan};
+use super::{LotId, Plan, Roads};
 use crate::ast::town::{Layer, Town};
 use crate::map::pack::{Packer, Unpacker};
 use crate::town::grid::{Bounds, Grid};
@@ -54,6 +54,7 @@ impl Plan {
         }
         self.blocks.pack(bounds, &mut out);
         self.ground.pack(bounds, &mut out);
+        self.roads.pack(bounds, &mut out);
         bytes
     }
 
@@ -100,6 +101,7 @@ impl PartReader {
             unjoined: vec![],
             streets: Arc::default(),
             blocks: Arc::default(),
+            roads: Arc::default(),
             lodged: None,
             outlines: vec![],
             index: Grid::default(),
@@ -132,6 +134,7 @@ impl PartReader {
         let streets = streets.collect::<io::Result<BTreeMap<String, Streets>>>()?;
         let blocks = Blocks::unpack(&mut from)?;
         let ground = Ground::unpack(&mut from, &self.head.frame, &self.written)?;
+        let roads = Roads::unpack(&mut from)?;
         if !from.rest().is_empty() {
             return Err(wrong());
         }
@@ -139,6 +142,7 @@ impl PartReader {
             streets: Arc::new(streets),
             blocks: Arc::new(blocks),
             ground: Arc::new(ground),
+            roads: Arc::new(roads),
             ..self.head.with_layers(layers)
         };
         Ok((part, own))

@@ -77,6 +77,7 @@ pub fn plan_lodged(
     let mut plan = Plan::new(town.clone(), frame, layers, tables);
     plan.unjoined = unjoined;
     plan.ground = Arc::new(ground);
+    plan.roads = Arc::new(super::outdoors::roads(input, &plan));
     if let Some(lodger) = lodger {
         plan.lodge(lodger)?;
     }

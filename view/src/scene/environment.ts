@@ -114,6 +114,8 @@ export class Environment {
 function groundMaterial(ground: THREE.Color, horizon: THREE.Color): THREE.ShaderMaterial {
   const material = new THREE.ShaderMaterial({
     lights: true,
+    // Roads lie a few centimetres over it, which nobody can tell from afar.
+    polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 8,
     uniforms: THREE.UniformsUtils.merge([THREE.UniformsLib.lights, { shade: { value: new THREE.Color(0x2a2418) }, depth: { value: 0.6 } }]),
     vertexShader: `varying vec2 at;
       #include <common>

@@ -15,6 +15,9 @@ import { releaseTextures, sharedTextures, texturesInUse, type TextureUser } from
 /** The attribute that names the feature of a vertex. */
 const FEATURE = '_feature_id_0';
 
+/** The attribute that names the feature of a tree, of which a tile has many instances. */
+const OF_INSTANCE = '_FEATURE_ID_0';
+
 /** Error on the screen up to which a level of detail will do, pixels. */
 const ERROR_TARGET = 12;
 
@@ -219,7 +222,7 @@ export class TownTiles {
   hit(ray: THREE.Raycaster): TileHit | null {
     const found = ray.intersectObject(this.#tiles.group, true).find(({ object }) => object instanceof THREE.Mesh);
     if (!found?.face) return null;
-    const mesh = found.object as THREE.Mesh, id = mesh.geometry.getAttribute(FEATURE)?.getX(found.face.a);
+    const mesh = found.object as THREE.Mesh, id = idsOf(mesh)?.getX(found.instanceId ?? found.face.a);
     for (const { scene, metadata } of this.#loaded.values()) {
       let holds = false;
       scene.traverse(node => { holds ||= node === mesh; });
@@ -276,6 +279,9 @@ function bytesOf(scene: THREE.Object3D | undefined): number {
   return bytes;
 }
 
+/** The features of the vertices of a mesh, or of its instances. */
+const idsOf = (mesh: THREE.Mesh) => mesh.geometry.getAttribute(mesh instanceof THREE.InstancedMesh ? OF_INSTANCE : FEATURE) as THREE.BufferAttribute | undefined;
+
 /** The row of a table as the page names it. */
 function featureOf(metadata: Metadata, id: number): TownFeature {
   const row = metadata.getPropertyTableData(0, id);
@@ -292,7 +298,7 @@ function rowsOf(loaded: Loaded): Map<string, number> {
   const rows = loaded.rows = new Map<string, number>();
   let last = -1;
   loaded.scene.traverse(node => {
-    const ids = node instanceof THREE.Mesh ? node.geometry.getAttribute(FEATURE) as THREE.BufferAttribute | undefined : undefined;
+    const ids = node instanceof THREE.Mesh ? idsOf(node) : undefined;
     for (let i = 0; i < (ids?.count ?? 0); i++) last = Math.max(last, ids!.getX(i));
   });
   for (let id = 0; loaded.metadata && id <= last; id++) {
@@ -308,11 +314,18 @@ function trianglesOf(scene: THREE.Object3D, id: number): THREE.BufferGeometry | 
   scene.updateMatrixWorld();
   scene.traverse(node => {
     if (!(node instanceof THREE.Mesh)) return;
-    const { index } = node.geometry, position = node.geometry.getAttribute('position'), ids = node.geometry.getAttribute(FEATURE);
-    for (let i = 0; ids && i < (index?.count ?? position.count); i += 3) {
-      const corner = (k: number) => index ? index.getX(i + k) : i + k;
-      if (ids.getX(corner(0)) !== id) continue;
-      for (let k = 0; k < 3; k++) points.push(...point.fromBufferAttribute(position, corner(k)).applyMatrix4(node.matrixWorld).toArray());
+    const { index } = node.geometry, position = node.geometry.getAttribute('position'), ids = idsOf(node);
+    const instances = node instanceof THREE.InstancedMesh ? node.count : 1, own = new THREE.Matrix4();
+    for (let instance = 0; ids && instance < instances; instance++) {
+      const instanced = node instanceof THREE.InstancedMesh;
+      if (instanced && ids.getX(instance) !== id) continue;
+      if (instanced) node.getMatrixAt(instance, own);
+      const place = own.clone().premultiply(node.matrixWorld);
+      for (let i = 0; i < (index?.count ?? position.count); i += 3) {
+        const corner = (k: number) => index ? index.getX(i + k) : i + k;
+        if (!instanced && ids.getX(corner(0)) !== id) continue;
+        for (let k = 0; k < 3; k++) points.push(...point.fromBufferAttribute(position, corner(k)).applyMatrix4(place).toArray());
+      }
     }
   });
   if (!points.length) return null;

@@ -38,8 +38,12 @@ pub(super) fn build(
         ));
         file.push('\n');
     }
-    let (mut count, mut unwritten) = (0, vec![]);
+    let (mut count, mut open, mut unwritten) = (0, 0, vec![]);
     for house in town.by_ref() {
+        if house.house.fittings.outdoors.is_some() {
+            open += 1;
+            continue;
+        }
         let text = house.text.as_ref().map_or("", |text| text.text());
         if text.is_empty() {
             unwritten.push(house.name);
@@ -65,6 +69,7 @@ pub(super) fn build(
         );
         writeln!(io::stderr(), "{}", line.in_language(language)).map_err(failed)?;
     }
+    left_out(open, language).map_err(failed)?;
     if !quiet {
         summary(path, &ledger, count, language).map_err(failed)?;
     }
@@ -73,6 +78,18 @@ pub(super) fn build(
         included,
         out,
     ))
+}
+
+/// Prints how many things are no houses.
+fn left_out(open: usize, language: Language) -> io::Result<()> {
+    if open == 0 {
+        return Ok(());
+    }
+    let line = text!([open]
+        "{open} pieces of road, rows of trees and the like are no houses, and are left out",
+        "道や木などの {open} 件は建物ではないため書きません"
+    );
+    writeln!(io::stderr(), "{}", line.in_language(language))
 }
 
 /// Prints what was written.

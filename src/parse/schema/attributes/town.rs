@@ -2,6 +2,7 @@
 
 use super::{FAR, LENGTH, TRUTH};
 use crate::ast::town::{FieldType, GapAt, PlaceOn};
+use crate::ast::{Species, Surface};
 use crate::parse::schema::kinds::Kind::{Choice, Number, Point, Text, Whole};
 use crate::parse::schema::kinds::{AttributeSchema, may, must, words};
 
@@ -64,6 +65,77 @@ pub(in crate::parse::schema) const REAR: &[AttributeSchema] = &[
     may("density", Number(0.0, 1.0), "0", "the share of the dwellings along an alley that are built; 0 leaves the rear to the owner: court, storehouse, dwelling, by the depth of the lot", "路地に沿う長屋のうち建てる戸数の割合。0 なら裏は家主のもので、奥行に応じて庭、蔵、離れになる"),
     may("evidence", Text, "", "where it comes from, for tables and models", "根拠。表とモデルに残す"),
 ];
+const SURFACE: &[&str] = &words(&Surface::WORDS);
+const SPECIES: &[&str] = &words(&Species::WORDS);
+/// Where what stands outside houses comes from.
+const EVIDENCE: AttributeSchema = may(
+    "evidence",
+    Text,
+    "",
+    "where it comes from, for tables and models",
+    "根拠。表とモデルに残す",
+);
+#[rustfmt::skip]
+pub(in crate::parse::schema) const ROAD: &[AttributeSchema] = &[
+    may("width", Number(0.3, 200.0), "", "from side to side with pavements and drains, metres; without, the field `width` of the map or the width of its class", "歩道と溝を含む幅(m)。無ければ地図の属性 `width` か道の種別による").metres(),
+    may("surface", Choice(SURFACE), "asphalt", "what it is laid with", "路面"),
+    may("pavement", Number(0.0, 30.0), "0", "width of the pavement on either side, metres; roads that would have less than 3 m left have none", "両側の歩道の幅(m)。車道が 3 m 残らない道には付かない").metres(),
+    may("drain", Number(0.0, 5.0), "0", "width of the drain of stone on either side, metres; roads that would have less than 2 m left have none", "両側の石の溝の幅(m)。路面が 2 m 残らない道には付かない").metres(),
+    may("marks", TRUTH, "", "lines painted on it, from 5.5 m of carriageway; without, on asphalt", "区画線。車道が 5.5 m 以上のとき。無ければアスファルトの道に引く"),
+    EVIDENCE,
+];
+#[rustfmt::skip]
+pub(in crate::parse::schema) const RAIL: &[AttributeSchema] = &[
+    may("gauge", Number(0.3, 3.0), "1.067", "between its rails, metres", "軌間(m)").metres(),
+    EVIDENCE,
+];
+#[rustfmt::skip]
+pub(in crate::parse::schema) const TREE: &[AttributeSchema] = &[
+    may("species", Choice(SPECIES), "", "what it is; without, drawn by its place", "樹種。無ければ場所で抽選する"),
+    may("height", Number(0.5, 80.0), "", "its height, metres; without, drawn by its place and species", "高さ(m)。無ければ樹種と場所で抽選する").metres(),
+    may("width", Number(0.3, 60.0), "", "width of its crown, metres; without, drawn as a share of the height", "樹冠の幅(m)。無ければ高さに応じて抽選する").metres(),
+    may("spacing", Number(1.0, 500.0), "6", "how far trees stand apart along a line or over an area, metres", "線や面に並べるときの間隔(m)").metres(),
+    may("offset", Number(0.0, 100.0), "0", "how far from a line they stand, on either side, metres; 0 for on it", "線の両側に並べるときの線からの距離(m)。0 なら線の上").metres(),
+    EVIDENCE,
+];
+/// The attributes of units along a line, of which the middle one is this part.
+const fn units_of(code: &'static str) -> [AttributeSchema; 5] {
+    [
+        may(
+            "code",
+            Text,
+            code,
+            "the part that is repeated, in whole units",
+            "繰り返す部材のコード",
+        ),
+        may(
+            "first",
+            Text,
+            "",
+            "the part at the beginning of the line; without, the same",
+            "線の始めの部材。無ければ同じもの",
+        ),
+        may(
+            "last",
+            Text,
+            "",
+            "the part at its end; without, the same",
+            "線の終わりの部材。無ければ同じもの",
+        ),
+        may(
+            "height",
+            Number(0.5, 40.0),
+            "",
+            "shaku; without, the height of the part",
+            "高さ(尺)。無ければ部材の高さ",
+        )
+        .shaku(),
+        EVIDENCE,
+    ]
+}
+pub(in crate::parse::schema) const FENCE: &[AttributeSchema] = &units_of("KIB");
+pub(in crate::parse::schema) const HEDGE: &[AttributeSchema] = &units_of("KIK");
+pub(in crate::parse::schema) const WALL: &[AttributeSchema] = &units_of("KDB");
 #[rustfmt::skip]
 pub(in crate::parse::schema) const TILES: &[AttributeSchema] = &[
     may("size", Number(10.0, 100_000.0), "250", "side of a tile, metres", "タイルの一辺(m)").metres(),

@@ -6,16 +6,16 @@
 
 use super::super::tree::{Element, Tree};
 use super::draws::Open;
+use super::facts::{has_road, is_outdoors};
 use super::scope::Frame;
 use super::{ElementRef, Expander, Scope};
 use crate::ast::Value;
-use crate::ast::town::{Known, Site, Stood, Unfound};
+use crate::ast::town::{Known, RuleFacts, Site, Stood, Unfound};
 use crate::diagnostic::messages::{town, xml as say};
 use crate::diagnostic::{Noun, noun};
 use crate::parse::expr::{self, Meanings, Problem};
-use crate::parse::schema::Tag;
 use crate::rng::Place;
-use crate::source::{Span, Spanned};
+use crate::source::Span;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -27,8 +27,8 @@ pub(super) struct AtFeature<'a, 'f> {
     pub(super) site: Option<&'f dyn Site>,
     /// The rules of the town, in the order of the file.
     rules: Vec<Rule<'a>>,
-    /// The words of `front` in them.
-    pub(super) fronts: Vec<Spanned<String>>,
+    /// What their texts say.
+    pub(super) facts: RuleFacts,
     /// The seed of the town, where the run gives none.
     seed: u64,
     /// True once a field was asked for that the feature lacks.
@@ -199,29 +199,19 @@ impl<'a, 'f> Expander<'a, 'f> {
             .push(super::Child::Element(made));
         self.fronts_in(element_ref);
         if let Some(layer) = layer {
+            let (name, facts) = (layer.as_str().trim().to_owned(), &mut self.feature.facts);
+            if !is_outdoors(element_ref) {
+                facts.housed.push(name.clone());
+            }
+            if has_road(element_ref) {
+                facts.roads.push(name);
+            }
             self.feature.rules.push(Rule {
                 tree: Rc::clone(element_ref.tree),
                 index: element_ref.index,
                 scope: Rc::clone(scope),
                 layer: layer.as_str().trim().to_owned(),
             });
-        }
-    }
-
-    /// Records the layers that `Place`s in an element front.
-    fn fronts_in(&mut self, element_ref: &ElementRef<'_, 'a>) {
-        let element = element_ref.element();
-        if element_ref.tag() == Some(Tag::Place) {
-            let front = element.attributes.iter().find(|a| a.name == "front");
-            self.feature.fronts.extend(front.map(|front| {
-                let span = self.reporter.span(&front.value.whole());
-                Spanned::new(front.value.as_str().trim().to_owned(), span)
-            }));
-        }
-        for child in &element.children {
-            if let super::Child::Element(index) = child {
-                self.fronts_in(&element_ref.child(*index));
-            }
         }
     }
 

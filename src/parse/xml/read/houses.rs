@@ -1,6 +1,6 @@
 //! The houses of a file, alone and in groups: `Houses`, `Group`, and what a `Place` has become.
 
-use crate::ast::town::Town;
+use crate::ast::town::{RuleFacts, Town};
 use crate::ast::{Era, Frame, House, Outline, PlacedBy, Placement, Stand, WrittenPart};
 use crate::diagnostic::messages::xml as say;
 use crate::geometry::Heading;
@@ -29,9 +29,9 @@ impl<'t> Reader<'t, '_> {
     pub(in crate::parse::xml) fn houses(
         &mut self,
         parts: &mut Vec<WrittenPart>,
-        (town, fronts): (&mut Option<Box<Town>>, Vec<Spanned<String>>),
+        (town, facts): (&mut Option<Box<Town>>, RuleFacts),
     ) -> Vec<House> {
-        let mut fronts = Some(fronts);
+        let mut facts = Some(facts);
         let mut houses = vec![];
         for node in self.roots() {
             let AllowedChild::Element(schema, element) = node else {
@@ -41,8 +41,8 @@ impl<'t> Reader<'t, '_> {
                 Tag::House => houses.push(self.house(schema, element)),
                 Tag::Structure => houses.push(self.lone_structure(schema, element)),
                 Tag::Town => {
-                    let fronts = fronts.take().unwrap_or_default();
-                    *town = Some(Box::new(self.town(schema, element, fronts)));
+                    let facts = facts.take().unwrap_or_default();
+                    *town = Some(Box::new(self.town(schema, element, facts)));
                 }
                 Tag::Catalog => {
                     self.attributes(schema, element);

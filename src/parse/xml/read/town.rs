@@ -1,7 +1,7 @@
 //! A town: its layers, tables and tiles; and the houses that its rules make of a feature.
 
 use crate::ast::town::{
-    Field, FieldType, Join, Layer, Made, Rule, SiteWalls, Stood, Table, Tiles, Town,
+    Field, FieldType, Join, Layer, Made, Rule, RuleFacts, SiteWalls, Stood, Table, Tiles, Town,
 };
 use crate::ast::{Frame, House, Outline, Stand, Value};
 use crate::diagnostic::messages::{town, xml as say};
@@ -21,7 +21,7 @@ impl<'t> Reader<'t, '_> {
         &mut self,
         schema: &'static Schema,
         element: &'t Element<'t>,
-        fronts: Vec<Spanned<String>>,
+        facts: RuleFacts,
     ) -> Town {
         let of = self.attributes(schema, element);
         let origin = self.point(&of, "origin");
@@ -32,7 +32,9 @@ impl<'t> Reader<'t, '_> {
             seed: self.whole_number(&of, "seed").map_or(0, |seed| seed.value),
             origin,
             geoid: self.yes_no(&of, "geoid").is_some_and(|g| g.value),
-            fronts,
+            fronts: facts.fronts,
+            housed: facts.housed,
+            roads: facts.roads,
             ..Town::default()
         };
         for node in self.children(element, schema.content()) {
@@ -244,13 +246,6 @@ impl<'t> Reader<'t, '_> {
                 found.map_or(String::new(), |a| a.value.as_str().trim().to_owned())
             };
             match schema.tag {
-                Tag::Skip => {
-                    self.attributes(schema, child);
-                    all.push(Made::Skip {
-                        span: self.start(child),
-                        because: of_child("because"),
-                    });
-                }
                 Tag::Place | Tag::House | Tag::Rear => {
                     let Some(stood) = stood.remove(index) else {
                         continue;
@@ -273,11 +268,32 @@ impl<'t> Reader<'t, '_> {
                         stood: Box::new(stood),
                     });
                 }
-                _ => {}
+                _ => all.push(self.open_made(schema, child)),
             }
         }
         self.text_in_for(element);
         all
+    }
+
+    /// Reads what stands in a `for` and is no house.
+    fn open_made(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Made {
+        let span = self.start(element);
+        let text = |name: &str| {
+            let found = element.attributes.iter().find(|a| a.name == name);
+            found.map_or(String::new(), |a| a.value.as_str().trim().to_owned())
+        };
+        if schema.tag == Tag::Skip {
+            self.attributes(schema, element);
+            return Made::Skip {
+                span,
+                because: text("because"),
+            };
+        }
+        Made::Outdoor {
+            span,
+            evidence: text("evidence"),
+            wish: self.outdoor(schema, element),
+        }
     }
 
     /// Writes the houses in an element, or the one that it is.

@@ -1,0 +1,59 @@
+//! What the rules of a town say before they are evaluated: the layers that they front, and those of which they make houses.
+
+use super::super::tree::Child;
+use super::{ElementRef, Expander};
+use crate::parse::schema::Tag;
+use crate::source::Spanned;
+
+impl<'a> Expander<'a, '_> {
+    /// Records the layers that `Place`s in an element front.
+    pub(super) fn fronts_in(&mut self, element_ref: &ElementRef<'_, 'a>) {
+        let element = element_ref.element();
+        if element_ref.tag() == Some(Tag::Place) {
+            let front = element.attributes.iter().find(|a| a.name == "front");
+            self.feature.facts.fronts.extend(front.map(|front| {
+                let span = self.reporter.span(&front.value.whole());
+                Spanned::new(front.value.as_str().trim().to_owned(), span)
+            }));
+        }
+        for child in &element.children {
+            if let Child::Element(index) = child {
+                self.fronts_in(&element_ref.child(*index));
+            }
+        }
+    }
+}
+
+/// Returns true if a rule writes a road.
+pub(super) fn has_road(of: &ElementRef<'_, '_>) -> bool {
+    of.tag() == Some(Tag::Road)
+        || of.element().children.iter().any(|child| match child {
+            Child::Element(index) => has_road(&of.child(*index)),
+            Child::Text(_) => false,
+        })
+}
+
+/// Returns true if a rule makes something, but can make no house.
+pub(super) fn is_outdoors(rule: &ElementRef<'_, '_>) -> bool {
+    fn look(of: &ElementRef<'_, '_>, something: &mut bool) -> bool {
+        let inner = of
+            .element()
+            .children
+            .iter()
+            .filter_map(|child| match child {
+                Child::Element(index) => Some(of.child(*index)),
+                Child::Text(_) => None,
+            });
+        inner.into_iter().all(|child| match child.tag() {
+            Some(Tag::Road | Tag::Rail | Tag::Tree | Tag::Fence | Tag::Hedge | Tag::Wall) => {
+                *something = true;
+                true
+            }
+            Some(Tag::If | Tag::Else | Tag::Random | Tag::Choice) => look(&child, something),
+            Some(Tag::Let | Tag::Param | Tag::Skip) => true,
+            _ => false,
+        })
+    }
+    let mut something = false;
+    look(rule, &mut something) && something
+}

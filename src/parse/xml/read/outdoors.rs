@@ -1,0 +1,69 @@
+//! What a rule of a town makes beside houses: `Road`, `Rail`, `Tree`, `Fence`, `Hedge`, `Wall`.
+
+use crate::ast::{CodeText, Fence, Outdoor, Railway, Road, Species, Surface, TreeWish};
+use crate::parse::schema::{Schema, Tag};
+use crate::parse::xml::read::{Attributes, Reader};
+use crate::parse::xml::tree::Element;
+
+impl<'t> Reader<'t, '_> {
+    /// Reads what an element wants.
+    pub(in crate::parse::xml) fn outdoor(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+    ) -> Outdoor {
+        let of = self.attributes(schema, element);
+        self.no_children(element);
+        match schema.tag {
+            Tag::Road => Outdoor::Road(self.road(&of)),
+            Tag::Rail => Outdoor::Rail(Railway {
+                gauge: self.usual(&of, "gauge"),
+            }),
+            Tag::Tree => Outdoor::Tree(TreeWish {
+                species: self
+                    .choice(&of, "species", &Species::WORDS)
+                    .map(|s| s.value),
+                height: self.number(&of, "height").map(|h| h.value),
+                width: self.number(&of, "width").map(|w| w.value),
+                spacing: self.usual(&of, "spacing"),
+                offset: self.usual(&of, "offset"),
+            }),
+            tag => {
+                let word = match tag {
+                    Tag::Hedge => "hedge",
+                    Tag::Wall => "wall",
+                    _ => "fence",
+                };
+                Outdoor::Fence(self.fence(word, schema, &of))
+            }
+        }
+    }
+
+    fn road(&mut self, of: &Attributes<'t>) -> Road {
+        let surface = self.choice(of, "surface", &Surface::WORDS);
+        let surface = surface.map_or_else(Surface::default, |s| s.value);
+        let marks = self.yes_no(of, "marks").map(|marks| marks.value);
+        Road {
+            width: self.number(of, "width").map(|w| w.value),
+            surface,
+            pavement: self.usual(of, "pavement"),
+            drain: self.usual(of, "drain"),
+            marks: marks.unwrap_or(surface == Surface::Asphalt),
+        }
+    }
+
+    fn fence(&mut self, word: &'static str, schema: &'static Schema, of: &Attributes<'t>) -> Fence {
+        let code = self.text(of, "code");
+        let usual = schema.attribute("code").map_or("", |code| code.default);
+        let part =
+            |text: Option<crate::source::Spanned<String>>| text.map(|t| CodeText::new(&t.value));
+        Fence {
+            word,
+            span: code.as_ref().map_or(self.start(of.element), |c| c.span),
+            code: part(code).unwrap_or_else(|| CodeText::new(usual)),
+            first: part(self.text(of, "first")),
+            last: part(self.text(of, "last")),
+            height: self.number(of, "height").map(|h| h.value),
+        }
+    }
+}

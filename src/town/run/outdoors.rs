@@ -1,0 +1,127 @@
+//! Enters what a rule makes beside houses: pieces of road, trees, fences.
+
+use super::{CHUNK, cache, context, name};
+use crate::ast::Outdoor;
+use crate::ast::town::{Made, Site};
+use crate::diagnostic::messages::town as say;
+use crate::diagnostic::{Diagnostics, Origin};
+use crate::driver::FeatureHouse;
+use crate::parse::Values;
+use crate::parse::xml::{self, FeatureOf, RuleMade, Trees};
+use crate::rng::Place;
+use crate::town::decision::{Outcome, Record};
+use crate::town::plan::{LotId, RoadPiece, Roads};
+use crate::town::site::LotSite;
+use crate::town::text;
+use crate::town::{Plan, TownInput};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Finds the roads that rules make of lines, so that each knows those that it meets. What is wrong with a rule is told when its
+/// features are evaluated.
+pub(super) fn roads(input: TownInput<'_>, plan: &Plan) -> Roads {
+    let makes = |layer: &usize| {
+        plan.town
+            .roads
+            .contains(&plan.layers[*layer].layer.name.value)
+    };
+    let layers = (0..plan.layers.len()).filter(makes);
+    let lots = layers.flat_map(|layer| (0..plan.layers[layer].lots.len()).map(move |n| (layer, n)));
+    let lots: Vec<LotId> = lots.collect();
+    let pieces = lots.par_chunks(CHUNK).flat_map_iter(|lots| {
+        let (cache, values) = (cache(input), Values::default());
+        let sites: Vec<LotSite<'_>> = lots.iter().map(|id| LotSite::new(plan, *id)).collect();
+        let features = sites.iter().zip(lots).map(|(site, (layer, _))| FeatureOf {
+            layer: &plan.layers[*layer].layer.name.value,
+            site,
+        });
+        let features: Vec<FeatureOf<'_>> = features.collect();
+        let setting = context(input, &cache, &values);
+        let (mut trees, mut unsaid) = (Trees::default(), Diagnostics::new());
+        let wanted = (&*features, false);
+        let (made, _) = xml::features(input.source, setting, &mut trees, wanted, &mut unsaid);
+        let pieces = made.into_iter().zip(&sites).flat_map(|(made, site)| {
+            let roads = made.made.into_iter().filter_map(|made| match made.made {
+                Made::Outdoor {
+                    wish: Outdoor::Road(road),
+                    ..
+                } => Some(road),
+                _ => None,
+            });
+            roads
+                .flat_map(|road| site.road_pieces(&road))
+                .collect::<Vec<_>>()
+        });
+        pieces.collect::<Vec<RoadPiece>>()
+    });
+    Roads::new(pieces.collect())
+}
+
+/// Returns what keys the draws of a feature.
+fn place(input: TownInput<'_>, site: &LotSite<'_>) -> Place {
+    let (x, y) = site.key();
+    let seed = input.options.expand.seed.unwrap_or(site.seed());
+    let root = Place::seed(seed).named("place");
+    root.at(x.cast_unsigned()).at(y.cast_unsigned())
+}
+
+/// Lays what was made on the ground and records it; what is no matter of the ground comes back. A feature that bears a house
+/// keeps the type of that in its record.
+pub(super) fn enter(
+    made: RuleMade,
+    (site, record): (&LotSite<'_>, &mut Record),
+    (layer, input): (&Arc<str>, TownInput<'_>),
+    houses: &mut Vec<FeatureHouse>,
+    found: &mut Diagnostics,
+) -> Option<RuleMade> {
+    let rule = made.rule + 1;
+    #[rustfmt::skip]
+    let Made::Outdoor { span, evidence, wish } = made.made else {
+        return Some(made);
+    };
+    let origin = |record: &Record| Origin::Feature {
+        layer: layer.clone(),
+        key: (&*record.key).into(),
+    };
+    let draws = place(input, site).named(wish.word()).at(rule as u64);
+    let laid = match site.lay(&wish, span, draws) {
+        Ok(laid) => laid,
+        Err(why) => {
+            found.push(say::not_laid(origin(record), wish.word(), &why));
+            if record.houses == 0 {
+                record.rule = rule;
+                record.outcome = Outcome::Refused(why);
+            }
+            return None;
+        }
+    };
+    for house in laid.houses {
+        record.houses += 1;
+        let name = name(layer, &record.key, record.houses);
+        let is_fence = house.fittings.outdoors.is_none();
+        let text = (input.texts && is_fence).then(|| text::lone(&house, &name));
+        houses.push(FeatureHouse {
+            house,
+            origin: origin(record),
+            name,
+            plain: None,
+            text,
+        });
+    }
+    record.footing = site.footing.get();
+    let word = wish.word();
+    if matches!(record.outcome, Outcome::Built) && !record.kind.is_empty() {
+        // What stands there beside the first has its word before its parameters.
+        let more = laid.parameters.into_iter();
+        let more = more.map(|(name, value)| (format!("{word}_{name}"), value));
+        record.parameters.extend(more);
+        return None;
+    }
+    record.rule = rule;
+    record.span = Some(span);
+    record.outcome = Outcome::Built;
+    record.kind = word.to_owned();
+    record.evidence = evidence;
+    record.parameters = laid.parameters;
+    None
+}
