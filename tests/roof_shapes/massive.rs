@@ -193,7 +193,11 @@ fn assert_none(wrongs: Vec<String>) {
 fn every_shape_is_massive_over_every_footprint() {
     let mut draws = Draws(31);
     let mut wrong = vec![];
-    for (_, shape) in RoofShape::ALL {
+    // What stands on another roof covers no house by itself.
+    let whole = RoofShape::ALL
+        .into_iter()
+        .filter(|(_, shape)| !shape.stands_on_another());
+    for (_, shape) in whole {
         for footprint in FOOTPRINTS {
             for (pitch, sori) in PITCHES.into_iter().zip([0.0, 4.0, -3.0]) {
                 for line in [false, true] {
