@@ -144,7 +144,8 @@ fn middle(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// Measured over 100 scenes: corners 0.3 px in the middle, the lattice right in 97, kinds 97.5 %, replaced parts 32 dB.
+/// Measured over 100 scenes: corners 0.28 px off in the middle, one wall lost, the lattice right in 98; over 40: kinds 97.6 %,
+/// replaced parts 32 dB.
 #[test]
 fn scenes_are_read_without_being_told_anything() {
     let judged = std::sync::Mutex::new(vec![]);

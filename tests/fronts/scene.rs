@@ -67,7 +67,6 @@ pub struct Facade {
     glass: Tone,
     base: Tone,
     bands: bool,
-    seed: u64,
 }
 
 impl Facade {
@@ -112,7 +111,6 @@ impl Facade {
             glass: tone(0.03, 0.08, -0.3),
             base: tone(0.20, 0.32, 0.1),
             bands: seed % 3 != 0,
-            seed,
         }
     }
 
@@ -354,11 +352,6 @@ impl Shot {
     pub fn light_at(&self, facade: &Facade, x: f64, y: f64) -> f64 {
         let (u, v) = (x / facade.width - 0.5, y / facade.height - 0.5);
         1.0 + self.light[0] * u + self.light[1] * v + self.light[2] * (u * u + v * v)
-    }
-
-    /// Whether something stands before a pixel.
-    pub fn is_covered(&self, x: f64, y: f64) -> Option<Tone> {
-        covered(&self.before, x, y)
     }
 
     fn seen(&self, facade: &Facade, before: &[(f64, f64, f64, Tone)], x: f64, y: f64) -> Tone {

@@ -24,6 +24,9 @@ use std::path::{Path, PathBuf};
 mod said;
 mod values;
 
+/// The most pixels of a part, as of all images of a house.
+const PIXELS: u64 = 64_000_000;
+
 /// Turn photographs of a wall into its parts and a text that builds it.
 ///
 /// The wall is seen straight, in its true proportions, and cut on its storeys and bays. What is the same shares one clean
@@ -181,7 +184,7 @@ impl Facade {
         let mut files = self.files(photos, front)?;
         files.push((path.clone(), text.into_bytes()));
         output::write_all(files)?;
-        let world = FolderWorld::new(vec![self.output.clone()], 0);
+        let world = FolderWorld::new(vec![self.output.clone()], PIXELS);
         driver::check(&[&source], &world, &driver::Options::default(), out);
         sources.push(source);
         let replaced = front.shown.iter().filter(|s| s.is_replaced).count();
