@@ -331,7 +331,7 @@ pub struct Node {
     pub shape: Option<Label>,
     /// Its mesh as one model of many sizes, for files that keep such a model once.
     #[serde(skip)]
-    pub stretched: Option<Stretched>,
+    pub stretched: Option<Box<Stretched>>,
 }
 
 /// A mesh that is a model stretched to a size: other nodes of the model have the same mesh, stretched to theirs.

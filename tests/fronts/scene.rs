@@ -110,7 +110,7 @@ impl Facade {
             trim: tone(0.55, 0.75, 0.1),
             glass: tone(0.03, 0.08, -0.3),
             base: tone(0.20, 0.32, 0.1),
-            bands: seed % 3 != 0,
+            bands: !seed.is_multiple_of(3),
         }
     }
 
@@ -168,7 +168,7 @@ impl Facade {
                         [0.10, 0.22, 0.13].map(|c| c * (1.0 + 0.5 * wave(0.0, 60.0 * v)))
                     }
                     _ if bar => self.trim,
-                    Kind::Curtained if u < 0.42 || u > 0.58 => {
+                    Kind::Curtained if !(0.42..=0.58).contains(&u) => {
                         [0.5, 0.42, 0.33].map(|c| c * (1.0 + 0.2 * wave(40.0 * u, 0.0)))
                     }
                     _ => shaded(self.glass, 1.0 + 4.0 * v),
@@ -248,8 +248,8 @@ impl Shot {
         for _ in 0..200 {
             let middle = rotate([0.0, 0.0, 0.0]);
             let back = [middle[0], middle[1], away];
-            for k in 0..3 {
-                shot.pose[2][k] = back[k]
+            for (k, back) in back.into_iter().enumerate() {
+                shot.pose[2][k] = back
                     - shot.pose[0][k] * facade.width / 2.0
                     - shot.pose[1][k] * facade.height / 2.0;
             }

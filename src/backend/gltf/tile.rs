@@ -131,7 +131,7 @@ impl TileWriter {
             };
             let sound = |p: &&Primitive| sound::primitive(p, part.materials);
             let list: Vec<&Primitive> = mesh.primitives.iter().filter(sound).collect();
-            if let Some(of) = node.stretched {
+            if let Some(of) = node.stretched.as_deref().copied() {
                 let materials = &mut self.materials;
                 let shapes = || {
                     let known = list.iter().map(|p| {

@@ -52,10 +52,10 @@ impl Walker<'_> {
             node.turn = tree.turn;
             node.mesh = Some(mesh);
             node.span = Some(it.span);
-            node.stretched = Some(Stretched {
+            node.stretched = Some(Box::new(Stretched {
                 model: word,
                 size: [tree.width as f32, tree.height as f32],
-            });
+            }));
         }
     }
 }

@@ -61,14 +61,7 @@ pub(super) fn build(
     write_all(vec![(path.to_owned(), file.into_bytes())])?;
     tables(path, &mut ledger)?;
     let failed = |error| Failure::at(path.display(), error);
-    if let Some(first) = unwritten.first() {
-        let number = unwritten.len();
-        let line = text!([first, number]
-            "{number} houses cannot be written by themselves, the first of them `{first}`",
-            "{number} 棟は単独のテキストにできません。最初は `{first}` です"
-        );
-        writeln!(io::stderr(), "{}", line.in_language(language)).map_err(failed)?;
-    }
+    not_written(&unwritten, language).map_err(failed)?;
     left_out(open, language).map_err(failed)?;
     if !quiet {
         summary(path, &ledger, count, language).map_err(failed)?;
@@ -78,6 +71,19 @@ pub(super) fn build(
         included,
         out,
     ))
+}
+
+/// Tells of houses that cannot be written by themselves.
+fn not_written(names: &[String], language: Language) -> io::Result<()> {
+    let Some(first) = names.first() else {
+        return Ok(());
+    };
+    let number = names.len();
+    let line = text!([first, number]
+        "{number} houses cannot be written by themselves, the first of them `{first}`",
+        "{number} 棟は単独のテキストにできません。最初は `{first}` です"
+    );
+    writeln!(io::stderr(), "{}", line.in_language(language))
 }
 
 /// Prints how many things are no houses.

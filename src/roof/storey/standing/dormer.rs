@@ -42,6 +42,8 @@ const INSIDE: f64 = 0.1;
 const BELOW: f64 = 0.05;
 /// How far it extends into the slope at its back, and how far its feet lie below it, metres.
 const INTO: f64 = 0.05;
+/// How far inside of an edge heights are taken, metres.
+const HAIR: f64 = 1e-5;
 /// The step of searches along a slope, metres.
 const STEP: f64 = 0.02;
 /// The longest way along a slope, metres.
@@ -129,20 +131,22 @@ impl<'a, 'h> Dormer<'a, 'h> {
             false => 0.0,
         };
         // A hair inside, since the edge of a covering belongs to it hardly.
-        let feet = [0.0, centre, frame.length].map(|u| height(u, at + 1e-5));
+        let inside = at + HAIR;
+        let feet = [0.0, centre, frame.length].map(|u| height(u, inside));
         let [Some(left), Some(foot), Some(right)] = feet else {
             return None;
         };
-        let (n, plane) = slopes.over(frame.at(centre, at + 1e-5))?;
-        let falls = plane.slope.dot(frame.inward()) > LEAST_FALL;
-        (falls && frame.length > LEAST_WIDTH).then(|| Dormer {
+        let (n, plane) = slopes.over(frame.at(centre, inside))?;
+        let fall = plane.slope.dot(frame.inward());
+        (fall > LEAST_FALL && frame.length > LEAST_WIDTH).then(|| Dormer {
             one,
             slopes,
             host: &roofs[n],
             side,
             frame,
             at,
-            foot: foot.min(left).min(right),
+            // The slope ends exactly in the foot of the gable.
+            foot: foot.min(left).min(right) - fall * HAIR,
             in_eaves,
         })
     }
