@@ -1,4 +1,4 @@
-//! `hsd facade`: photographs of a wall become its parts and a text that builds it again (`spec/plans.md`, section 5; 003-01 to
+//! `hsd facade`: photographs of a wall become its parts and a text that builds it again (docs/contract.md 12; 003-01 to
 //! 003-06).
 //!
 //! A wall is found or told by its corners, seen straight through lens and perspective, cut on a lattice of bays and storeys;

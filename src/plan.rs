@@ -1,4 +1,4 @@
-//! `hsd plan`: reads the picture or drawing of a floor plan and writes the house that it shows (`spec/plans.md`, sections 1 and 2).
+//! `hsd plan`: reads the picture or drawing of a floor plan and writes the house that it shows (docs/contract.md 11).
 //!
 //! | step | file | result |
 //! |---|---|---|

@@ -1,4 +1,4 @@
-//! Plans as vectors: SVG, DXF and pages of PDF (`spec/plans.md`, section 1).
+//! Plans as vectors: SVG, DXF and pages of PDF (docs/contract.md 11).
 //!
 //! | step | file | result |
 //! |---|---|---|
