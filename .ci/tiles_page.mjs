@@ -1,6 +1,7 @@
 // Browser side of tiles.mjs: loads a tileset with 3d-tiles-renderer, near enough that every level is wanted.
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { TilesRenderer } from '3d-tiles-renderer/three';
 import { GLTFExtensionsPlugin } from '3d-tiles-renderer/three/plugins';
@@ -9,6 +10,7 @@ import { GLTFMeshFeaturesExtension, GLTFStructuralMetadataExtension } from '3d-t
 const renderer = new THREE.WebGLRenderer();
 renderer.setSize(320, 240);
 document.body.append(renderer.domElement);
+const textures = new KTX2Loader().setTranscoderPath('/node_modules/three/examples/jsm/libs/basis/').detectSupport(renderer);
 
 /** Waits until nothing is loading for some frames. */
 async function settled(tiles) {
@@ -26,6 +28,7 @@ window.visit = async url => {
   const tiles = new TilesRenderer(url);
   tiles.registerPlugin(new GLTFExtensionsPlugin({
     meshoptDecoder: MeshoptDecoder,
+    ktxLoader: textures,
     plugins: [() => new GLTFMeshFeaturesExtension(), () => new GLTFStructuralMetadataExtension()],
   }));
   tiles.addEventListener('load-error', ({ error, url: of }) => errors.push(`${of}: ${error}`));

@@ -22,7 +22,7 @@ pub mod samples;
 mod table;
 
 pub use contact::contact_sheet;
-pub use files::{COLOR_SIZE, ORM_SIZE, embedded, encode, encode_all, jpeg, png};
+pub use files::{COLOR_SIZE, ORM_SIZE, embedded, encode, encode_all, is_embedded, jpeg, png};
 pub use table::SURFACES;
 
 use image::RgbImage;

@@ -172,6 +172,18 @@ pub fn mime(bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
+/// Returns the width and height of a KTX2 in pixels.
+pub(crate) fn ktx2_size(bytes: &[u8]) -> Option<(u32, u32)> {
+    let number = |at: usize| {
+        bytes
+            .get(at..at + 4)?
+            .try_into()
+            .ok()
+            .map(u32::from_le_bytes)
+    };
+    Some((number(20)?, number(24)?))
+}
+
 /// Returns the width and height of a PNG or JPEG in pixels, from its first bytes.
 pub(crate) fn size(mut file: impl BufRead + Seek) -> Option<(u32, u32)> {
     if let Some(size) = png::size(file.fill_buf().ok()?) {

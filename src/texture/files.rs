@@ -72,6 +72,11 @@ pub fn embedded(file: &str) -> Option<&'static [u8]> {
         .map(|(_, bytes)| *bytes)
 }
 
+/// Returns true if these are the bytes of a file of `textures/`, in its place.
+pub fn is_embedded(bytes: &[u8]) -> bool {
+    EMBEDDED.iter().any(|(_, own)| std::ptr::eq(*own, bytes))
+}
+
 macro_rules! embed {
     ($($surface:literal: $($look:literal)*;)*) => {
         &[$(

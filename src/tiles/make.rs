@@ -3,6 +3,8 @@
 use super::input::TileInput;
 use super::mesh::Tile;
 use super::record::{LevelRecord, MM, TextureRecord, TileRecord};
+#[cfg(feature = "compress")]
+use crate::backend::gltf::Ktx2;
 use crate::backend::gltf::{TileContent, TileWriter, graphics_bytes};
 use crate::backend::images::Library;
 use crate::backend::{Images, OutFile, PictureBytes, SurfaceFiles};
@@ -46,12 +48,20 @@ pub fn make(
     let mut files = Files::default();
     for detail in levels {
         let level = driver.level(&made, *detail, &mut found);
-        let shown = TileImages(&level.library);
+        let plain = TileImages(&level.library);
+        #[cfg(feature = "compress")]
+        let small = packed.then(|| Ktx2::of_tile(&level.scene, &plain, *detail > Detail::Flat));
+        #[cfg(not(feature = "compress"))]
+        let small: Option<TileImages<'_>> = None;
+        let shown: &dyn Images = match &small {
+            Some(small) => small,
+            None => &plain,
+        };
         let mut writer = TileWriter::packed(*detail, centre, packed);
         for (nodes, row) in level.houses.iter().zip(&row_of) {
-            writer.add(level.scene.part(nodes.clone()), *row, &shown);
+            writer.add(level.scene.part(nodes.clone()), *row, shown);
         }
-        let content = writer.content(&level.scene.materials, &shown, &rows, FOLDER);
+        let content = writer.content(&level.scene.materials, shown, &rows, FOLDER);
         if let Some(content) = content {
             let name = format!("tiles/{}-{hash}-{}.glb", tile.key.stem(), *detail as u8);
             files.add(name, *detail, content);

@@ -2,8 +2,9 @@
 
 use super::{Array, Model, houses};
 use glam::DVec3;
-use hsd::backend::NoImages;
-use hsd::backend::gltf::{FeatureRow, TileWriter};
+use hsd::backend::gltf::{FeatureRow, Ktx2, TileWriter, graphics_bytes};
+use hsd::backend::images::Library;
+use hsd::backend::{Images, NoImages};
 
 /// A tile with two machiya.
 fn tile(packed: bool) -> (TileContentBytes, Model) {
@@ -96,4 +97,47 @@ fn packed_tiles_have_the_shapes_of_plain_ones() {
         let at = DVec3::new(p[0].into(), (-p[2]).into(), p[1].into()) + DVec3::new(4.0, 2.0, 0.0);
         assert!(low.cmple(at).all() && at.cmple(high).all(), "{at}");
     }
+}
+
+#[test]
+fn images_of_packed_tiles_stay_packed_on_the_card() {
+    let scene = houses([(0.0, 0.0, 180.0), (12.0, 3.0, 150.0)]);
+    let library = Library::default();
+    let row = || FeatureRow {
+        key: "a".into(),
+        layer: "houses".into(),
+        kind: "machiya".into(),
+        year: String::new(),
+        evidence: String::new(),
+        parameters: String::new(),
+        rule: 0,
+        line: 1,
+    };
+    let images = |shown: &dyn Images| -> Vec<(String, Vec<u8>)> {
+        let mut writer = TileWriter::packed(scene.detail, DVec3::new(4.0, 2.0, 0.0), true);
+        writer.add(scene.whole(), 0, shown);
+        let made = writer.content(&scene.materials, shown, &[row()], "../textures");
+        let images = made.expect("something is to be seen").textures.into_iter();
+        images
+            .map(|image| (image.name, image.bytes.into_owned()))
+            .collect()
+    };
+    let plain = images(&library);
+    let small = images(&Ktx2::of_tile(&scene, &library, true));
+    assert_eq!(small, images(&Ktx2::of_tile(&scene, &library, true)), "once more");
+    assert_eq!(plain.len(), small.len());
+    let mut packed = 0;
+    for ((plain_name, plain), (name, bytes)) in plain.iter().zip(&small) {
+        if !name.ends_with(".ktx2") {
+            // Relief keeps its form.
+            assert!(name.ends_with("_normal.jpg"), "{name}");
+            assert_eq!((plain_name, plain), (name, bytes));
+            continue;
+        }
+        packed += 1;
+        assert_eq!(plain_name.split('.').next(), name.split('.').next());
+        assert_eq!(graphics_bytes(plain), 4 * graphics_bytes(bytes), "{name}");
+        assert!(graphics_bytes(bytes) > 0, "{name}");
+    }
+    assert!(packed > 3, "{packed} of {}", small.len());
 }

@@ -385,9 +385,12 @@ fn byte(x: f32) -> u8 {
     (x * 127.0).round() as i8 as u8
 }
 
-/// Returns an estimate of the bytes that an image takes on a graphics card: four a pixel, and a third more for its smaller
-/// copies.
+/// Returns an estimate of the bytes that an image takes on a graphics card: four a pixel, one if it stays packed there, and a
+/// third more for its smaller copies.
 pub fn graphics_bytes(image: &[u8]) -> u64 {
-    let size = images::size(Cursor::new(image));
-    size.map_or(0, |(w, h)| u64::from(w) * u64::from(h) * 4 * 4 / 3)
+    let (size, bytes) = match images::mime(image) {
+        Some(images::KTX2) => (images::ktx2_size(image), 1),
+        _ => (images::size(Cursor::new(image)), 4),
+    };
+    size.map_or(0, |(w, h)| u64::from(w) * u64::from(h) * bytes * 4 / 3)
 }

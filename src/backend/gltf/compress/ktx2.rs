@@ -3,13 +3,15 @@
 
 use crate::backend::{Images, PictureBytes, SurfaceFiles};
 use crate::scene::{self, Scene};
+use crate::texture;
 use ktx::dfd::khr_df::KHR_DF_PRIMARIES_UNSPECIFIED;
 use ktx::encode_params::{BasisParams, KTX_BASIS_CODEC_ETC1S, KTX_BASIS_PARAMS_SIZE};
 use ktx::texture::{TextureCreateInfo, TextureCreateStorage};
 use ktx::{KtxResult, Texture2, VkFormat};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::thread;
 
 /// Quality from 1 to 255; higher is better and larger. At 128, grey tiles turn violet.
@@ -22,7 +24,7 @@ const EFFORT: u32 = 1;
 /// four, are unchanged.
 pub struct Ktx2<'a> {
     plain: &'a dyn Images,
-    made: Vec<(Task<'a>, Option<Vec<u8>>)>,
+    made: Vec<(Task<'a>, Option<Arc<[u8]>>)>,
 }
 
 /// An image to encode.
@@ -44,40 +46,28 @@ enum Content {
 impl<'a> Ktx2<'a> {
     /// Encodes the images of materials on all processors; the bytes do not depend on their number.
     pub fn new(scene: &Scene, plain: &'a dyn Images) -> Ktx2<'a> {
-        let mut tasks: Vec<Task<'a>> = vec![];
-        let mut add = |bytes, content| {
-            let task = Task { bytes, content };
-            if !tasks.contains(&task) {
-                tasks.push(task);
-            }
-        };
-        for material in used(scene) {
-            let mirrored = material.mirrored.and_then(|index| plain.mirrored(index));
-            if let Some(picture) = mirrored {
-                add(picture.bytes, Content::Color);
-            }
-            let files = match &material.image {
-                scene::Image::None => None,
-                scene::Image::Surface(name) => plain.files(name),
-                scene::Image::Baked(index) => plain.baked(*index),
-                scene::Image::Picture(index) => {
-                    if let Some(picture) = plain.picture(*index) {
-                        add(picture.bytes, Content::Color);
-                    }
-                    None
-                }
-            };
-            if let Some(files) = files {
-                add(files.color.bytes, Content::Color);
-                if let Some(orm) = files.orm {
-                    add(orm.bytes, Content::Gloss);
-                }
-            }
-        }
-        let encoded = all(&tasks);
+        let tasks = tasks(scene, plain, true);
+        let encoded = all(&tasks).into_iter().map(|bytes| bytes.map(Arc::from));
         Ktx2 {
             plain,
             made: tasks.into_iter().zip(encoded).collect(),
+        }
+    }
+
+    /// The same for a tile, on the thread that makes it, with or without gloss. Images of surfaces, which are the program's
+    /// own and the same in all tiles, are encoded once.
+    pub fn of_tile(scene: &Scene, plain: &'a dyn Images, gloss: bool) -> Ktx2<'a> {
+        let tasks = tasks(scene, plain, gloss);
+        let made = tasks.into_iter().map(|task| {
+            let bytes = match texture::is_embedded(task.bytes) {
+                true => kept(task),
+                false => encoded(task).map(Arc::from),
+            };
+            (task, bytes)
+        });
+        Ktx2 {
+            plain,
+            made: made.collect(),
         }
     }
 
@@ -122,6 +112,53 @@ impl Images for Ktx2<'_> {
     fn baked(&self, index: u32) -> Option<SurfaceFiles<'_>> {
         self.plain.baked(index).map(|files| self.put_all(files))
     }
+}
+
+/// Lists the images of materials, each once.
+fn tasks<'a>(scene: &Scene, plain: &'a dyn Images, gloss: bool) -> Vec<Task<'a>> {
+    let mut tasks: Vec<Task<'a>> = vec![];
+    let mut add = |bytes, content| {
+        let task = Task { bytes, content };
+        if !tasks.contains(&task) {
+            tasks.push(task);
+        }
+    };
+    for material in used(scene) {
+        let mirrored = material.mirrored.and_then(|index| plain.mirrored(index));
+        if let Some(picture) = mirrored {
+            add(picture.bytes, Content::Color);
+        }
+        let files = match &material.image {
+            scene::Image::None => None,
+            scene::Image::Surface(name) => plain.files(name),
+            scene::Image::Baked(index) => plain.baked(*index),
+            scene::Image::Picture(index) => {
+                if let Some(picture) = plain.picture(*index) {
+                    add(picture.bytes, Content::Color);
+                }
+                None
+            }
+        };
+        if let Some(files) = files {
+            add(files.color.bytes, Content::Color);
+            if let Some(orm) = files.orm.filter(|_| gloss) {
+                add(orm.bytes, Content::Gloss);
+            }
+        }
+    }
+    tasks
+}
+
+/// Encodes an image of the program once; other threads wait for it.
+fn kept(task: Task<'_>) -> Option<Arc<[u8]>> {
+    type Slot = Arc<OnceLock<Option<Arc<[u8]>>>>;
+    static KEPT: Mutex<BTreeMap<(usize, bool), Slot>> = Mutex::new(BTreeMap::new());
+    let key = (task.bytes.as_ptr().addr(), task.content == Content::Gloss);
+    let slot = {
+        let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+        kept.entry(key).or_default().clone()
+    };
+    slot.get_or_init(|| encoded(task).map(Arc::from)).clone()
 }
 
 /// Returns the materials of meshes that nodes show.
