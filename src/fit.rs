@@ -1,7 +1,7 @@
 //! Fittings of a house: platform, veranda, tie beams, bracket complexes, finials, rooms. They need the finished roofs: purlins
 //! end under them, finials stand on them.
 //!
-//! - [`mod@put`]: what stands by itself beside the house;
+//! - [`mod@outdoors`]: what is beside the house;
 //! - [`around`]: outlines at a margin outside the walls;
 //! - [`platform`], [`plinth`], [`veranda`], [`brackets`], [`beams`], [`finial`]: one kind of fitting each;
 //! - [`mod@rooms`]: the areas between walls ([`areas`], [`plan`]), the mats in them ([`mats`], [`names`]), what is built into

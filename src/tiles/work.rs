@@ -1,5 +1,5 @@
 //! A town in three steps, for engines that run on many machines: [`plan`] divides it into tiles and puts all that each needs
-//! into a store; a [`Worker`] makes tiles, in any order, on any machine, again if need be; [`seal`] puts the town together. Each
+//! into a store; a [`Worker`] makes tiles, in any order, on any machine, again if need be; [`seal()`] puts the town together. Each
 //! step is a function over files, whose names tell what is in them, so executions may be repeated and effects are not.
 //!
 //! | file | holds |
