@@ -60,7 +60,7 @@ pub(in crate::cli) struct Town {
     #[arg(long, value_name = "0..3", value_delimiter = ',', value_parser = clap::value_parser!(u8).range(0..=3))]
     detail: Vec<u8>,
 
-    /// Pack the shapes of tiles (EXT_meshopt_compression), for the web: a quarter to a third of the bytes. Needs an hsd that was
+    /// Pack tiles for the web (EXT_meshopt_compression, KTX2): a third of the bytes and of the graphics memory. Needs an hsd that was
     /// built with `--features compress`.
     #[arg(long)]
     compress: bool,
