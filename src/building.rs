@@ -113,7 +113,7 @@ pub struct House {
     /// Gravel, moss and paving beside it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub grounds: Vec<Ground>,
-    /// What a town made in place of a house.
+    /// Set if this is no house but an outdoor object of a town.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outdoors: Option<Box<ast::Outdoors>>,
     /// Its age; `None` = not weathered.

@@ -212,7 +212,7 @@ pub struct Put {
 pub struct Ground {
     /// The element.
     pub span: Span,
-    /// What it is covered with.
+    /// Its surface.
     pub surface: GroundSurface,
     /// Its middle (a, b) in U, author frame.
     pub at: (f64, f64),
@@ -222,7 +222,7 @@ pub struct Ground {
     pub turn: f64,
 }
 
-/// What ground is covered with.
+/// The surface of covered ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum GroundSurface {
     /// Gravel (砂利).
@@ -266,7 +266,7 @@ pub struct Fittings {
     pub puts: Vec<Put>,
     /// Gravel, moss and paving beside it, in order: later ones lie on earlier ones.
     pub grounds: Vec<Ground>,
-    /// What a town made in place of a house: a piece of road, trees.
+    /// Set if this is no house but an outdoor object of a town, such as a road or a row of trees.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outdoors: Option<Box<super::Outdoors>>,
 }

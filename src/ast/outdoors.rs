@@ -4,7 +4,7 @@ use crate::source::Span;
 use glam::{DVec2, DVec3};
 use serde::Serialize;
 
-/// What a rule makes of a feature beside houses.
+/// The outdoor object that a rule asks for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outdoor {
     /// A road along a line, or over an area.
@@ -34,7 +34,7 @@ impl Outdoor {
 pub struct Road {
     /// Its width, pavements and drains with it; without, that of the map or of its class.
     pub width: Option<f64>,
-    /// What it is laid with.
+    /// Its surface.
     pub surface: Surface,
     /// The width of the pavement on either side; 0 for none.
     pub pavement: f64,
@@ -83,7 +83,7 @@ pub struct Fence {
     pub height: Option<f64>,
 }
 
-/// What a road is laid with.
+/// The surface of a road.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub enum Surface {
     /// Trodden earth.
@@ -159,12 +159,12 @@ impl Species {
     }
 }
 
-/// What stands and lies outside houses, as shapes.
+/// The shapes of an outdoor object.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Outdoors {
     /// The element.
     pub span: Span,
-    /// What it is, for the names of nodes.
+    /// Its kind; nodes are named after it.
     pub word: &'static str,
     /// What lies on the ground.
     pub sheets: Vec<Sheet>,

@@ -1,4 +1,4 @@
-//! What a rule makes of a feature beside houses (docs/contract.md 10.4): shapes on the ground, and fences as runs of parts.
+//! Outdoor objects of a town (docs/contract.md 10.4): a rule turns a feature into shapes on the ground, or a fence as runs of parts.
 
 mod bands;
 mod fences;
