@@ -6,12 +6,9 @@ use hsd::backend::gltf::{FeatureRow, Ktx2, TileWriter, graphics_bytes};
 use hsd::backend::images::Library;
 use hsd::backend::{Images, NoImages};
 
-/// A tile with two machiya.
-fn tile(packed: bool) -> (TileContentBytes, Model) {
-    let scene = houses([(0.0, 0.0, 180.0), (12.0, 3.0, 150.0)]);
-    let mut writer = TileWriter::packed(scene.detail, DVec3::new(4.0, 2.0, 0.0), packed);
-    writer.add(scene.whole(), 0, &NoImages);
-    let row = FeatureRow {
+/// A row of the table of features.
+fn row() -> FeatureRow {
+    FeatureRow {
         key: "a".into(),
         layer: "houses".into(),
         kind: "machiya".into(),
@@ -20,8 +17,15 @@ fn tile(packed: bool) -> (TileContentBytes, Model) {
         parameters: String::new(),
         rule: 0,
         line: 1,
-    };
-    let made = writer.content(&scene.materials, &NoImages, &[row], "textures");
+    }
+}
+
+/// A tile with two machiya.
+fn tile(packed: bool) -> (TileContentBytes, Model) {
+    let scene = houses([(0.0, 0.0, 180.0), (12.0, 3.0, 150.0)]);
+    let mut writer = TileWriter::packed(scene.detail, DVec3::new(4.0, 2.0, 0.0), packed);
+    writer.add(scene.whole(), 0, &NoImages);
+    let made = writer.content(&scene.materials, &NoImages, &[row()], "textures");
     let made = made.expect("something is to be seen");
     let model = Model::new(&made.glb);
     let kept = TileContentBytes {
@@ -103,16 +107,6 @@ fn packed_tiles_have_the_shapes_of_plain_ones() {
 fn images_of_packed_tiles_stay_packed_on_the_card() {
     let scene = houses([(0.0, 0.0, 180.0), (12.0, 3.0, 150.0)]);
     let library = Library::default();
-    let row = || FeatureRow {
-        key: "a".into(),
-        layer: "houses".into(),
-        kind: "machiya".into(),
-        year: String::new(),
-        evidence: String::new(),
-        parameters: String::new(),
-        rule: 0,
-        line: 1,
-    };
     let images = |shown: &dyn Images| -> Vec<(String, Vec<u8>)> {
         let mut writer = TileWriter::packed(scene.detail, DVec3::new(4.0, 2.0, 0.0), true);
         writer.add(scene.whole(), 0, shown);
@@ -124,7 +118,11 @@ fn images_of_packed_tiles_stay_packed_on_the_card() {
     };
     let plain = images(&library);
     let small = images(&Ktx2::of_tile(&scene, &library, true));
-    assert_eq!(small, images(&Ktx2::of_tile(&scene, &library, true)), "once more");
+    assert_eq!(
+        small,
+        images(&Ktx2::of_tile(&scene, &library, true)),
+        "once more"
+    );
     assert_eq!(plain.len(), small.len());
     let mut packed = 0;
     for ((plain_name, plain), (name, bytes)) in plain.iter().zip(&small) {
@@ -136,7 +134,9 @@ fn images_of_packed_tiles_stay_packed_on_the_card() {
         }
         packed += 1;
         assert_eq!(plain_name.split('.').next(), name.split('.').next());
-        assert_eq!(graphics_bytes(plain), 4 * graphics_bytes(bytes), "{name}");
+        // A byte a pixel instead of four, with smaller levels of a third of it, rounded down.
+        let off = graphics_bytes(plain).abs_diff(4 * graphics_bytes(bytes));
+        assert!(off < 4, "{name}: {off}");
         assert!(graphics_bytes(bytes) > 0, "{name}");
     }
     assert!(packed > 3, "{packed} of {}", small.len());
