@@ -10,6 +10,7 @@
 //! | the grid of half ken is found | [`grid`] | [`grid::Grid`] |
 //! | the strokes on each unit are compared with a legend | [`strokes`], [`legend`] | [`strokes::Units`] |
 //! | outline and rooms follow | [`shape`] | [`shape::Shape`] |
+//! | floors and what stands on them | [`inside`] | the same with them |
 //! | storeys are laid over each other | [`register`] | a move in units |
 //! | the source file is written | [`house`], [`text`] | [`house::House`] |
 //! | the sheet is drawn for the review | [`underlay`] | a picture, and a map to the house |
@@ -23,6 +24,7 @@ pub mod drawing;
 pub mod flatten;
 pub mod grid;
 pub mod house;
+pub mod inside;
 pub mod legend;
 pub mod marks;
 mod picture;
@@ -204,7 +206,9 @@ pub fn find(
     if grid.fit < LEAST_FIT {
         return Err(seen.at(Refused::NoGrid(grid.fit)));
     }
-    let Some((units, legend)) = by_best_legend(&seen.ink, &grid, legends) else {
+    let straight = seen.ink.without_slanting();
+    let inks = (&seen.ink, &straight);
+    let Some((units, legend)) = by_best_legend(inks, &grid, legends) else {
         return Err(seen.at(Refused::NoSymbols(0.0)));
     };
     if units.likeness < LEAST_LIKENESS {
@@ -221,6 +225,7 @@ pub fn find(
         (seen.units, seen.shape) = (Some(units), Some(shape));
         return Err(seen.at(Refused::NoHouse));
     }
+    let shape = inside::furnished(shape, &legend.things, inks, &grid, legend.is_by_hand);
     Ok(Found {
         flat: seen.flat,
         ink: seen.ink,
@@ -231,14 +236,13 @@ pub fn find(
     })
 }
 
-/// Reads the units of a grid by each legend; returns those that agree best, of two that agree equally the first.
+/// Reads the units of a grid by each legend, from all ink and from that which does not run aslant; returns those that agree best, of two that agree equally the first.
 fn by_best_legend<'l>(
-    ink: &Ink,
+    (ink, straight): (&Ink, &Ink),
     grid: &Grid,
     legends: &'l [Legend],
 ) -> Option<(Units, &'l Legend)> {
     let pen = strokes::pen(ink, grid);
-    let straight = ink.without_slanting();
     let walls = straight.without_writing(WRITING * grid.unit, |middle, size| {
         // Posts and the bars of lattices are small too, but stand on lines of the grid.
         let at = grid.units_of(middle);
@@ -253,7 +257,7 @@ fn by_best_legend<'l>(
         if b.0.likeness > a.0.likeness { b } else { a }
     };
     let (best, legend) = looks.into_iter().reduce(better)?;
-    Some((best.units(grid).with_cells(&straight, grid), legend))
+    Some((best.units(grid).with_cells(straight, grid), legend))
 }
 
 /// Whether what was found is a house: not a few strokes of something else that happen to close, nor ruled paper.

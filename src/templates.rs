@@ -116,24 +116,27 @@ pub static EXAMPLES: &[Template] = templates! { "examples"
     "御殿, 書院造, 城, goten, shoin-zukuri, shiro, castle"
 };
 
-/// Common search terms that no template covers.
+/// Common search terms for things that are parts or fences, not houses.
 const ABSENT: &[(&str, Noun)] = &[
     (
         "鳥居, torii",
         noun(
-            "torii have no model yet; `shrine` is the building behind one",
-            "鳥居の形はまだありません。社殿は `shrine` にあります",
+            "a torii is a part, `<Put code=\"ORI 4\"/>` in a house; `shrine` is the building behind one",
+            "鳥居は部材です(`House` の中に `<Put code=\"ORI 4\"/>`)。社殿は `shrine` にあります",
         ),
     ),
     (
         "灯籠, 石灯籠, 燈籠, とうろう, tōrō, ishi-dōrō, lantern, stone lantern",
-        noun("lanterns have no model yet", "灯籠の形はまだありません"),
+        noun(
+            "a stone lantern is a part: `<Put code=\"OTO\"/>` in a house",
+            "石灯籠は部材です(`House` の中に `<Put code=\"OTO\"/>`)",
+        ),
     ),
     (
         "生垣, 竹垣, 垣根, 垣, 玉垣, ikegaki, takegaki, kakine, tamagaki, hedge, bamboo fence",
         noun(
-            "hedges and bamboo fences have no model yet; `taka-bei` is a garden wall or a board fence",
-            "生垣や竹垣の形はまだありません。板塀や高塀は `taka-bei` にあります",
+            "hedges and bamboo fences are parts of a wall (`KIK`, `KTK`), and `Hedge` and `Fence` in a town; `taka-bei` is a garden wall or a board fence",
+            "生垣と竹垣は壁の部材(`KIK`、`KTK`)、町では `Hedge` と `Fence` です。板塀や高塀は `taka-bei` にあります",
         ),
     ),
 ];
@@ -164,9 +167,12 @@ impl Template {
     /// Returns the template with this Japanese name, in any spelling of its reading, or with this name on the command
     /// line.
     pub fn named(name: &str) -> Option<&'static Template> {
-        let query = Query::new(name);
-        let own = |t: &&Template| [t.word, t.ja, t.romaji].iter().any(|n| query.is(n));
-        TYPES.iter().chain(EXAMPLES).find(own)
+        let all = || TYPES.iter().chain(EXAMPLES);
+        // Every place in a town asks, nearly always in the spelling of the command line.
+        all().find(|t| t.word == name).or_else(|| {
+            let query = Query::new(name);
+            all().find(|t| [t.word, t.ja, t.romaji].iter().any(|n| query.is(n)))
+        })
     }
 
     /// Returns the templates that a search finds by a name or an alias, house types first. If some match exactly, only
@@ -193,7 +199,7 @@ impl Template {
             .collect()
     }
 
-    /// Returns the note on a thing that no template covers.
+    /// Returns the note on a thing that is no house.
     pub fn absent(word: &str) -> Option<&'static Noun> {
         let query = Query::new(word);
         let found = ABSENT
@@ -321,7 +327,7 @@ mod tests {
     }
 
     #[test]
-    fn what_there_is_not_is_said_and_nothing_far_is_offered() {
+    fn what_is_no_house_is_said_and_nothing_far_is_offered() {
         for word in [
             "鳥居",
             "torii",

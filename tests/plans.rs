@@ -1,5 +1,6 @@
 //! `hsd plan`: houses out of drawn plans, judged by drawings that the tests make themselves.
 
+mod inside;
 mod trial;
 
 use crate::plan_drawings::{self as drawings, Convention, Degradation, Nonsense, Variant};

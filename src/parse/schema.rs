@@ -13,6 +13,7 @@ use attributes::town;
 pub(in crate::parse) use contents::*;
 pub use contents::{Content, ROOT};
 pub use kinds::{AttributeSchema, Kind};
+use std::sync::LazyLock;
 
 /// An element of the language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -362,7 +363,14 @@ pub static ELEMENTS: &[Schema] = &[
 
 /// Returns the element of a name.
 pub fn named(name: &str) -> Option<&'static Schema> {
-    ELEMENTS.iter().find(|e| e.name == name)
+    /// By the length of their names: every element of every house of a town is asked for several times.
+    static BY_LENGTH: LazyLock<Vec<Vec<&Schema>>> = LazyLock::new(|| {
+        let longest = ELEMENTS.iter().map(|e| e.name.len()).max().unwrap_or(0);
+        let of = |length| ELEMENTS.iter().filter(|e| e.name.len() == length).collect();
+        (0..=longest).map(of).collect()
+    });
+    let same_length = BY_LENGTH.get(name.len())?;
+    same_length.iter().find(|e| e.name == name).copied()
 }
 
 /// Returns true for an attribute of a `Place` that sets, or may set, a parameter of the type: `front` does unless it names a

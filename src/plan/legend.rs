@@ -1,7 +1,10 @@
 //! Legends: what a convention of drawing puts for a wall, a screen or a window (`grammar/legend-*.xml`).
 
+mod thing;
+
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
+pub use thing::{Thing, ThingKind};
 
 /// What stands on a unit of the grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -99,8 +102,10 @@ pub struct Legend {
     pub name: String,
     /// Whether its strokes are drawn by hand and sway about the lines of the grid.
     pub is_by_hand: bool,
-    /// Its symbols.
+    /// Its symbols on walls.
     pub symbols: Vec<Symbol>,
+    /// Its symbols in rooms.
+    pub things: Vec<Thing>,
 }
 
 /// What is wrong with a legend, and at which bytes.
@@ -123,6 +128,7 @@ impl Legend {
             name: String::new(),
             is_by_hand: false,
             symbols: Vec::new(),
+            things: Vec::new(),
         };
         loop {
             let start = reader.buffer_position() as usize;
@@ -152,9 +158,13 @@ impl Legend {
                 self.is_by_hand = values.text("hand") == Some("free");
             }
             "Symbol" => self.symbols.push(symbol(values)?),
+            "Thing" => self.things.push(Thing::new(values)?),
             // Of drawings in lines (`vector::roles`).
             "Layer" | "Block" | "LineType" | "Colour" => {}
             _ => {
+                if let Some(taken) = self.things.last_mut().and_then(|t| t.take(name, values)) {
+                    return taken;
+                }
                 let mark = mark(name, values)?;
                 let symbol = self
                     .symbols

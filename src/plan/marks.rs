@@ -14,6 +14,8 @@ use image::{GrayImage, Luma, Rgb, RgbImage};
 const GRID: [u8; 3] = [90, 150, 255];
 /// The colour of what is in doubt.
 const DOUBT: [u8; 3] = [230, 0, 0];
+/// The colour of what stands in rooms.
+const THING: [u8; 3] = [150, 90, 30];
 
 /// What the steps have found, or had found when one of them found too little.
 #[derive(Clone, Copy)]
@@ -134,6 +136,17 @@ fn house(flat: &Flat, grid: &Grid, shape: &Shape) -> RgbImage {
     {
         let role = if *is_joined { Role::Open } else { read.role };
         unit(&mut out, grid, *from, *to, role);
+    }
+    for thing in &shape.things {
+        let ((u, v), (w, d)) = (thing.at, thing.size);
+        let corner = |x: i32, y: i32| {
+            let inwards = |k: i32, from: i32| f64::from(k) + if k == from { 0.1 } else { -0.1 };
+            grid.at(inwards(u + x, u), inwards(v + y, v))
+        };
+        let round = [(0, 0), (w, 0), (w, d), (0, d), (0, 0)].map(|(x, y)| corner(x, y));
+        for side in round.windows(2) {
+            line(&mut out, side[0], side[1], THING, 1);
+        }
     }
     out
 }

@@ -2,6 +2,7 @@
 
 mod settle;
 
+use super::inside::{self, Floor};
 use super::legend::Role;
 use super::strokes::{Read, Units};
 use std::collections::{BTreeMap, BTreeSet};
@@ -35,8 +36,10 @@ pub struct Shape {
     pub inner: Vec<Wall>,
     /// Rooms: cells without walls between them.
     pub rooms: Vec<BTreeSet<(i32, i32)>>,
-    /// Which of the rooms have mats: edges of mats were seen in them.
-    pub mats: BTreeSet<usize>,
+    /// What the rooms are floored with, as far as the drawing tells.
+    pub floors: BTreeMap<usize, Floor>,
+    /// What stands in them.
+    pub things: Vec<inside::Found>,
 }
 
 /// A side of a cell: where it begins, whether it is upright, and the cell beyond it.
@@ -223,8 +226,9 @@ impl Shape {
         };
         shape.walls(&lines);
         shape.rooms = rooms(&shape.cells, &lines);
-        shape.mats = (0..shape.rooms.len())
+        shape.floors = (0..shape.rooms.len())
             .filter(|k| has_mats(&shape.rooms[*k], units))
+            .map(|k| (k, Floor::Tatami))
             .collect();
         shape
     }
