@@ -41,7 +41,9 @@ pub(super) fn things(
     let stamps: Vec<Stamp> = symbols.iter().flat_map(|t| stamps(t, reach)).collect();
     let mut seen: Vec<(Found, bool)> = vec![];
     for room in &shape.rooms {
-        for stamp in &stamps {
+        // The rims of the walls round a single cell look like a ring.
+        let is_wide = |stamp: &&Stamp| room.len() > 1 || stamp.size != (1, 1);
+        for stamp in stamps.iter().filter(is_wide) {
             for &at in room {
                 if stamp.cells(at).all(|c| room.contains(&c))
                     && let Some(likeness) = stamp.likeness(canvas, &near, at)
