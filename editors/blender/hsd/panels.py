@@ -38,8 +38,10 @@ class HSD_PT_source(Panel, bpy.types.Panel):
                 column.prop(own, "folder")
                 column.operator("hsd.decisions", icon="SPREADSHEET")
         else:
-            column.prop(own, "cutaway")
             column.prop(own, "storey")
+            row = column.row()
+            row.enabled = own.storey == 0
+            row.prop(own, "cutaway")
         column.prop(own, "seed")
         if own.status:
             layout.label(text=own.status, translate=False)

@@ -70,11 +70,16 @@ def find(chosen=""):
     return found
 
 
+def plain():
+    """The environment for a program whose words are not for a terminal: without colours."""
+    return {**{k: v for k, v in os.environ.items() if k not in ("CLICOLOR_FORCE", "FORCE_COLOR")}, "NO_COLOR": "1"}
+
+
 def run(program, *words):
     """Runs hsd and returns exit status, standard output and standard error."""
     hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if sys.platform == "win32" else {}
     try:
-        done = subprocess.run([program, *map(str, words)], stdin=subprocess.DEVNULL, capture_output=True, **hidden)
+        done = subprocess.run([program, *map(str, words)], stdin=subprocess.DEVNULL, capture_output=True, env=plain(), **hidden)
     except OSError as error:
         raise Failure(f"{program} cannot be run: {error.strerror or error}") from error
     return done.returncode, done.stdout.decode("utf-8", "replace"), done.stderr.decode("utf-8", "replace")
@@ -123,8 +128,11 @@ def build(program, source, out, options, tiles=False):
     town = is_town(source)
     words = ["town" if town else "build", "--quiet", "--detail", options.detail, *options.common()]
     if not town:
-        words += ["--cutaway"] * options.cutaway
-        words += ["--storey", options.storey] * bool(options.storey)
+        # What stands above a storey is left out with its roofs, so the one goes before the other.
+        if options.storey:
+            words += ["--storey", options.storey]
+        elif options.cutaway:
+            words.append("--cutaway")
     target = f"{out}{os.sep}" if tiles else str(out)
     status, _, errors = run(program, *words, source, "-o", target)
     # A town with a feature that nothing was built of ends with 1, and is there.

@@ -289,6 +289,10 @@ class Settings(Case):
         collection.hsd.cutaway = True
         settle(collection)
         self.assertFalse([o for o in collection.all_objects if o.get("kind") == "roof"])
+        collection.hsd.storey = 1
+        settle(collection)
+        self.assertFalse([m.text for m in collection.hsd.messages])
+        self.assertIn("kept", collection.hsd.status)
 
 
 class Jump(Case):

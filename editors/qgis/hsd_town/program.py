@@ -28,12 +28,17 @@ def find(chosen=""):
     return found
 
 
+def plain():
+    """The environment for a program whose words are not for a terminal: without colours."""
+    return {**{k: v for k, v in os.environ.items() if k not in ("CLICOLOR_FORCE", "FORCE_COLOR")}, "NO_COLOR": "1"}
+
+
 def run(words, tell=lambda line: None, stopped=lambda: False):
     """Runs a command and tells each line of its standard error; ends it when the user stops. Status and standard output."""
     hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if sys.platform == "win32" else {}
     try:
         process = subprocess.Popen([str(w) for w in words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE, encoding="utf-8", errors="replace", **hidden)
+                                   stderr=subprocess.PIPE, encoding="utf-8", errors="replace", env=plain(), **hidden)
     except OSError as error:
         raise Failure(f"{words[0]} cannot be run: {error.strerror or error}") from error
     out = []
