@@ -11,13 +11,13 @@ _JA = {
     "Streets": "道",
     "Heights of the ground (GeoTIFF or ESRI grid)": "地面の高さ(GeoTIFF または ESRI グリッド)",
     "Field with the key": "キーのフィールド",
-    "Field with the house type": "家の型のフィールド",
+    "Field with the house type": "家のひな形のフィールド",
     "Fields by other names": "別の名で使うフィールド",
     "Field": "フィールド",
-    "Name in tests and types": "条件と型での名",
-    "Types": "型",
+    "Name in tests and types": "条件とひな形での名",
+    "Types": "ひな形",
     "Test": "条件",
-    "Type": "型",
+    "Type": "ひな形",
     "Share": "割合",
     "Seed": "乱数の種",
     "Folder of the town": "町のフォルダー",
@@ -29,7 +29,7 @@ _JA = {
     "Levels of detail": "詳細度",
     "As the town says (0, 1, 3)": "町の指定による(0, 1, 3)",
     "0: walls and roofs": "0: 壁と屋根",
-    "0 and 1: pictures of parts": "0 と 1: 部品の画像",
+    "0 and 1: pictures of parts": "0 と 1: 部材の画像",
     "0, 1 and 3: everything": "0、1、3: すべて",
     "is there already, and may have been changed by hand": "すでにあり、手で変えられているかもしれない",
     "The layer has no coordinate reference system, so the tiles stand nowhere on the globe": "レイヤーに座標参照系がないので、タイルは地球上のどこにも置かれない",
@@ -38,7 +38,7 @@ _JA = {
      "name the type of each house; the rules decide on the others: the first test that holds, then by share. Tests "
      "may use fields and measures (area, frontage, depth, kind = 'shop'). The town is written beside the tiles as "
      "town.hsd, to be changed by hand."):
-        "レイヤーの輪郭それぞれに家を建てて 3D Tiles にし、何がなぜ建てられたかをレイヤーに示す。フィールドで家の型を指定できる。"
+        "レイヤーの輪郭それぞれに家を建てて 3D Tiles にし、何がなぜ建てられたかをレイヤーに示す。フィールドで家のひな形を指定できる。"
         "ほかの家は規則が決める: 最初に成り立つ条件、次に割合。条件にはフィールドと寸法が使える(area、frontage、depth、kind = 'shop')。"
         "町はタイルの横に town.hsd として書かれ、手で変えられる。",
     ("Writes a town file from layers: what each is, and what its fields mean, is found from their names and values. "
