@@ -469,4 +469,6 @@ if __name__ == "__main__":
         picture(pathlib.Path(os.environ["HSD_PICTURE"]).resolve())
     shutil.rmtree(WORK, ignore_errors=True)
     print(f"Blender {bpy.app.version_string}")
-    sys.exit(0 if well else 1)
+    sys.stdout.flush()
+    # Some versions of the package fail when Python takes them down.
+    os._exit(0 if well else 1)
