@@ -9,6 +9,7 @@ from the text, and its place: that of the text, plus what the user moved, turned
 import dataclasses
 import json
 
+import addon_utils
 import bpy
 from mathutils import Matrix, Quaternion, Vector
 
@@ -43,6 +44,8 @@ def own_properties(thing):
 
 def import_file(path):
     """Reads a .glb through Blender's own importer and returns objects, materials and images that are new."""
+    if not addon_utils.check("io_scene_gltf2")[1]:
+        addon_utils.enable("io_scene_gltf2")
     before = [set(bpy.data.objects), set(bpy.data.materials), set(bpy.data.images), set(bpy.data.collections)]
     # Without this the list of the layer may still name objects that were removed.
     bpy.context.view_layer.update()

@@ -268,8 +268,9 @@ def redraw():
 def timer():
     """The timer that Blender calls; nothing in it may end it."""
     try:
-        # While an operator or a mode other than that of objects is at work, data must not change below it.
-        if bpy.context.mode == "OBJECT":
+        # What draws or edits the scene must not have it changed below it.
+        busy = any(bpy.app.is_job_running(job) for job in ("RENDER", "OBJECT_BAKE"))
+        if bpy.context.mode == "OBJECT" and not busy:
             tick()
     except ReferenceError:
         pass

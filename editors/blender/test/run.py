@@ -109,6 +109,15 @@ class Import(Case):
         self.assertEqual(part.parent.parent.parent, thing("first"))
         self.assertAlmostEqual(thing("second").matrix_world.translation.x - thing("first").matrix_world.translation.x, 12, places=3)
 
+    def test_the_timer_works_and_stays(self):
+        path, collection = self.house()
+        write_later(path, HOUSES.replace("KKS  TKD 2MRE", "KSK  TKD 2MRE", 1))
+        until = time.monotonic() + 30
+        while thing("first/s1/f1/91")["code"] != "KSK  " and time.monotonic() < until:
+            self.assertEqual(source.timer(), 0.5)
+            time.sleep(0.02)
+        self.assertEqual(thing("first/s1/f1/91")["code"], "KSK  ")
+
     def test_every_example_comes_in(self):
         for name in ("machiya", "tea-shop", "years", "figure4"):
             bpy.ops.import_scene.hsd(filepath=str(EXAMPLES / f"{name}.hsd"), detail="1", watch=False)
