@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The program hsd: where it is, and what it says and builds. Nothing here needs Blender."""
+
+import dataclasses
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+NAME = "hsd.exe" if sys.platform == "win32" else "hsd"
+IMAGES = {".png", ".jpg", ".jpeg", ".webp"}
+
+
+class Failure(Exception):
+    """hsd could not be run or did not answer as expected; the text is for the user."""
+
+
+@dataclasses.dataclass
+class Options:
+    """How a source file is built. Parameters are those that are not left to the text."""
+
+    detail: int = 3
+    cutaway: bool = False
+    storey: int = 0
+    seed: str = ""
+    parameters: dict = dataclasses.field(default_factory=dict)
+    language: str = "en"
+
+    def common(self):
+        """Arguments that every command understands."""
+        words = ["--lang", self.language]
+        if self.seed:
+            words += ["--seed", self.seed]
+        for name, value in sorted(self.parameters.items()):
+            words += ["--param", f"{name}={spell(value)}"]
+        return words
+
+
+@dataclasses.dataclass
+class Built:
+    """What came of a source file: messages, a model or a folder of tiles (None after errors), and the files read."""
+
+    messages: list
+    output: pathlib.Path | None
+    files: list
+    parameters: list
+
+
+def spell(value):
+    """A value as `--param` takes it."""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        return f"{value:.6f}".rstrip("0").rstrip(".")
+    return str(value)
+
+
+def find(chosen=""):
+    """The program: the chosen one, that on the path, or that of cargo."""
+    if chosen:
+        if pathlib.Path(chosen).is_file():
+            return chosen
+        raise Failure(f"there is no program {chosen}: choose hsd in the preferences of the add-on")
+    found = shutil.which(NAME) or shutil.which(NAME, path=str(pathlib.Path.home() / ".cargo" / "bin"))
+    if not found:
+        raise Failure("hsd is not on the path: install it, or choose it in the preferences of the add-on")
+    return found
+
+
+def plain():
+    """The environment for a program whose words are not for a terminal: without colours."""
+    return {**{k: v for k, v in os.environ.items() if k not in ("CLICOLOR_FORCE", "FORCE_COLOR")}, "NO_COLOR": "1"}
+
+
+def run(program, *words):
+    """Runs hsd and returns exit status, standard output and standard error."""
+    hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if sys.platform == "win32" else {}
+    try:
+        done = subprocess.run([program, *map(str, words)], stdin=subprocess.DEVNULL, capture_output=True, env=plain(), **hidden)
+    except OSError as error:
+        raise Failure(f"{program} cannot be run: {error.strerror or error}") from error
+    return done.returncode, done.stdout.decode("utf-8", "replace"), done.stderr.decode("utf-8", "replace")
+
+
+def answer(program, *words):
+    """The JSON on standard output, whatever the exit status says of the source."""
+    status, out, errors = run(program, *words)
+    try:
+        return json.loads(out)
+    except ValueError as error:
+        raise Failure(errors.strip() or f"hsd {words[0]} ended with {status} and no answer") from error
+
+
+def is_town(source):
+    """Whether a source file describes a town: it has an element of that name."""
+    try:
+        text = pathlib.Path(source).read_bytes()
+    except OSError as error:
+        raise Failure(f"{source} cannot be read: {error.strerror}") from error
+    return re.search(rb"<Town[\s>]", re.sub(rb"<!--.*?-->", b"", text, flags=re.S)) is not None
+
+
+def model_files(path):
+    """The files that a .glb names as its sources, as it writes them."""
+    data = path.read_bytes()
+    length = int.from_bytes(data[12:16], "little")
+    extras = json.loads(data[20:20 + length])["asset"].get("extras", {})
+    return extras.get("files", [])
+
+
+def failed(status, errors):
+    """A message of the form of `hsd check` for what a command wrote to standard error."""
+    text = errors.strip() or f"hsd ended with exit status {status}"
+    return {"code": "", "severity": "error", "message": text, "file": "", "line": 0, "column": 0, "help": ""}
+
+
+def build(program, source, out, options, tiles=False):
+    """Checks a source file, lists its parameters and builds it: `out` is a .glb, or a folder for the tiles of a town."""
+    source = pathlib.Path(source)
+    messages = answer(program, "check", "--format", "json", *options.common(), source)
+    parameters = answer(program, "params", "--format", "json", "--lang", options.language, source) or []
+    files = sorted({m["file"] for m in messages if m["file"]})
+    if any(m["severity"] == "error" for m in messages):
+        return Built(messages, None, files, parameters)
+    town = is_town(source)
+    words = ["town" if town else "build", "--quiet", "--detail", options.detail, *options.common()]
+    if not town:
+        # What stands above a storey is left out with its roofs, so the one goes before the other.
+        if options.storey:
+            words += ["--storey", options.storey]
+        elif options.cutaway:
+            words.append("--cutaway")
+    target = f"{out}{os.sep}" if tiles else str(out)
+    status, _, errors = run(program, *words, source, "-o", target)
+    # A town with a feature that nothing was built of ends with 1, and is there.
+    made = pathlib.Path(out) / "tileset.json" if tiles else pathlib.Path(out)
+    if status not in (0, 1) or not made.exists():
+        return Built(messages + [failed(status, errors)], None, files, parameters)
+    if not tiles:
+        files = model_files(made)
+    return Built(messages, pathlib.Path(out), files, parameters)
+
+
+def stamp(source, files):
+    """Times and sizes of a source file and of what it depends on: included files, own parts, and images beside it."""
+    source = pathlib.Path(source)
+    folder = source.parent
+    paths = {source, folder / "catalog.hsd"}
+    paths.update(folder / name for name in files if not name.startswith("hsd:"))
+    for place in (folder, folder / "textures"):
+        if place.is_dir():
+            paths.update(p for p in place.iterdir() if p.suffix.lower() in IMAGES)
+    seen = []
+    for path in sorted(paths):
+        try:
+            told = path.stat()
+        except OSError:
+            continue
+        seen.append(f"{path}:{told.st_mtime_ns}:{told.st_size}")
+    return "|".join(seen)
