@@ -157,10 +157,16 @@ enum Command {
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let language = language::of(&arguments);
-    let (status, message) = match parsed(arguments, language) {
-        Ok(cli) => status(cli.command.run(language), language),
-        Err(error) => return print_clap_error(&error, language),
+    #[cfg(feature = "view")]
+    let arguments = view::first::arguments(arguments, language);
+    #[cfg(not(feature = "view"))]
+    let arguments = Ok(arguments);
+    let outcome = match arguments.map(|arguments| parsed(arguments, language)) {
+        Ok(Ok(cli)) => cli.command.run(language),
+        Ok(Err(error)) => return print_clap_error(&error, language),
+        Err(failure) => Err(failure),
     };
+    let (status, message) = status(outcome, language);
     if !message.is_empty() {
         let _ = writeln!(io::stderr(), "hsd: {message}");
     }

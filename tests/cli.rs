@@ -1,5 +1,7 @@
 //! The program as its users run it.
 
+#[cfg(target_os = "linux")]
+mod desktop;
 mod draw;
 mod facade;
 mod fmt;

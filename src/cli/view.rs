@@ -1,6 +1,7 @@
 //! `hsd view`: runs the live preview.
 
 mod file_host;
+pub(super) mod first;
 
 use super::options::{DetailArgs, ReadArgs};
 use super::{Exit, Failure, Outcome};
