@@ -4,7 +4,6 @@ use super::{drawing, drawings, find};
 use crate::support::{number, on_all_processors};
 use drawings::{Convention, Degradation, Floor, Furnishing, Plan, Point};
 use hsd::plan::inside;
-use hsd::plan::legend::ThingKind;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 

@@ -23,9 +23,9 @@ struct Stamp {
     faces: (i32, i32),
     /// Whether its front is told by the symbol itself.
     is_told: bool,
-    /// Samples along its strokes, from its upper left corner.
+    /// Samples along its strokes within its edges, from its upper left corner.
     points: Vec<(i32, i32)>,
-    /// What lies near them, line by line.
+    /// What lies near its strokes, line by line.
     near: Vec<bool>,
 }
 
@@ -246,6 +246,9 @@ fn stamp(
     for (x, y) in &points {
         on[(y.clamp(&0, &(height - 1)) * width + x.clamp(&0, &(width - 1))) as usize] = true;
     }
+    // Lines of the grid, walls and mats lie on the edges of everything.
+    let within = |k: i32, most: i32| k > reach && k < most - 1 - reach;
+    points.retain(|(x, y)| within(*x, width) && within(*y, height));
     Stamp {
         kind: thing.kind,
         size,
