@@ -25,6 +25,9 @@ const MAT: f64 = 0.010;
 /// From the centre line of a wall to the mats beside it: half a post, which the bar along the wall (畳寄せ) fills; metres.
 const WALL: f64 = 0.060;
 
+/// How far battens reach into the walls, metres.
+const LAP: f64 = 0.004;
+
 /// Width of the cloth along the long sides of a mat (縁), metres.
 const CLOTH: f64 = 0.030;
 
@@ -251,6 +254,6 @@ fn stretches(area: &[Vec<DVec2>], axis: DVec2, across: DVec2, at: f64) -> Vec<(f
     cuts.sort_by(f64::total_cmp);
     let pairs = cuts
         .chunks_exact(2)
-        .map(|pair| (pair[0] + WALL, pair[1] - WALL));
+        .map(|pair| (pair[0] + WALL - LAP, pair[1] - WALL + LAP));
     pairs.filter(|(from, to)| to - from > SAME).collect()
 }
