@@ -3,7 +3,7 @@
 
 use super::depths::{SAME_DEPTH, Skin, Triangle, overlap};
 use glam::{DVec2, DVec3, dvec2};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// The sides of cells in a plane, across a ray and in space, metres.
 const CELL: f64 = 0.5;
@@ -30,7 +30,7 @@ pub struct Fight {
 
 /// Finds them.
 pub fn fights(skins: &[Skin]) -> Vec<Fight> {
-    let mut planes: HashMap<[i64; 3], Vec<(f64, usize)>> = HashMap::new();
+    let mut planes: BTreeMap<[i64; 3], Vec<(f64, usize)>> = BTreeMap::new();
     let mut ground = f64::MAX;
     for (i, ([a, b, c], _)) in skins.iter().enumerate() {
         ground = ground.min(a.z).min(b.z).min(c.z);
@@ -63,7 +63,7 @@ fn shared(skins: &[Skin], plane: &[(f64, usize)]) -> Vec<Fight> {
             flat[0].max(flat[1]).max(flat[2]),
         )
     };
-    let mut cells: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
+    let mut cells: BTreeMap<[i64; 3], Vec<usize>> = BTreeMap::new();
     for (k, (depth, i)) in plane.iter().enumerate() {
         let (lo, hi) = bounds(*i);
         let layer = cell(*depth, 0.01);
