@@ -9,6 +9,7 @@
 //! | `legacy`, `table` | lays out a legacy form; its roof lines |
 //! | `xml` | lays out an XML file |
 //! | `to_xml`, `to_legacy` | write a house in the other form |
+//! | `own_widths` | facades in the widths of their codes |
 //! | `essence` | a tree without its places, to compare |
 //! | `encode` | a source file as bytes in the encoding it came in |
 //! | `lines` | how two files differ |
@@ -17,6 +18,7 @@ mod encode;
 mod essence;
 mod legacy;
 mod lines;
+mod own_widths;
 mod table;
 mod to_legacy;
 mod to_xml;
@@ -25,6 +27,7 @@ mod xml;
 pub use encode::encode;
 pub use essence::essence;
 pub use lines::changes;
+pub(crate) use own_widths::in_own_widths;
 pub use to_legacy::to_legacy;
 pub use to_xml::to_xml;
 

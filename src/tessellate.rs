@@ -385,7 +385,7 @@ impl<'a> Walker<'a> {
             true => self.interior(level, &rings),
             false => self.rooms(level, &inside.rooms),
         }
-        self.fixtures(level, &inside.fixtures);
+        self.fixtures(level, &inside.fixtures, &inside.rooms);
     }
 
     /// The posts of a storey without its walls: what an open hall is from afar.

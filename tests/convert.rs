@@ -142,6 +142,29 @@ fn what_xml_counts_out_stands_in_lines() {
     }
 }
 
+/// What 003 counts: nine storeys of four facades are 19 lines in XML, 40 in the legacy form, where every storey of every facade
+/// is a line (before them origin, heights, unit and an empty line).
+#[test]
+fn facades_are_written_part_by_part() {
+    let row = |code: &str| format!("<repeat num=\"16\"><Part code=\"{code}\"/></repeat>");
+    let xml = format!(
+        "<Structure size=\"160\">\n<Facades>\n<repeat num=\"4\">\n<Facade ratio=\"1\">\n\
+         <Floor id=\"1\" height=\"12\">\n{}\n</Floor>\n\
+         <repeat num=\"7\">\n<Floor id=\"middle\">\n<repeat num=\"8\">NGC  NAP  </repeat>\n</Floor>\n</repeat>\n\
+         <Floor id=\"top\">\n{}\n</Floor>\n</Facade>\n</repeat>\n</Facades>\n</Structure>\n",
+        row("NGC"),
+        row("NAP")
+    );
+    let legacy = written(&xml);
+    assert_eq!(
+        [xml.lines().count(), legacy.lines().count()],
+        [19, 40],
+        "{legacy}"
+    );
+    assert!(legacy.contains("\nunit 3.3\n"), "{legacy}");
+    // That both are one building is checked where they are written.
+}
+
 #[test]
 fn encodings_stay_and_are_declared() {
     let text = "0 0\r\nname 町家\r\n\r\nKSM\r\nKSM\r\nKSM\r\nKSM\r\n";

@@ -17,6 +17,7 @@ mod citations;
 mod close_by;
 mod company;
 mod convert;
+mod coplanar;
 mod corpus;
 mod data;
 mod detail;

@@ -42,11 +42,11 @@ const fn front(bay: f64, height: f64, post: f64, round: bool) -> Front {
 
 /// Parts that stand open, the transom above doors within the house, and fences, which have no house behind them: every other
 /// part closes its bay.
-const OPEN: [&str; 33] = [
+const OPEN: [&str; 34] = [
     "AKI  ", "AKI 2", "ANO  ", "ANL  ", "ANM  ", "ATN  ", "AFU  ", "TFR 2", "KTB  ", "KDB  ",
     "KIB  ", "KTBS ", "KIK  ", "KTK  ", "KTG  ", "OTO  ", "OTB  ", "OTI  ", "OID 2", "OMA 4",
     "OKI 4", "OSE 2", "OTN  ", "OKS 2", "ORI 4", "OKA 4", "OKB 4", "OKD 4", "OMU 4", "OYK 4",
-    "OKR 4", "OSK 4", "OMH 4",
+    "OKR 4", "OSK 4", "OMH 4", "OKN 2",
 ];
 
 #[test]

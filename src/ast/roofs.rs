@@ -268,6 +268,8 @@ pub struct RoofStyle {
     pub plain_ridge: Option<Spanned<bool>>,
     /// The material of an irimoya's gable walls; XML only.
     pub gable_wall: Option<Spanned<GableWall>>,
+    /// From the slope over the walls to the upper face, at right angles, shaku (rf_offs, 004-09); XML only.
+    pub offset: Option<Spanned<f64>>,
     /// Wood or paint of rafters, soffits and boards; XML only.
     pub paint: Option<Spanned<Paint>>,
 }

@@ -72,7 +72,7 @@ fn walls_and_roofs(source: &Source, world: &dyn World, options: &Options) -> Opt
         return None;
     }
     let (documents, catalog) = (&read.documents, &read.catalog);
-    let program = program(
+    let mut program = program(
         &[source],
         documents,
         catalog,
@@ -80,6 +80,12 @@ fn walls_and_roofs(source: &Source, world: &dyn World, options: &Options) -> Opt
         &options.expand,
         &mut out,
     );
+    // Facades are scaled to their width, in the legacy form the unit is.
+    for house in &mut program.houses {
+        if let Some(own) = print::in_own_widths(house, catalog) {
+            *house = own;
+        }
+    }
     let mut built = building(program, catalog, &mut out);
     // The roof section may be written in another way; the resulting roofs are compared.
     for built in &mut built.houses {

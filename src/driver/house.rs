@@ -435,7 +435,7 @@ pub(super) fn houses(
         if let Some(built) = built {
             // Variants are placed in rows later.
             let ground = Some(&built.house).filter(|house| house.variant.is_none());
-            grounds.add(ground.and_then(Ground::of));
+            grounds.add(ground.and_then(|house| Ground::of(house, &read.catalog)));
             houses.push(built);
         }
         out.append(found);

@@ -75,7 +75,7 @@ pub fn inspect(
         };
         houses += 1;
         uses.note(&built, images);
-        grounds.add(Ground::of(&built.house))
+        grounds.add(Ground::of(&built.house, &catalog))
     })?;
     grounds.report(|span| feed.first_line(span, &included), out)?;
     let images = expansion.into_images()?;

@@ -11,9 +11,11 @@ pub(super) use spilled::SpilledGrounds;
 
 use super::gaps::{self, Gap, PASSAGE, WallEnd};
 use crate::building::{House, Ring};
+use crate::catalog::{Catalog, Stance};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::plan::{gap_in_wall, in_each_other};
 use crate::geometry::overlap::Area;
+use crate::program::Content;
 use crate::source::Span;
 use glam::DVec2;
 use std::collections::HashMap;
@@ -70,13 +72,28 @@ pub(super) struct Ground {
     ends: Box<[WallEnd]>,
 }
 
+/// Returns true if all that stands in a ring is fences.
+fn is_fence(ring: &Ring, catalog: &Catalog) -> bool {
+    let units = ring.walls.iter().flat_map(|wall| &wall.units);
+    let mut standing = units
+        .filter(|unit| unit.content != Content::Void)
+        .peekable();
+    standing.peek().is_some()
+        && standing.all(|unit| match &unit.content {
+            Content::Part(id) => catalog.part(*id).stance == Stance::Fence,
+            _ => false,
+        })
+}
+
 impl Ground {
-    /// Returns the ground storey of a house; `None` if its walls enclose nothing.
-    pub(super) fn of(house: &House) -> Option<Ground> {
+    /// Returns the ground storey of a house; `None` if its walls enclose nothing. A ring of fences is a line, not a building:
+    /// houses stand in the yard round which it runs.
+    pub(super) fn of(house: &House, catalog: &Catalog) -> Option<Ground> {
         let storey = house.storeys.first()?;
         let z = house.origin[2];
         let all: Vec<&Ring> = storey.rings.iter().filter(|r| !r.inner).collect();
-        let (closed, open): (Vec<&Ring>, Vec<&Ring>) = all.iter().partition(|r| r.closed);
+        let (closed, open): (Vec<&Ring>, Vec<&Ring>) =
+            all.iter().partition(|r| r.closed && !is_fence(r, catalog));
         let rings: Box<[Outline]> = closed
             .iter()
             .map(|r| {

@@ -258,7 +258,10 @@ impl Made {
                 count: built.len(),
                 first: built.first().map(|b| b.house.span),
                 found,
-                grounds: built.iter().filter_map(|b| Ground::of(&b.house)).collect(),
+                grounds: built
+                    .iter()
+                    .filter_map(|b| Ground::of(&b.house, catalog))
+                    .collect(),
                 images: images.clone().map(|id| (id, uses(id))).collect(),
             }
         });

@@ -137,6 +137,7 @@ fn overlaid(over: &RoofStyle, under: &RoofStyle) -> RoofStyle {
         ratio: over.ratio.or(under.ratio),
         plain_ridge: over.plain_ridge.or(under.plain_ridge),
         gable_wall: over.gable_wall.or(under.gable_wall),
+        offset: over.offset.or(under.offset),
         paint: over.paint.or(under.paint),
     }
 }

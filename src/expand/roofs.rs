@@ -48,6 +48,7 @@ fn wished(roofs: &ast::Roofs) -> Option<Span> {
                 style.ratio.as_ref().map(|s| s.span),
                 style.plain_ridge.as_ref().map(|s| s.span),
                 style.gable_wall.as_ref().map(|s| s.span),
+                style.offset.as_ref().map(|s| s.span),
                 style.paint.as_ref().map(|s| s.span),
             ];
             spans.into_iter().flatten().reduce(Span::to).or(roofs.span)

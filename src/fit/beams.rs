@@ -45,8 +45,9 @@ fn beam(house: &House, wall: &Wall, (from, to): (f64, f64), (post, foot): (f64, 
         to + beyond(to, length) / house.unit,
     );
     let out = outward(wall) * (width / 2.0);
-    // Those along the front lie a little higher, so that at corners no two faces share a plane.
-    let lift = 0.012 * wall.direction.x.abs();
+    // Those along the front lie a little higher, so that at corners no two faces share a plane; none at the
+    // foot shares that of the wall.
+    let lift = 0.012 * wall.direction.x.abs() - 0.006;
     let at = |u: f64| (metres(house, wall.from + wall.direction * u) + out).extend(foot + lift);
     Beam {
         ends: [at(from), at(to)],

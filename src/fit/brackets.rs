@@ -102,11 +102,12 @@ impl Zone<'_> {
 
     /// Adds the wall between the tops of the posts and the storey's.
     fn frieze(&self, wall: &Wall, made: &mut Brackets) {
-        let at = |p: DVec2| metres(self.house, p).extend(self.z.0);
+        // Its foot lies between the tie beam and the plate.
+        let at = |p: DVec2| metres(self.house, p).extend(self.z.0 - 0.007);
         made.frieze.push(Beam {
             ends: [at(wall.from), at(wall.to)],
             width: 0.09,
-            height: self.z.1 - self.z.0 + 0.02,
+            height: self.z.1 - self.z.0 + 0.027,
         });
     }
 

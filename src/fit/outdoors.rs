@@ -16,6 +16,8 @@ const LOWEST: f64 = 0.001;
 const THICK: f64 = 0.012;
 /// How much higher the next one lies, so that it shows where it lies on the one before, metres.
 const STEP: f64 = 0.003;
+/// How much narrower, so that sides of two that end on one line share no plane, metres.
+const INSET: f64 = 0.0008;
 /// The number of steps.
 const MOST: usize = 20;
 
@@ -41,12 +43,13 @@ pub(super) fn put(house: &House, written: &program::Put, out: &mut Diagnostics) 
 
 /// Returns covered ground in its place, the n-th of its house.
 pub(super) fn ground(house: &House, written: &ast::Ground, n: usize) -> Fitting {
+    let later = n.min(MOST) as f64;
     let it = Ground {
         surface: written.surface,
         at: house.place(DVec2::from(written.at), level(house) + LOWEST),
         along: turned(written.turn),
-        size: DVec2::from(written.size) * house.unit,
-        thick: THICK + STEP * n.min(MOST) as f64,
+        size: DVec2::from(written.size) * house.unit - DVec2::splat(INSET * later),
+        thick: THICK + STEP * later,
     };
     fitting(written.span, 0, FittingKind::Ground(it))
 }

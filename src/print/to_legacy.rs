@@ -1,7 +1,7 @@
 //! A house in the legacy form. It is written from the program of the house, where repetitions are expanded and
 //! expressions have values; features without a legacy form are reported with their place.
 
-use super::{legacy, table};
+use super::{legacy, own_widths, table};
 use crate::ast::{
     Document, Era, RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle,
     StoreyKind,
@@ -49,11 +49,15 @@ pub fn to_legacy(
         }
         let written = document.houses.get(index);
         let facades = written.and_then(|house| house.structures.first());
-        if let Some(structure) = facades {
-            // All further messages would follow from that.
-            writer.refuse(structure.span, say::facades(structure.span));
-            continue;
-        }
+        let own = facades.map(|_| own_widths::in_own_widths(house, catalog));
+        let house = match (facades, &own) {
+            (Some(structure), Some(None)) => {
+                // All further messages would follow from that.
+                writer.refuse(structure.span, say::facades(structure.span));
+                continue;
+            }
+            (_, own) => own.as_ref().and_then(Option::as_ref).unwrap_or(house),
+        };
         if let Some(purpose) = house.purpose {
             writer.refuse(purpose.span, say::roof_style(purpose.span));
         }
@@ -311,7 +315,8 @@ impl LegacyWriter<'_> {
         for style in styles.chain([&roofs.style]) {
             let wall = style.gable_wall.map(|s| s.span);
             let paint = style.paint.map(|s| s.span);
-            for span in wall.into_iter().chain(paint) {
+            let offset = style.offset.map(|s| s.span);
+            for span in wall.into_iter().chain(paint).chain(offset) {
                 self.refuse(span, say::eaves_look(span));
             }
         }

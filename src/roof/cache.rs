@@ -223,6 +223,7 @@ fn style_spans(style: &RoofStyle, spans: &mut Vec<Span>) {
         style.sori,
         style.gable,
         style.ratio,
+        style.offset,
     ];
     spans.extend(style.kind.map(|k| k.span));
     spans.extend(style.shape.map(|s| s.span));
@@ -329,11 +330,12 @@ impl Words {
             ratio,
             plain_ridge,
             gable_wall,
+            offset,
             paint,
         } = style;
         self.wish(kind, |kind| kind as u64);
         self.wish(shape, |shape| shape as u64);
-        for length in [pitch, eaves, verge, thickness, sori, gable, ratio] {
+        for length in [pitch, eaves, verge, thickness, sori, gable, ratio, offset] {
             self.wish(length, f64::to_bits);
         }
         self.wish(noshi, u64::from);

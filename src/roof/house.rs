@@ -135,6 +135,7 @@ impl Storey<'_, '_> {
             upper: upper.filter(|u| plain(u)).map(|u| &u.plan),
             roof_top: self.top,
             headroom: std::mem::take(&mut self.headroom),
+            fire_walls: self.fire_walls(),
             outline: OnceCell::new(),
             upper_outline: OnceCell::new(),
         };
@@ -174,6 +175,12 @@ impl Storey<'_, '_> {
                 .map_or(level.storey.span, |l| l.line.span);
             out.push(say::too_many_meet(place, level.storey.number));
         }
+    }
+
+    fn fire_walls(&self) -> Vec<Cell> {
+        let walls = self.lines.iter();
+        let walls = walls.filter(|line| line.shape == RoofShape::FireWall);
+        walls.map(|line| line.cell).collect()
     }
 
     /// Returns the storey divided at the necks of its wings at odd angles; none if it has none, or if one roof over all of it

@@ -25,6 +25,12 @@ const MAT: f64 = 0.010;
 /// From the centre line of a wall to the mats beside it: half a post, which the bar along the wall (畳寄せ) fills; metres.
 const WALL: f64 = 0.060;
 
+/// How far battens reach into the walls, metres.
+const LAP: f64 = 0.004;
+
+/// Top of a floor of earth (土間 doma) below the boards, metres: three sun above the ground.
+const DOMA: f64 = -0.190;
+
 /// Width of the cloth along the long sides of a mat (縁), metres.
 const CLOTH: f64 = 0.030;
 
@@ -58,7 +64,13 @@ impl Walker<'_> {
         });
         let foot = if level.grounded() { GROUND } else { BOARDS };
         for piece in pieces(level, room, room.floors.as_ref()) {
-            slab(&mut bodies, floor, &piece, foot, floor_top(level));
+            slab(
+                &mut bodies,
+                floor,
+                &piece,
+                foot,
+                floor_top(level, room.floor),
+            );
         }
         // None that would stick out of a lean-to.
         let seen = self.shown.has_ceiling(level.storey.number, self.storeys);
@@ -110,7 +122,7 @@ impl Walker<'_> {
                 mesh
             }
         };
-        let at = dvec3(-middle.x, middle.y, floor_top(level));
+        let at = dvec3(-middle.x, middle.y, floor_top(level, Flooring::Tatami));
         let node = self.node(Some(room), Kind::Room, format_compact!("mat {number}"), at);
         node.mesh = Some(mesh);
         if !along_a {
@@ -150,9 +162,12 @@ fn mat_body(length: f64, width: f64) -> Bodies {
     bodies
 }
 
-/// Returns the top of the boards: a hair below the thresholds on the ground, above the tops of the walls below upstairs.
-fn floor_top(level: Level<'_>) -> f64 {
-    if level.storey.number == 1 {
+/// Returns the top of a floor: boards lie a hair below the thresholds on the ground, above the tops of the walls below
+/// upstairs; earth lies on the ground, a long step lower.
+fn floor_top(level: Level<'_>, floor: Flooring) -> f64 {
+    if floor == Flooring::Earth && level.grounded() {
+        DOMA
+    } else if level.storey.number == 1 {
         UNDER
     } else {
         -UNDER
@@ -251,6 +266,6 @@ fn stretches(area: &[Vec<DVec2>], axis: DVec2, across: DVec2, at: f64) -> Vec<(f
     cuts.sort_by(f64::total_cmp);
     let pairs = cuts
         .chunks_exact(2)
-        .map(|pair| (pair[0] + WALL, pair[1] - WALL));
+        .map(|pair| (pair[0] + WALL - LAP, pair[1] - WALL + LAP));
     pairs.filter(|(from, to)| to - from > SAME).collect()
 }

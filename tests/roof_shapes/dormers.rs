@@ -234,6 +234,33 @@ fn a_fire_wall_follows_the_roof_at_one_height() {
 }
 
 #[test]
+fn a_roof_ends_in_the_fire_wall_at_its_gable() {
+    let wall = |corners| {
+        on(
+            RoofShape::FireWall,
+            RoofDirection::AcrossFront,
+            corners,
+            5.0,
+        )
+    };
+    let bare = quiet(under(RoofShape::Gable, vec![]));
+    let building = quiet(under(
+        RoofShape::Gable,
+        vec![wall([0.0, -1.0, 0.25, 6.0]), wall([8.8, -1.0, 9.2, 6.0])],
+    ));
+    assert_sound(&building);
+    // The verges of the bare roof reach 0.16 units beyond its gables; the tiles of the walls 0.11.
+    for (a, b) in [(-0.14, 1.2), (-0.14, 3.6)] {
+        assert!(top_at(&bare, a, b).is_some(), "{a} {b}");
+        assert!(top_at(&building, a, b).is_none(), "{a} {b}");
+    }
+    // Far from it the other end of a roof keeps its verge.
+    let one = quiet(under(RoofShape::Gable, vec![wall([0.0, -1.0, 0.25, 6.0])]));
+    assert!(top_at(&one, 9.14, 1.2).is_some());
+    assert_covered(&building, |_, _| false);
+}
+
+#[test]
 fn a_chidori_hafu_high_on_a_hollow_slope_takes_nothing_beside_it() {
     for b in [0.5, 1.2, 1.6] {
         let corners = [3.5, b, 5.5, b + 1.0];

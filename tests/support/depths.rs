@@ -28,6 +28,15 @@ pub fn triangles(mesh: &Mesh) -> Vec<Triangle> {
 
 /// Every triangle below a node, in the node's frame.
 pub fn skins_below(scene: &Scene, root: NodeId) -> Vec<Skin> {
+    placed(scene, Some(root))
+}
+
+/// Every triangle of a scene.
+pub fn skins_of(scene: &Scene) -> Vec<Skin> {
+    placed(scene, None)
+}
+
+fn placed(scene: &Scene, root: Option<NodeId>) -> Vec<Skin> {
     let mut all = vec![];
     for node in &scene.nodes {
         let mut chain = vec![];
@@ -35,7 +44,7 @@ pub fn skins_below(scene: &Scene, root: NodeId) -> Vec<Skin> {
         let mut found = false;
         while let Some(here) = above {
             chain.push(here);
-            found |= here.parent == Some(root);
+            found |= here.parent == root;
             above = here
                 .parent
                 .filter(|_| !found)
@@ -100,7 +109,7 @@ pub fn sizes(triangles: &[Triangle]) -> Vec<[f64; 3]> {
 }
 
 /// Planes so near, in metres, that a viewer takes one for the other.
-const SAME_DEPTH: f64 = 3e-4;
+pub const SAME_DEPTH: f64 = 3e-4;
 
 /// Overlaps smaller than this, square metres, are seen by nobody.
 const SEEN: f64 = 4e-6;
@@ -124,7 +133,7 @@ pub fn fights(skins: &[Skin], top: f64) -> Vec<String> {
                 .iter()
                 .take_while(|(d, _)| d - depth < SAME_DEPTH);
             for (_, j) in near.filter(|(_, j)| skins[*i].1 != skins[*j].1) {
-                if let Some(p) = overlap(&triangles[*i], &triangles[*j]) {
+                if let Some((p, _)) = overlap(&triangles[*i], &triangles[*j]) {
                     let [a, b, c] = triangles[*i];
                     let out = (b - a).cross(c - a).normalize_or_zero();
                     let covered = out.z > 0.99 && p.z > top - 2e-3;
@@ -139,8 +148,8 @@ pub fn fights(skins: &[Skin], top: f64) -> Vec<String> {
     found
 }
 
-/// A point in the middle of what two triangles of one plane share, where it is large enough to see.
-fn overlap(a: &Triangle, b: &Triangle) -> Option<DVec3> {
+/// The middle and the area of what two triangles of one plane share, where it is large enough to see.
+pub fn overlap(a: &Triangle, b: &Triangle) -> Option<(DVec3, f64)> {
     let normal = (a[1] - a[0]).cross(a[2] - a[0]).normalize_or_zero();
     let right = normal.any_orthonormal_vector();
     let up = normal.cross(right);
@@ -174,8 +183,10 @@ fn overlap(a: &Triangle, b: &Triangle) -> Option<DVec3> {
         .iter()
         .map(|p| p.distance(middle))
         .fold(0.0, f64::max);
-    let wide = area.abs() / 2.0 / longest > SAME_DEPTH;
-    (area.abs() / 2.0 > SEEN && wide).then(|| a[0] + right * middle.x + up * middle.y)
+    let area = area.abs() / 2.0;
+    let wide = area / longest > SAME_DEPTH;
+    let seen = (area > SEEN && wide).then(|| a[0] + right * middle.x + up * middle.y);
+    seen.map(|at| (at, area))
 }
 
 /// Whether a point lies inside closed bodies: what leaves them more often than it enters.

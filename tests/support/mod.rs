@@ -14,6 +14,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+pub mod coplanar;
 pub mod cpu;
 pub mod crossings;
 pub mod depths;

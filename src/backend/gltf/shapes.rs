@@ -13,9 +13,11 @@ use gltf::json::buffer::{Stride, Target};
 use gltf::json::mesh::{Mode, Primitive};
 use gltf::json::validation::Checked::Valid;
 use gltf::json::{Accessor, Index, Mesh, Root};
-use std::collections::BTreeMap;
+use std::collections::hash_map::Entry;
+use std::collections::{BTreeMap, HashMap};
 use std::io;
 use std::ops::Range;
+use twox_hash::XxHash3_128;
 
 /// The meshes written so far.
 pub(super) struct Shapes {
@@ -28,6 +30,8 @@ pub(super) struct Shapes {
     views: Vec<ArrayView>,
     /// The texture coordinates on baked pages: the page, and where they lie in their section.
     on_pages: Vec<(u32, Range<u64>)>,
+    /// The first accessors of primitives by their arrays: shades of a material share them. Never iterated.
+    known: HashMap<u128, u32>,
 }
 
 /// The arrays of one kind.
@@ -52,6 +56,7 @@ impl Shapes {
             numbers: vec![],
             views: vec![],
             on_pages: vec![],
+            known: HashMap::new(),
         })
     }
 
@@ -125,6 +130,15 @@ impl Shapes {
         for piece in list {
             let (p, material) = (piece.source, piece.material);
             let first = self.accessors.count();
+            if piece.page.is_none() {
+                match self.known.entry(content(p, material)) {
+                    Entry::Occupied(same) => {
+                        primitives.push(primitive(material, *same.get()));
+                        continue;
+                    }
+                    Entry::Vacant(new) => new.insert(first),
+                };
+            }
             for array in arrays(material) {
                 let bounds = (array == Array::Positions).then(|| bounds([&*p.positions]));
                 let kind = accessor(array, array.component(p), array.count(p), bounds);
@@ -309,6 +323,29 @@ impl Shapes {
         }
         (self.accessors, self.meshes, sections, length)
     }
+}
+
+/// Returns a number for the arrays of a primitive: the same if they are the same.
+fn content(p: &scene::Primitive, material: MaterialRef) -> u128 {
+    let mut hasher = XxHash3_128::new();
+    let metres = material.metres.map_or(u32::MAX, f32::to_bits);
+    let flags = u32::from(material.relief) + 2 * u32::from(material.mirrors);
+    for number in [
+        metres,
+        flags,
+        p.positions.len() as u32,
+        p.indices.len() as u32,
+    ] {
+        hasher.write(&number.to_le_bytes());
+    }
+    hasher.write(bytemuck::cast_slice(&p.positions));
+    hasher.write(bytemuck::cast_slice(&p.normals));
+    hasher.write(bytemuck::cast_slice(&p.uvs));
+    if material.mirrors {
+        hasher.write(bytemuck::cast_slice(&p.mirror_uvs));
+    }
+    hasher.write(bytemuck::cast_slice(&p.indices));
+    hasher.finish_128()
 }
 
 /// Returns the arrays of a primitive of this material, in the order of their accessors.

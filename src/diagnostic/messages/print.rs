@@ -89,12 +89,12 @@ pub fn odd_turn(span: Span, degrees: f64) -> Diagnostic {
     ))
 }
 
-/// Walls given facade by facade.
+/// Facades whose parts are scaled in several ways.
 #[cold]
 pub fn facades(span: Span) -> Diagnostic {
     let message = text!(
-        "the legacy form has no facades: parts of facades are scaled to a width, codes are not",
-        "旧形式に壁面はありません。壁面の部材は幅に合わせて伸び縮みしますが、部材コードは伸び縮みしません"
+        "the parts of these facades are scaled in several ways; in the legacy form a house has one unit",
+        "これらの壁面の部材は伸び縮みの割合がそろっていません。旧形式では 1 棟に単位は 1 つです"
     );
     Diagnostic::error(807, span, message).help(text!(
         "write the walls as rows of a `Storey`, or keep the file in XML",

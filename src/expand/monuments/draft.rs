@@ -217,6 +217,7 @@ impl<'c> Draft<'c> {
             ratio: None,
             plain_ridge: self.say(usual.plain),
             gable_wall: None,
+            offset: None,
             paint: self.say(paint),
         };
     }

@@ -210,7 +210,7 @@ pub(super) const TEXTURE: &[AttributeSchema] = &[
 
 /// The style of roofs.
 #[rustfmt::skip]
-const STYLE: [AttributeSchema; 12] = [
+const STYLE: [AttributeSchema; 13] = [
     may("kind", COVERING, "", "covering: K pantiles, G cover tiles, I boards, S shingles, H bark, Y thatch, T metal",
         "葺き材。K 桟瓦、G 本瓦、I 板、S 杮、H 檜皮、Y 茅、T 金属"),
     may("pitch", Number(0.0, 100.0), "", "rise in 10, sun", "勾配(寸)"),
@@ -224,6 +224,8 @@ const STYLE: [AttributeSchema; 12] = [
     may("plain_ridge", YesNo, "no", "no ridge-end tiles", "鬼瓦を置かない"),
     may("gable_wall", Choice(&words(&GableWall::ALL)), "", "gable walls of an irimoya: as the `wall` below, or boards behind a `lattice`; by shape and covering if it is not given",
         "入母屋の妻壁。`wall` は下の壁と同じ、`lattice` は狐格子。無ければ形と葺き材による"),
+    may("offset", SIZE, "", "from the slope over the walls to the upper face, shaku (rf_offs of paper 004); boards fill what lies below the slab; less than `thickness` counts as that",
+        "壁の上の斜面から屋根の上面まで(尺)。論文 004 の rf_offs。屋根板の下は面戸板がふさぐ。`thickness` より小さければ同じとみなす").shaku(),
     may("paint", PAINT, "", "wood or colour of rafters, soffits and boards", "垂木、軒裏、破風板の材または色"),
 ];
 const ROOFS_OWN: [AttributeSchema; 3] = [
@@ -261,8 +263,8 @@ const ROOF_OWN: [AttributeSchema; 7] = [
         "X は最初の行に平行、Y は直交。片流れは F 前、B 奥、L 左、R 右へ下る"),
     may("height", Either(&["*"], -FAR, FAR), "*", "of the eaves above the ground sill, shaku; `*` is the top of the walls there", "軒の高さ(尺)。`*` はそこの壁の上端").shaku(),
 ];
-pub(super) const ROOFS: &[AttributeSchema] = &join::<3, 12, 15>(ROOFS_OWN, STYLE);
-pub(super) const ROOF: &[AttributeSchema] = &join::<7, 12, 19>(ROOF_OWN, STYLE);
+pub(super) const ROOFS: &[AttributeSchema] = &join::<3, 13, 16>(ROOFS_OWN, STYLE);
+pub(super) const ROOF: &[AttributeSchema] = &join::<7, 13, 20>(ROOF_OWN, STYLE);
 
 #[rustfmt::skip]
 pub(super) const PLATFORM: &[AttributeSchema] = &[

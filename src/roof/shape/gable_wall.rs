@@ -21,6 +21,8 @@ pub struct Fill<'f> {
     pub outward: f64,
     /// The overhang above it, metres.
     pub verge: f64,
+    /// How far the lower surface lies above the slope over the walls, metres.
+    pub gap: f64,
 }
 
 impl Fill<'_> {
@@ -28,7 +30,7 @@ impl Fill<'_> {
     /// where it ends level.
     pub fn under(&self, profile: &Profile, base: f64, (from, top): (f64, f64)) -> Solid {
         let foot = base + profile.height(from) - SUNK;
-        let mut chain = heights(profile, base, (from, top));
+        let mut chain = heights(profile, base + self.gap, (from, top));
         // Back down the other slope; two slopes share their ridge.
         let ridge = top > self.frame.depth / 2.0 - 1e-6;
         let mut back = chain.clone();
@@ -41,7 +43,7 @@ impl Fill<'_> {
 
     /// Returns the wedge or trapezoid at the side of a single slope over the whole depth.
     pub fn beside(&self, profile: &Profile, base: f64) -> Solid {
-        let chain = heights(profile, base, (0.0, self.frame.depth));
+        let chain = heights(profile, base + self.gap, (0.0, self.frame.depth));
         self.stand(base - SUNK, &chain, profile)
     }
 

@@ -52,7 +52,7 @@ impl LeanTo {
         Form {
             facets: self.facets(&frame, &profile),
             drop,
-            floor: self.low + drop + 1e-4,
+            floor: self.low + self.look.lift() + 1e-4,
             solids: self.walls(&frame, &profile),
             ..Form::default()
         }
@@ -70,7 +70,7 @@ impl LeanTo {
 
     fn facets(&self, frame: &Frame, profile: &Profile) -> Vec<Facet> {
         let [start, end] = self.ends;
-        let base = self.low + self.look.drop();
+        let base = self.low + self.look.lift();
         let length = frame.length;
         let strips = profile.strips().enumerate();
         let facets = strips.filter_map(|(i, (lower, upper))| {
@@ -108,6 +108,7 @@ impl LeanTo {
 
     fn walls(&self, frame: &Frame, profile: &Profile) -> Vec<crate::building::Solid> {
         let mut walls = Vec::new();
+        let gap = self.look.gap();
         let ends = [(self.ends[0], -1.0, 0.0), (self.ends[1], 1.0, frame.length)];
         for (end, outward, u) in ends {
             if end.wall {
@@ -116,13 +117,19 @@ impl LeanTo {
                     u,
                     outward,
                     verge: end.over,
+                    gap,
                 };
                 walls.push(fill.beside(profile, self.low));
             }
         }
         if self.high.wall {
-            let top = self.low + self.look.pitch * frame.depth + SUNK;
+            let top = self.low + self.look.pitch * frame.depth + gap + SUNK;
             let at = |u: f64| frame.point(u, frame.depth, self.low - SUNK);
+            walls.push(panel(at(0.0), at(frame.length), [top, top], Finish::Gable));
+        }
+        if gap > SUNK {
+            let at = |u: f64| frame.point(u, 0.0, self.low - SUNK);
+            let top = self.low + gap + SUNK;
             walls.push(panel(at(0.0), at(frame.length), [top, top], Finish::Gable));
         }
         walls

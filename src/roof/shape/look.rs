@@ -32,6 +32,8 @@ pub struct Look {
     pub ratio: Option<f64>,
     /// Thickness at right angles to the slope.
     pub thickness: f64,
+    /// From the slope over the walls to the lower face, at right angles (d_low, F1): rf_offs of 004-09 is this and the thickness.
+    pub gap: f64,
     /// Courses of ridge tiles.
     pub noshi: u32,
     /// True if the ridge ends in onigawara.
@@ -116,6 +118,8 @@ impl Look {
             RoofShape::Temple => TEMPLE_BARGE,
             _ => BARGE,
         };
+        let thickness = wish(line, house, |s| s.thickness).map_or(thickness, |shaku| shaku * SHAKU);
+        let offset = wish(line, house, |s| s.offset).map_or(0.0, |shaku| shaku * SHAKU);
         Look {
             shape: RoofShape::LeanTo,
             kind,
@@ -126,7 +130,8 @@ impl Look {
             sori: wish(line, house, |s| s.sori).unwrap_or(0.0) / 100.0,
             gable: wish(line, house, |s| s.gable),
             ratio: wish(line, house, |s| s.ratio),
-            thickness: wish(line, house, |s| s.thickness).map_or(thickness, |shaku| shaku * SHAKU),
+            thickness,
+            gap: (offset - thickness).max(0.0),
             noshi: wish(line, house, |s| s.noshi).unwrap_or(3),
             ends: !wish(line, house, |s| s.plain_ridge).unwrap_or(false),
             lattice: wish(line, house, |s| s.gable_wall).map_or_else(
@@ -145,6 +150,7 @@ impl Look {
         self.verge = self.verge.clamp(0.0, 10.0);
         self.barge = self.barge.clamp(0.02, 10.0);
         self.thickness = self.thickness.clamp(0.02, 2.0);
+        self.gap = self.gap.clamp(0.0, 2.0);
         self.sori = self.sori.clamp(-0.5, 0.5);
         self.gable = self.gable.map(|c| c.clamp(0.0, 0.5));
         self.ratio = self.ratio.map(|r| r.clamp(0.0, 1.0));
@@ -155,6 +161,16 @@ impl Look {
     /// Returns the vertical thickness, metres.
     pub fn drop(&self) -> f64 {
         upright(self.thickness, self.pitch)
+    }
+
+    /// Returns how far the upper surface lies above the slope over the walls, measured upright, metres.
+    pub fn lift(&self) -> f64 {
+        upright(self.thickness + self.gap, self.pitch)
+    }
+
+    /// Returns how far the lower surface lies above the slope over the walls, measured upright, metres.
+    pub fn gap(&self) -> f64 {
+        upright(self.gap, self.pitch)
     }
 
     /// Returns its trim.

@@ -7,7 +7,7 @@
 //! strips along the [`Profile`] of the rafters; the ends' strips lie at the same heights, so that hips run
 //! through their corners.
 
-use crate::building::Solid;
+use crate::building::{Finish, Solid};
 use crate::geometry::tolerance::POINT;
 use crate::roof::facet::Facet;
 use crate::roof::frame::{Frame, Rect, end_sides};
@@ -15,13 +15,17 @@ use crate::roof::region::Side;
 use crate::roof::shape::corners::Raised;
 use crate::roof::shape::end::{Cap, End};
 use crate::roof::shape::form::Form;
-use crate::roof::shape::gable_wall::Fill;
+use crate::roof::shape::gable_wall::{Fill, panel};
 use crate::roof::shape::look::Look;
 use crate::roof::shape::profile::{Knot, Profile};
 use crate::roof::shape::strip::{Edge, Strip};
+use crate::roof::solid::SUNK;
 
 /// The gap between slabs that must not share a corner, metres.
 const APART: f64 = 1e-3;
+
+/// Below this no boards stand between the walls and the slab, metres.
+const LEAST_GAP: f64 = 1e-3;
 
 /// A two-sloped roof over a rectangle.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +65,7 @@ impl RidgeRoof {
         Form {
             facets,
             drop,
-            floor: self.base + drop + 1e-4,
+            floor: self.base + self.look.lift() + 1e-4,
             solids: self.walls(&slopes),
             walls: self.walls_under_hips(),
             ..Form::default()
@@ -105,10 +109,31 @@ impl RidgeRoof {
                 u: u - outward * inward,
                 outward,
                 verge,
+                gap: self.look.gap(),
             };
             solids.push(fill.under(&slopes.profile, self.base, (from, top)));
         }
+        solids.extend(self.boards());
         solids
+    }
+
+    /// Returns the boards between the wall plates and a slab that lies above them (面戸板 mendo-ita).
+    fn boards(&self) -> Vec<Solid> {
+        let gap = self.look.gap();
+        if gap < LEAST_GAP {
+            return vec![];
+        }
+        let own = [self.near, self.near.opposite()];
+        let ends = end_sides(self.near).into_iter().zip(self.ends);
+        let hipped = ends.filter(|(_, end)| end.cap.has_corners());
+        let sides = own.into_iter().chain(hipped.map(|(side, _)| side));
+        let board = |side: Side| {
+            let frame = Frame::new(&self.rect, side);
+            let at = |u: f64| frame.point(u, 0.0, self.base - SUNK);
+            let top = self.base + gap + SUNK;
+            panel(at(0.0), at(frame.length), [top, top], Finish::Gable)
+        };
+        sides.map(board).collect()
     }
 }
 
@@ -146,7 +171,7 @@ impl<'h> Slopes<'h> {
 
     /// Returns the height of the upper surface over the wall plate.
     fn top(&self) -> f64 {
-        self.roof.base + self.roof.look.drop()
+        self.roof.base + self.roof.look.lift()
     }
 
     /// Returns the strips of the slope that falls to `near`; the ends are those at u = 0 and u = length.

@@ -37,6 +37,8 @@ pub(in crate::roof) struct Context<'h> {
     pub(in crate::roof) roof_top: f64,
     /// The space that the eaves of the storeys above leave to its roofs.
     pub(in crate::roof) headroom: Headroom,
+    /// The fire walls that stand on its roofs.
+    pub(in crate::roof) fire_walls: Vec<Cell>,
     pub(in crate::roof) outline: OnceCell<Outline>,
     pub(in crate::roof) upper_outline: OnceCell<Outline>,
 }
@@ -63,6 +65,16 @@ impl Context<'_> {
     /// Returns true if an upper wall stands along the whole side.
     pub(in crate::roof) fn is_walled(&self, cell: &Cell, side: Side) -> bool {
         self.upper.is_some() && self.upper_outline().whole(cell, side)
+    }
+
+    /// Returns true if a fire wall stands over a side: the roof ends in it, without a verge.
+    fn ends_in_fire_wall(&self, cell: &Cell, side: Side) -> bool {
+        let (line, lo, hi) = piece(cell, side);
+        self.fire_walls.iter().any(|wall| {
+            let ((one, from, to), (other, ..)) = (piece(wall, side), piece(wall, side.opposite()));
+            let shared = hi.min(to) - lo.max(from);
+            (one.min(other)..=one.max(other)).contains(&line) && 10 * shared > 9 * (hi - lo)
+        })
     }
 
     /// Returns true if walls run along both sides up to the corner between them.
@@ -123,7 +135,10 @@ impl Context<'_> {
             return End::default();
         }
         End {
-            verge: look.verge,
+            verge: match self.ends_in_fire_wall(cell, side) {
+                true => 0.0,
+                false => look.verge,
+            },
             wall: true,
             ..End::default()
         }

@@ -183,7 +183,7 @@ impl ComplexBuilder<'_> {
             (at, out),
             (-0.01, 0.006),
             self.thick - 0.01,
-            z,
+            (z.0, z.1 - 0.003),
         );
     }
 
@@ -304,8 +304,10 @@ impl ComplexBuilder<'_> {
                 at(nose + 0.03, deep) + out - lift,
                 at(nose + 0.03, deep) - lift,
             ];
+            // Narrower than the rafter, so that no two faces share a plane.
+            let ring = ring.map(|p| p + across * 0.04);
             self.bodies
-                .slide(SurfaceId::named("ochre"), &ring, across, false);
+                .slide(SurfaceId::named("ochre"), &ring, across * 0.92, false);
         }
     }
 

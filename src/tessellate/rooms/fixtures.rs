@@ -6,8 +6,9 @@ mod kitchen;
 mod stairs;
 
 use super::{ceiling_height, floor_top};
-use crate::ast::{FixtureKind, Side};
-use crate::building::Fixture;
+use crate::ast::{FixtureKind, Flooring, Side};
+use crate::building::{Fixture, Room};
+use crate::geometry::in_rings;
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, MeshId};
 use crate::tessellate::mesh::Bodies;
@@ -99,17 +100,24 @@ impl Place {
 
 impl Walker<'_> {
     /// Writes the fixtures of a storey.
-    pub(in crate::tessellate) fn fixtures(&mut self, level: Level<'_>, fixtures: &[&Fixture]) {
+    pub(in crate::tessellate) fn fixtures(
+        &mut self,
+        level: Level<'_>,
+        fixtures: &[&Fixture],
+        rooms: &[&Room],
+    ) {
         if self.detail <= Detail::Flat {
             return;
         }
         self.weather(|aged| aged.even("room", 0.0));
         for fixture in fixtures {
-            self.fixture(level, fixture);
+            let below = rooms.iter().find(|r| in_rings(&r.area, fixture.middle()));
+            let floor = below.map_or(Flooring::Boards, |room| room.floor);
+            self.fixture(level, fixture, floor);
         }
     }
 
-    fn fixture(&mut self, level: Level<'_>, fixture: &Fixture) {
+    fn fixture(&mut self, level: Level<'_>, fixture: &Fixture, floor: Flooring) {
         let unit = level.house.unit;
         let (width, depth) = fixture.front_and_depth();
         let top = match level.is_under_a_slope() {
@@ -117,7 +125,7 @@ impl Walker<'_> {
             false => ceiling_height(level, fixture.height),
         };
         let seen = self.shown.has_ceiling(level.storey.number, self.storeys);
-        let foot = floor_top(level);
+        let foot = floor_top(level, floor);
         let place = Place {
             half: dvec2(width, depth) * unit / 2.0,
             top: top - foot,

@@ -39,7 +39,13 @@ impl Walker<'_> {
         let top = [last, first].map(|s| self.filled(s));
         let top = (last.tops.1 - top[0]).min(first.tops.0 - top[1]);
         let mut bodies = Bodies::default();
-        bodies.prism(self.finish(first), &outline, Axis::Z, 0.0, top);
+        let slim = [last, first].map(|s| self.upper_face(s));
+        let upper = mitre(before, line, slim[0], slim[1]);
+        match upper.filter(|upper| upper.len() == outline.len() && slim != [last.face, first.face])
+        {
+            Some(upper) => frustum(&mut bodies, self.finish(first), [&outline, &upper], top),
+            None => bodies.prism(self.finish(first), &outline, Axis::Z, 0.0, top),
+        }
         let mesh = self.store.finish("corner".into(), bodies, Share::default());
         let mesh = self.store.push(mesh);
         let node = self.node(Some(facade), Kind::Member, "corner".into(), DVec3::ZERO);
@@ -80,6 +86,23 @@ impl Walker<'_> {
         Some(node)
     }
 
+    /// Returns how far the outer face of a unit lies before its line at the top: less than at the foot with a batter.
+    fn upper_face(&self, placed: &PlacedUnit<'_>) -> f64 {
+        let Content::Part(id) = &placed.unit.content else {
+            return placed.face;
+        };
+        let leaning = self.catalog.part(*id).body.iter().filter_map(|e| {
+            let Shape::Wall(wall) = &e.shape else {
+                return None;
+            };
+            let at = |level: &Level| level.at(0.0, placed.top());
+            let (front, thick) = (e.place.front.0, e.place.thick.0);
+            let lean = wall.batter * (at(&e.place.to) - at(&e.place.from));
+            (wall.batter > 0.0).then(|| front - lean.clamp(0.0, (thick / 2.0 - 0.01).max(0.0)))
+        });
+        leaning.reduce(f64::min).unwrap_or(placed.face)
+    }
+
     /// Returns how far below its top a unit's wall ends: under the coping of a fence.
     fn filled(&self, placed: &PlacedUnit<'_>) -> f64 {
         let Content::Part(id) = &placed.unit.content else {
@@ -112,6 +135,26 @@ impl Walker<'_> {
             _ => SurfaceId::named("mortar"),
         }
     }
+}
+
+/// Adds the body between an outline at the foot and one with as many corners at a height.
+fn frustum(bodies: &mut Bodies, finish: SurfaceId, [foot, head]: [&[DVec2]; 2], top: f64) {
+    let turned = crate::geometry::area2(foot) < 0.0;
+    let ring = |points: &[DVec2], z: f64| -> Vec<DVec3> {
+        let points = points.iter().map(|p| p.extend(z));
+        match turned {
+            true => points.rev().collect(),
+            false => points.collect(),
+        }
+    };
+    let (mut low, high) = (ring(foot, 0.0), ring(head, top));
+    for (i, p) in low.iter().enumerate() {
+        let j = (i + 1) % low.len();
+        bodies.face(finish, &[*p, low[j], high[j], high[i]]);
+    }
+    bodies.face(finish, &high);
+    low.reverse();
+    bodies.face(finish, &low);
 }
 
 /// Returns the kite between the ends of two outer faces, `f1` and `f2` from their centre lines, in the frame of the

@@ -176,14 +176,16 @@ impl Walker<'_> {
             let mut bodies = Bodies::default();
             let [side, height] = [key[0], key[1]].map(|n| f64::from(n) / 10_000.0);
             let half = side / 2.0;
+            // Without a stone below it reaches a little lower than the walls beside it.
+            let foot = if pad { 0.0 } else { -0.0008 };
             // A millimetre lower than the walls, which lie over it.
             let top = dvec3(half, half, height - 0.001);
             match round {
                 true => {
                     let ring = soft_bar((-half, half), (-half, half), half, 4, true);
-                    bodies.rounded(finish, &ring, Axis::Z, 0.0, height - 0.001);
+                    bodies.rounded(finish, &ring, Axis::Z, foot, height - 0.001);
                 }
-                false => bodies.block(finish, dvec3(-half, -half, 0.0), top),
+                false => bodies.block(finish, dvec3(-half, -half, foot), top),
             }
             if pad && own.is_some() {
                 base_stone(&mut bodies, half);

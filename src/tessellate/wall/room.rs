@@ -48,11 +48,14 @@ impl Walker<'_> {
         if outlines.is_empty() {
             return;
         }
+        // Posts of a porch and walls inside may be lower.
+        let around = lines.iter().filter(|(ring, _)| !ring.inner);
+        let mut around = around.flat_map(|(_, l)| l).flat_map(|l| &l.units);
         // No ceiling over yards behind fences, and none that would stick out of a lean-to.
         let own = |c: &&crate::building::Ceiling| c.storey == level.storey.number;
         let covered = self.shown.has_ceiling(level.storey.number, self.storeys)
             && !level.ceilings.iter().any(|c| own(&c))
-            && units().all(|s| s.stance != Stance::Fence && is_full(level, s));
+            && around.all(|s| s.stance != Stance::Fence && is_full(level, s));
         let foot = if level.grounded() { GROUND } else { BOARDS };
         let step = |metres: f64| (metres * 10_000.0).round() as i64;
         let points = outlines.iter().flatten().flat_map(|p| [p.x, p.y]);

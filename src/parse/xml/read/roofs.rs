@@ -80,6 +80,7 @@ impl<'t> Reader<'t, '_> {
             ratio: self.number(of, "ratio"),
             plain_ridge: self.yes_no(of, "plain_ridge"),
             gable_wall: self.choice(of, "gable_wall", &GableWall::ALL),
+            offset: self.number(of, "offset"),
             paint: self.choice(of, "paint", &Paint::ALL),
         }
     }

@@ -18,6 +18,8 @@ const BAR: f64 = 0.3;
 /// How far upright and level bars stand before the wall, and how far all of them lie in it, metres.
 const BEFORE: (f64, f64) = (0.030, 0.024);
 const SUNK: f64 = 0.012;
+/// How much earlier they end than the wall, so that no two ends share a plane, metres.
+const SHORT: f64 = 0.004;
 /// The board at the foot: its height as a share of the gable's, the bounds of that, and its thickness, metres.
 const FOOT: f64 = 0.09;
 const FOOTS: (f64, f64) = (0.12, 0.32);
@@ -130,7 +132,7 @@ impl Wall {
             }
         }
         for (from, to) in self.spans(|p| p, board) {
-            let board = (dvec2(from, low), dvec2(to, board));
+            let board = (dvec2(from, low + SHORT), dvec2(to, board));
             bodies.extend(self.bar(timber, board, FOOT_THICK));
         }
     }
@@ -168,7 +170,10 @@ impl Wall {
                 _ => joined.push((from, to)),
             }
         }
-        joined
+        let shorter = joined
+            .into_iter()
+            .map(|(from, to)| (from + SHORT, to - SHORT));
+        shorter.filter(|(from, to)| from < to).collect()
     }
 
     /// Returns a bar between two corners, `before` metres before the wall.
