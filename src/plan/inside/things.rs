@@ -39,7 +39,7 @@ pub(super) fn things(
     let reach = OFF[usize::from(is_by_hand)];
     let near = canvas.near(reach);
     let stamps: Vec<Stamp> = symbols.iter().flat_map(|t| stamps(t, reach)).collect();
-    let mut seen: Vec<(Found, bool)> = vec![];
+    let mut seen: Vec<Found> = vec![];
     for room in &shape.rooms {
         // The rims of the walls round a single cell look like a ring.
         let is_wide = |stamp: &&Stamp| room.len() > 1 || stamp.size != (1, 1);
@@ -50,7 +50,7 @@ pub(super) fn things(
                 {
                     let faces = match stamp.is_told {
                         true => stamp.faces,
-                        false => front(room, at, stamp),
+                        false => front(shape, room, at, stamp),
                     };
                     let found = Found {
                         kind: stamp.kind,
@@ -59,19 +59,19 @@ pub(super) fn things(
                         faces,
                         likeness,
                     };
-                    seen.push((found, stamp.is_told));
+                    seen.push(found);
                 }
             }
         }
     }
     // The likeliest first, of equal ones the larger.
     let size = |f: &Found| f.size.0 * f.size.1;
-    seen.sort_by(|(a, _), (b, _)| {
+    seen.sort_by(|a, b| {
         let (x, y) = (a.likeness * size(a) as f64, b.likeness * size(b) as f64);
         y.total_cmp(&x).then(a.at.cmp(&b.at))
     });
     let mut out: Vec<Found> = vec![];
-    for (found, _) in seen {
+    for found in seen {
         if !out.iter().any(|o| o.overlaps(&found)) {
             out.push(found);
         }
@@ -94,20 +94,27 @@ impl Found {
     }
 }
 
-/// The side of a thing along which most of its room lies; of equal sides the longer one.
-fn front(room: &BTreeSet<(i32, i32)>, at: (i32, i32), stamp: &Stamp) -> (i32, i32) {
+/// The side of a thing along which its room lies open; of several the longest.
+fn front(shape: &Shape, room: &BTreeSet<(i32, i32)>, at: (i32, i32), stamp: &Stamp) -> (i32, i32) {
     let (w, d) = stamp.size;
-    let sides = [((0, 1), w), ((1, 0), d), ((-1, 0), d), ((0, -1), w)];
-    let free = |(dx, dy): (i32, i32)| {
-        let beyond = |(u, v): (i32, i32)| (u + dx, v + dy);
-        let outside =
-            |c: &(i32, i32)| !((at.0..at.0 + w).contains(&c.0) && (at.1..at.1 + d).contains(&c.1));
-        let cells = stamp.cells(at).map(beyond).filter(outside);
-        cells.filter(|c| room.contains(c)).count() as i32
+    let is_wall = |(u, v): (i32, i32), (dx, dy): (i32, i32)| {
+        // The side of the cell that way.
+        let from = (u + dx.max(0), v + dy.max(0));
+        let to = (from.0 + dy.abs(), from.1 + dx.abs());
+        shape.inner.iter().any(|w| w.from == from && w.to == to)
     };
+    let free = |side: (i32, i32)| {
+        let is_free = |c: &(i32, i32)| {
+            let beyond = (c.0 + side.0, c.1 + side.1);
+            let outside = !stamp.cells(at).any(|own| own == beyond);
+            outside && room.contains(&beyond) && !is_wall(*c, side)
+        };
+        stamp.cells(at).filter(is_free).count() as i32
+    };
+    // Of equal ones that at the front of the house.
+    let sides = [((0, -1), w), ((-1, 0), d), ((1, 0), d), ((0, 1), w)];
     let best = sides
         .iter()
-        .rev()
         .max_by_key(|(side, length)| (free(*side) == *length, *length, free(*side)));
     best.map_or((0, 1), |(side, _)| *side)
 }
