@@ -10,7 +10,7 @@
 //! | the grid of half ken is found | [`grid`] | [`grid::Grid`] |
 //! | the strokes on each unit are compared with a legend | [`strokes`], [`legend`] | [`strokes::Units`] |
 //! | outline and rooms follow | [`shape`] | [`shape::Shape`] |
-//! | floors and what stands on them | [`inside`] | the same with them |
+//! | floors and what stands on them | [`shape::inside`] | the same with them |
 //! | storeys are laid over each other | [`register`] | a move in units |
 //! | the source file is written | [`house`], [`text`] | [`house::House`] |
 //! | the sheet is drawn for the review | [`underlay`] | a picture, and a map to the house |
@@ -24,7 +24,6 @@ pub mod drawing;
 pub mod flatten;
 pub mod grid;
 pub mod house;
-pub mod inside;
 pub mod legend;
 pub mod marks;
 mod picture;
@@ -225,7 +224,7 @@ pub fn find(
         (seen.units, seen.shape) = (Some(units), Some(shape));
         return Err(seen.at(Refused::NoHouse));
     }
-    let shape = inside::furnished(shape, &legend.things, inks, &grid, legend.is_by_hand);
+    let shape = shape::inside::furnished(shape, &legend.things, inks, &grid, legend.is_by_hand);
     Ok(Found {
         flat: seen.flat,
         ink: seen.ink,

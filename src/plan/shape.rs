@@ -1,10 +1,11 @@
 //! The house that the strokes stand round: its outline, its courts, its rooms.
 
+pub mod inside;
 mod settle;
 
-use super::inside::{self, Floor};
 use super::legend::Role;
 use super::strokes::{Read, Units};
+use inside::Floor;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The widest gap without strokes that may be a way between two walls of one line, units: two ken.

@@ -1,5 +1,7 @@
 //! The source file of a house that was found: outer walls, walls inside, rooms, and a comment at each wall in doubt.
 
+mod things;
+
 use super::legend::Role;
 use super::shape::{Shape, Wall};
 use glam::DVec2;
@@ -238,33 +240,9 @@ fn storey_of(
             f64::from(b) - 0.5
         );
     }
-    things(level.shape, place, origin, out);
+    out.text
+        .push_str(&things::written(level.shape, place, origin));
     out.text.push_str("  </Storey>\n");
-}
-
-/// Writes what stands in the rooms; what the language does not have is a comment at its place.
-fn things(shape: &Shape, place: &dyn Fn((i32, i32)) -> Place, origin: Place, out: &mut Written) {
-    for thing in &shape.things {
-        let ((u, v), (w, d)) = (thing.at, thing.size);
-        let (a, b) = relative(place((u + w, v + d)), origin);
-        let name = thing.kind.name();
-        let faces = match thing.faces {
-            (1, 0) => "R",
-            (-1, 0) => "L",
-            (0, -1) => "B",
-            _ => "F",
-        };
-        let _ = match thing.kind.is_fixture() {
-            true => writeln!(
-                out.text,
-                "    <Fixture kind=\"{name}\" at=\"{a} {b}\" size=\"{w} {d}\" faces=\"{faces}\"/>"
-            ),
-            false => writeln!(
-                out.text,
-                "    <!-- drawn at {a} {b}, {w} by {d}: {name}, for which there is no Fixture -->"
-            ),
-        };
-    }
 }
 
 /// How rows are written.

@@ -10,6 +10,7 @@ pub(in crate::ide) const STUFFS: &Table = &[
     ("cedar with bengara", noun("cedar with bengara", "杉、弁柄塗")),
     ("cedar boards", noun("cedar boards", "杉板")),
     ("hinoki", noun("hinoki", "檜")),
+    ("hinoki, paper", noun("hinoki, paper", "檜、紙")),
     ("glass, aluminium", noun("glass, aluminium", "ガラス、アルミ")),
     ("flat tiles, lime plaster", noun("flat tiles, lime plaster", "平瓦、漆喰")),
     ("cotton", noun("cotton", "木綿")),

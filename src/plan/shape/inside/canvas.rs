@@ -1,8 +1,8 @@
 //! The ink in the rooms, by units of the grid: sampled finely, without what is on walls.
 
-use super::super::grid::{Grid, dark_at};
-use super::super::shape::Shape;
-use super::super::sheet::Ink;
+use crate::plan::grid::{Grid, dark_at};
+use crate::plan::shape::Shape;
+use crate::plan::sheet::Ink;
 use glam::{DVec2, dvec2};
 
 /// Samples along a unit.

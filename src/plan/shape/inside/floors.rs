@@ -1,8 +1,8 @@
 //! Floors: boards are lines side by side within the units of a room, pounded earth is hatched aslant; edges of mats lie on
 //! the lines of the grid.
 
-use super::super::shape::Shape;
 use super::canvas::{Canvas, FINE};
+use crate::plan::shape::Shape;
 
 /// What a room is floored with, where its drawing tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -10,10 +10,10 @@ mod canvas;
 mod floors;
 mod things;
 
-use super::grid::Grid;
-use super::legend::{Thing, ThingKind};
-use super::shape::Shape;
-use super::sheet::Ink;
+use super::Shape;
+use crate::plan::grid::Grid;
+use crate::plan::legend::{Thing, ThingKind};
+use crate::plan::sheet::Ink;
 use canvas::Canvas;
 pub use floors::Floor;
 

@@ -1,9 +1,9 @@
 //! Things that stand in rooms: the ink of each place beside the symbols of the legend, turned and mirrored.
 
-use super::super::legend::Thing;
-use super::super::shape::Shape;
 use super::Found;
 use super::canvas::{Canvas, FINE, spread};
+use crate::plan::legend::Thing;
+use crate::plan::shape::Shape;
 use glam::{DVec2, dvec2};
 use std::collections::BTreeSet;
 
