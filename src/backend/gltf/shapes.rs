@@ -19,6 +19,9 @@ use std::io;
 use std::ops::Range;
 use twox_hash::XxHash3_128;
 
+/// The most primitives of which it is known where they lie, so that a large town needs no more memory.
+const MOST_KNOWN: usize = 16_384;
+
 /// The meshes written so far.
 pub(super) struct Shapes {
     pub(super) accessors: List,
@@ -30,7 +33,7 @@ pub(super) struct Shapes {
     views: Vec<ArrayView>,
     /// The texture coordinates on baked pages: the page, and where they lie in their section.
     on_pages: Vec<(u32, Range<u64>)>,
-    /// The first accessors of primitives by their arrays: shades of a material share them. Never iterated.
+    /// The first accessors of primitives written lately, by their arrays: shades of a material share them. Never iterated.
     known: HashMap<u128, u32>,
 }
 
@@ -131,6 +134,9 @@ impl Shapes {
             let (p, material) = (piece.source, piece.material);
             let first = self.accessors.count();
             if piece.page.is_none() {
+                if self.known.len() == MOST_KNOWN {
+                    self.known.clear();
+                }
                 match self.known.entry(content(p, material)) {
                     Entry::Occupied(same) => {
                         primitives.push(primitive(material, *same.get()));
