@@ -10,7 +10,7 @@
 //! | the grid of half ken is found | [`grid`] | [`grid::Grid`] |
 //! | the strokes on each unit are compared with a legend | [`strokes`], [`legend`] | [`strokes::Units`] |
 //! | outline and rooms follow | [`shape`] | [`shape::Shape`] |
-//! | floors and what stands on them | [`shape::inside`] | the same with them |
+//! | floors, stairs and fixtures are recognised | [`shape::inside`] | the shape with them |
 //! | storeys are laid over each other | [`register`] | a move in units |
 //! | the source file is written | [`house`], [`text`] | [`house::House`] |
 //! | the sheet is drawn for the review | [`underlay`] | a picture, and a map to the house |

@@ -14,7 +14,7 @@ use image::{GrayImage, Luma, Rgb, RgbImage};
 const GRID: [u8; 3] = [90, 150, 255];
 /// The colour of what is in doubt.
 const DOUBT: [u8; 3] = [230, 0, 0];
-/// The colour of what stands in rooms.
+/// The colour of stairs and fixtures.
 const THING: [u8; 3] = [150, 90, 30];
 
 /// What the steps have found, or had found when one of them found too little.

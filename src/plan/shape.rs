@@ -37,9 +37,9 @@ pub struct Shape {
     pub inner: Vec<Wall>,
     /// Rooms: cells without walls between them.
     pub rooms: Vec<BTreeSet<(i32, i32)>>,
-    /// What the rooms are floored with, as far as the drawing tells.
+    /// The floors of rooms by their index in `rooms`; rooms whose floor the drawing does not show are left out.
     pub floors: BTreeMap<usize, Floor>,
-    /// What stands in them.
+    /// Stairs, closets, stoves and wells in the rooms.
     pub things: Vec<inside::Found>,
 }
 

@@ -1,9 +1,9 @@
-//! What stands in rooms, as a convention draws it: stairs, wells, stoves.
+//! The symbols of a legend for things in rooms: stairs, wells, stoves.
 
 use super::Values;
 use glam::{DVec2, dvec2};
 
-/// What can stand in a room.
+/// A kind of thing in a room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ThingKind {
     /// Stairs.
@@ -49,10 +49,10 @@ impl ThingKind {
     }
 }
 
-/// How a thing is drawn: x to the right, y down, units, from its upper left corner, with its front at the lower side.
+/// The symbol of a thing: x to the right, y down, units, from its upper left corner, with its front at the lower side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Thing {
-    /// What it is.
+    /// Its kind.
     pub kind: ThingKind,
     /// Its size, whole units.
     pub size: (i32, i32),

@@ -1,4 +1,4 @@
-//! What lies and stands in the rooms: their floors, stairs, wells, stoves.
+//! Recognition of the floors of rooms, and of stairs, wells and stoves in them.
 //!
 //! | step | file |
 //! |---|---|
@@ -20,19 +20,19 @@ pub use floors::Floor;
 /// A thing that was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found {
-    /// What it is.
+    /// Its kind.
     pub kind: ThingKind,
     /// Its upper left cell.
     pub at: (i32, i32),
     /// Its size: cells across and down.
     pub size: (i32, i32),
-    /// The side of the sheet that its front looks to: to the right and down.
+    /// The direction of its front on the sheet: 1 or -1 to the right or down, the other 0.
     pub faces: (i32, i32),
     /// How well the ink agrees with its symbol, 0 to 1.
     pub likeness: f64,
 }
 
-/// Finds what is in the rooms of a house: `symbols` are those of its legend, `straight` is the ink without strokes that run
+/// Returns a house with the floors and things found in its rooms: `symbols` are those of its legend, `straight` is the ink without strokes that run
 /// aslant.
 #[must_use]
 pub fn furnished(

@@ -1,10 +1,10 @@
-//! What stands in the rooms of a house that was found, as text.
+//! Writes the stairs and fixtures of a house.
 
 use super::{Place, relative};
 use crate::plan::shape::Shape;
 use std::fmt::Write as _;
 
-/// Returns the lines of what stands in the rooms; what the language does not have is a comment at its place.
+/// Returns a line for each thing in the rooms; what the language does not have is a comment at its place.
 pub(super) fn written(shape: &Shape, place: &dyn Fn((i32, i32)) -> Place, origin: Place) -> String {
     let mut text = String::new();
     for thing in &shape.things {

@@ -4,7 +4,7 @@
 use super::canvas::{Canvas, FINE};
 use crate::plan::shape::Shape;
 
-/// What a room is floored with, where its drawing tells.
+/// The floor of a room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Floor {
     /// Mats.

@@ -21,7 +21,7 @@ struct Stamp {
     kind: super::ThingKind,
     size: (i32, i32),
     faces: (i32, i32),
-    /// Whether its front is told by the symbol itself.
+    /// Whether the symbol itself shows where its front is.
     is_told: bool,
     /// Samples along its strokes within its edges, from its upper left corner.
     points: Vec<(i32, i32)>,
@@ -64,7 +64,7 @@ pub(super) fn things(
             }
         }
     }
-    // The likeliest first, of equal ones the larger.
+    // Where two overlap, the one that explains more ink stays: likeness counts by area.
     let size = |f: &Found| f.size.0 * f.size.1;
     seen.sort_by(|a, b| {
         let (x, y) = (a.likeness * size(a) as f64, b.likeness * size(b) as f64);
