@@ -130,6 +130,7 @@ impl Legend {
             symbols: Vec::new(),
             things: Vec::new(),
         };
+        let mut holder = None;
         loop {
             let start = reader.buffer_position() as usize;
             let event = reader.read_event();
@@ -144,26 +145,41 @@ impl Legend {
                 Event::Eof => return Ok(legend),
                 Event::Start(tag) | Event::Empty(tag) => {
                     let values = Values::of(&tag).map_err(wrong)?;
-                    legend.take(tag.name().as_ref(), &values).map_err(wrong)?;
+                    let taken = legend.take(tag.name().as_ref(), &values, &mut holder);
+                    taken.map_err(wrong)?;
                 }
                 _ => {}
             }
         }
     }
 
-    fn take(&mut self, name: &str, values: &Values) -> Result<(), String> {
+    /// Takes an element; `holder` is what the marks that follow belong to.
+    fn take(
+        &mut self,
+        name: &str,
+        values: &Values,
+        holder: &mut Option<Holder>,
+    ) -> Result<(), String> {
         match name {
             "Legend" => {
                 self.name = values.text("name").unwrap_or_default().to_owned();
                 self.is_by_hand = values.text("hand") == Some("free");
             }
-            "Symbol" => self.symbols.push(symbol(values)?),
-            "Thing" => self.things.push(Thing::new(values)?),
+            "Symbol" => {
+                self.symbols.push(symbol(values)?);
+                *holder = Some(Holder::Symbol);
+            }
+            "Thing" => {
+                self.things.push(Thing::new(values)?);
+                *holder = Some(Holder::Thing);
+            }
             // Of drawings in lines (`vector::roles`).
             "Layer" | "Block" | "LineType" | "Colour" => {}
             _ => {
-                if let Some(taken) = self.things.last_mut().and_then(|t| t.take(name, values)) {
-                    return taken;
+                if let (Some(Holder::Thing), Some(thing)) = (*holder, self.things.last_mut()) {
+                    let taken = thing.take(name, values);
+                    return taken
+                        .unwrap_or_else(|| Err(format!("<{name}> is no mark of a <Thing>")));
                 }
                 let mark = mark(name, values)?;
                 let symbol = self
@@ -177,6 +193,13 @@ impl Legend {
         }
         Ok(())
     }
+}
+
+/// What marks belong to.
+#[derive(Clone, Copy)]
+enum Holder {
+    Symbol,
+    Thing,
 }
 
 fn symbol(values: &Values) -> Result<Symbol, String> {
