@@ -24,6 +24,7 @@ mod detail;
 mod determinism;
 mod diagnostics;
 mod drawings;
+mod divided;
 mod draws;
 mod examples;
 mod expand;

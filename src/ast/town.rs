@@ -67,6 +67,70 @@ pub struct Layer {
     pub fields: Vec<Field>,
     /// Layers of points whose fields its outlines take.
     pub joins: Vec<Join>,
+    /// What it has of the areas of its map, if they are divided.
+    pub divided: Option<Divided>,
+}
+
+/// What a layer has of divided areas.
+#[derive(Clone, Debug, Serialize)]
+pub struct Divided {
+    /// The part that is its features.
+    pub part: DividedPart,
+    /// How the areas are divided.
+    pub division: Division,
+}
+
+/// A part of divided areas.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum DividedPart {
+    /// The plots along the sides of blocks.
+    Plots,
+    /// What lies between streets.
+    Blocks,
+    /// The streets by which deep areas are cut.
+    Streets,
+    /// What no plot takes.
+    Yards,
+}
+
+impl DividedPart {
+    /// The attributes that name their layers, which are the names without one.
+    pub const WORDS: [(&'static str, DividedPart); 4] = [
+        ("plots", DividedPart::Plots),
+        ("blocks", DividedPart::Blocks),
+        ("streets", DividedPart::Streets),
+        ("yards", DividedPart::Yards),
+    ];
+}
+
+/// How areas are divided into blocks, streets and plots. Lengths in metres.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Division {
+    /// The width of a plot at its street, as near as a whole number of plots allows.
+    pub frontage: f64,
+    /// Its greatest depth.
+    pub depth: f64,
+    /// The width of the streets.
+    pub street: f64,
+    /// From the middle of a street to that of the next: across the main direction of the area, and along it.
+    pub every: [f64; 2],
+    /// The greatest depth of an area that no street cuts.
+    pub deep: f64,
+}
+
+/// The division of the merchant quarters of Edo (towns.md 5), in ken of 6.5 shaku: plots of 5 by 20 ken, streets of 4 ken
+/// every 44 and 64 ken through what is deeper than 48 ken.
+impl Default for Division {
+    fn default() -> Division {
+        const KEN: f64 = 6.5 * crate::geometry::SHAKU;
+        Division {
+            frontage: 5.0 * KEN,
+            depth: 20.0 * KEN,
+            street: 4.0 * KEN,
+            every: [44.0 * KEN, 64.0 * KEN],
+            deep: 48.0 * KEN,
+        }
+    }
 }
 
 /// A layer of points whose fields become fields of the outlines that they belong to.
@@ -221,6 +285,15 @@ impl GapAt {
         ("left", GapAt::Left),
         ("right", GapAt::Right),
     ];
+
+    /// Divides a gap into what lies on the left and what lies on the right.
+    pub fn divide(self, gap: f64) -> [f64; 2] {
+        match self {
+            GapAt::Both => [gap / 2.0; 2],
+            GapAt::Left => [gap, 0.0],
+            GapAt::Right => [0.0, gap],
+        }
+    }
 }
 
 /// A name of a feature: a field or a measure.
@@ -247,10 +320,8 @@ pub struct Wish<'w> {
     pub front: Option<&'w str>,
     /// The greatest depth, metres.
     pub cap: Option<f64>,
-    /// How much narrower than its front it is, metres.
-    pub gap: f64,
-    /// The side on which that is.
-    pub gap_at: GapAt,
+    /// How much of its front it leaves free on the left and on the right, as seen from the street, metres.
+    pub gaps: [f64; 2],
     /// The greatest width that the type allows, metres, once that is known to be too small.
     pub widest: Option<f64>,
 }

@@ -222,15 +222,20 @@ pub fn first_front(
     Some(runs[all.first()?.run].chord)
 }
 
-/// Finds the front of an outline. `row` returns the fronts of the neighbours that touch it.
+/// Finds the front of an outline. `known` is a side that belongs to it, whatever stands before that; `row` returns the fronts
+/// of the neighbours that touch it.
 pub fn frontage(
-    ring: &[DVec2],
+    (ring, known): (&[DVec2], Option<usize>),
     pieces: &[Piece],
     neighbours: &Neighbours<'_>,
     row: impl FnOnce() -> Vec<Segment>,
 ) -> Frontage {
     let runs = runs(ring);
     let all = candidates(&runs, pieces, neighbours);
+    let known = known.and_then(|side| runs.iter().position(|run| run.sides.contains(&side)));
+    if let Some(known) = known.filter(|known| all.iter().all(|f| f.run != *known)) {
+        return on_its_street(&runs[known], sees_street(ring, pieces, neighbours));
+    }
     let Some(first) = all.first() else {
         return without_street(&runs, neighbours);
     };
@@ -241,9 +246,11 @@ pub fn frontage(
         .filter(close)
         .find(|f| (SECOND..=OPPOSITE).contains(&turned(f)));
     let through = all[1..].iter().filter(close).any(|f| turned(f) > OPPOSITE);
-    let chosen = match second {
-        Some(second) => corner_front(&runs, first, second, &row()),
-        None => first,
+    let is_known = |f: &&Facing| known == Some(f.run);
+    let chosen = match (all.iter().find(is_known), second) {
+        (Some(known), _) => known,
+        (None, Some(second)) => corner_front(&runs, first, second, &row()),
+        (None, None) => first,
     };
     let on_street = all
         .iter()
@@ -254,10 +261,7 @@ pub fn frontage(
     Frontage {
         corner: second.is_some(),
         through,
-        access: match sees_street(ring, pieces, neighbours) {
-            true => Access::Street,
-            false => Access::Rear,
-        },
+        access: access(sees_street(ring, pieces, neighbours)),
         front: Front {
             chord: runs[chosen.run].chord,
             sides: runs[chosen.run].sides.clone(),
@@ -292,6 +296,30 @@ fn corner_front<'f>(
     match own > 0.0 && other >= own * WIDER {
         true => second,
         false => first,
+    }
+}
+
+fn access(sees_street: bool) -> Access {
+    match sees_street {
+        true => Access::Street,
+        false => Access::Rear,
+    }
+}
+
+/// Returns a known front before which no street is found free: maps draw areas into each other.
+fn on_its_street(run: &Run, sees_street: bool) -> Frontage {
+    Frontage {
+        on_street: run.sides.clone(),
+        front: Front {
+            chord: run.chord,
+            sides: run.sides.clone(),
+            street: Some(0.0),
+            number: None,
+            width: 0.0,
+        },
+        corner: false,
+        through: false,
+        access: access(sees_street),
     }
 }
 

@@ -86,15 +86,10 @@ pub fn depth_behind(ring: &[DVec2], front: Segment) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Returns the part of a front that is left when it gives way by `by`, at both ends or at one.
-pub fn narrowed(front: Segment, by: f64, at: GapAt) -> Segment {
-    let way = front.direction() * by;
-    let (left, right) = match at {
-        GapAt::Both => (way / 2.0, way / 2.0),
-        GapAt::Left => (way, DVec2::ZERO),
-        GapAt::Right => (DVec2::ZERO, way),
-    };
-    Segment::new(front.from + left, front.to - right)
+/// Returns the part of a front that is left between gaps at its left and its right end.
+pub fn narrowed(front: Segment, [left, right]: [f64; 2]) -> Segment {
+    let way = front.direction();
+    Segment::new(front.from + way * left, front.to - way * right)
 }
 
 /// Why no rectangle stands on an outline.
@@ -177,7 +172,7 @@ fn sides_narrowed(front: Segment, by: f64) -> Vec<Segment> {
         return vec![front];
     }
     let ways = [GapAt::Both, GapAt::Left, GapAt::Right];
-    ways.map(|at| narrowed(front, by, at)).to_vec()
+    ways.map(|at| narrowed(front, at.divide(by))).to_vec()
 }
 
 /// Returns the deepest rectangle of a front that fits.

@@ -116,7 +116,9 @@ impl<'p> LotSite<'p> {
         let ring = self.lot().shape.ring()?;
         let pieces = self.plan.pieces(self.lot(), layer);
         let row = || self.plan.row(self.id, layer);
-        Some(frontage(ring, &pieces, self.neighbours(), row))
+        // The first side of a plot lies along the street for which it was laid out.
+        let known = self.plan.layers[self.id.0].is_plots().then_some(0);
+        Some(frontage((ring, known), &pieces, self.neighbours(), row))
     }
 
     fn measure(&self, name: &str) -> Option<Value> {
@@ -267,7 +269,7 @@ impl<'p> LotSite<'p> {
         whole: Rectangle,
         full: f64,
     ) -> Option<Stood> {
-        let front = plot::narrowed(whole.front, wish.gap, wish.gap_at);
+        let front = plot::narrowed(whole.front, wish.gaps);
         if let Some(widest) = wish.widest {
             let (width, widest) = (plot::tenths(front.length()), plot::tenths(widest));
             let why = text!([width, widest]

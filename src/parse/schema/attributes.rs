@@ -86,7 +86,7 @@ pub(super) const GROUP: &[AttributeSchema] = &join::<5, 2, 7>([
     may("turn", TURN, "0", "how far its houses are turned about that origin, degrees clockwise from above", "その原点の周りに回す角度。上から見て時計回り(度)"),
 ], AGED);
 #[rustfmt::skip]
-pub(super) const PLACEMENT: &[AttributeSchema] = &join::<11, 6, 17>(join::<9, 2, 11>(PLACEMENT_OWN, AGED), town::PLACEMENT);
+pub(super) const PLACEMENT: &[AttributeSchema] = &join::<11, 8, 19>(join::<9, 2, 11>(PLACEMENT_OWN, AGED), town::PLACEMENT);
 #[rustfmt::skip]
 const PLACEMENT_OWN: [AttributeSchema; 9] = [
     must("type", Text, "a house type of the library, a `define` or a file; all other attributes set its parameters", "建物の型、`define` の名、またはファイル。ほかの属性はすべて変数"),

@@ -63,7 +63,14 @@ pub static ROOT: Content = content(
 );
 pub(in crate::parse) static TOWN: Content = content(
     "town",
-    &[Tag::Layer, Tag::Table, Tag::For, Tag::Tiles, Tag::PartDef],
+    &[
+        Tag::Layer,
+        Tag::Divide,
+        Tag::Table,
+        Tag::For,
+        Tag::Tiles,
+        Tag::PartDef,
+    ],
 );
 pub(in crate::parse) static LAYER: Content = content("layer", &[Tag::Field, Tag::Join]);
 /// What may be made of a feature.

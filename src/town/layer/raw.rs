@@ -3,7 +3,9 @@
 
 use super::{Lot, Lots, TownFrame, as_text, height, led, parts, shape};
 use crate::ast::town::Layer;
-use crate::map::{self, Crs, Datums, Fault, Faults, Kind, Mismatch, Options, Reader, Transform};
+use crate::map::{
+    self, Crs, Datums, Fault, Faults, Geometry, Kind, Mismatch, Options, Reader, Transform,
+};
 use crate::source::{Spanned, World};
 use crate::town::grid::Bounds;
 use glam::DVec2;
@@ -175,8 +177,9 @@ impl Raw {
         let key = key.and_then(|k| lots.columns.get(&*k.value).copied());
         let mut place = |feature: map::Feature| {
             let whose = (feature.number, feature.id.clone());
-            match lot(feature, (&way, frame.origin), key, lead) {
-                Some(lot) => take(lot),
+            let divides = written.divided.is_some();
+            match placed_lots(feature, (&way, frame.origin), (key, lead), divides) {
+                Some(lots) => lots.into_iter().for_each(&mut *take),
                 None => {
                     // A place where the projection has none.
                     let fault = Fault::of_file(&lots.file, Kind::NotFinite);
@@ -206,13 +209,14 @@ impl Raw {
     }
 }
 
-/// Puts a feature into the frame of a town; `None` if the projection has no such place.
-fn lot(
+/// Puts a feature into the frame of a town; `None` if the projection has no such place. Where areas are divided, each of
+/// several of a feature counts, with a number behind the key; else it is one lot.
+fn placed_lots(
     mut feature: map::Feature,
     (way, origin): (&Transform, DVec2),
-    key: Option<usize>,
-    lead: Option<&str>,
-) -> Option<Lot> {
+    (key, lead): (Option<usize>, Option<&str>),
+    divides: bool,
+) -> Option<Vec<Lot>> {
     for chain in feature.geometry.chains_mut() {
         for point in &mut chain.points {
             *point = way.apply(*point)? - origin;
@@ -220,12 +224,24 @@ fn lot(
     }
     let named = key.and_then(|column| feature.field(column));
     let named = named.and_then(as_text);
-    Some(Lot {
+    let key = named.map_or_else(|| led(lead, &feature.key()), String::into_boxed_str);
+    let lot = |geometry: Geometry, key, fields| Lot {
         number: 0,
-        key: named.map_or_else(|| led(lead, &feature.key()), String::into_boxed_str),
-        z: height(&feature.geometry),
-        parts_left: parts(&feature.geometry) - 1,
-        shape: shape(feature.geometry),
-        fields: feature.fields,
-    })
+        key,
+        z: height(&geometry),
+        parts_left: parts(&geometry) - 1,
+        shape: shape(geometry),
+        fields,
+    };
+    match feature.geometry {
+        Geometry::Areas(areas) if divides && areas.len() > 1 => {
+            let each = areas.into_iter().enumerate();
+            let lots = each.map(|(n, area)| {
+                let key = format!("{key}/{}", n + 1).into();
+                lot(Geometry::Areas(vec![area]), key, feature.fields.clone())
+            });
+            Some(lots.collect())
+        }
+        geometry => Some(vec![lot(geometry, key, feature.fields)]),
+    }
 }

@@ -116,6 +116,11 @@ fn layers(
         if written.joins.is_empty() {
             keep(&mut lots, out);
         }
+        if written.divided.is_some() {
+            // What is wrong with the map is told of the layer that is divided.
+            (lots.faults, lots.unread) = Default::default();
+            lots.divide();
+        }
         lots.faults
             .report(&written.name.value, Some(written.src.span), out);
         layers.push(lots);
@@ -131,7 +136,12 @@ fn passes_by(town: &Town, layer: &Layer, sheets: &[Sheet]) -> bool {
     let mut joins = town.layers.iter().flat_map(|l| &l.joins);
     let is_joined = !layer.joins.is_empty() || joins.any(|join| join.layer.value == *name);
     let has_lines = sheets.iter().any(|sheet| sheet.raw.has_lines());
-    has_rules && !is_joined && layer.outline.is_none() && !has_lines && has_no_streets(town, name)
+    has_rules
+        && !is_joined
+        && layer.outline.is_none()
+        && layer.divided.is_none()
+        && !has_lines
+        && has_no_streets(town, name)
 }
 
 /// Reads the files of a layer, in their order; `None` if one of them cannot be read.

@@ -46,6 +46,19 @@ pub(in crate::parse::schema) const JOIN: &[AttributeSchema] = &[
     may("within", LENGTH, "0", "how far from an outline a point that lies in none may be, metres; the nearest one takes it", "どの輪郭にも入らない点を、いちばん近い輪郭に結ぶ距離の上限(m)").metres(),
 ];
 #[rustfmt::skip]
+pub(in crate::parse::schema) const DIVIDE: &[AttributeSchema] = &[
+    must("layer", Text, "the layer of areas", "面のレイヤーの名"),
+    may("plots", Text, "plots", "the name of the layer of plots", "敷地のレイヤーの名"),
+    may("blocks", Text, "blocks", "the name of the layer of blocks, which lie between streets", "通りに挟まれた街区のレイヤーの名"),
+    may("streets", Text, "streets", "the name of the layer of the streets that cut deep areas", "深い面を切る通りのレイヤーの名"),
+    may("yards", Text, "yards", "the name of the layer of what no plot takes, mostly in the middle of blocks", "どの敷地にもならない所(多くは街区の中の会所地)のレイヤーの名"),
+    may("frontage", Number(2.0, 500.0), "9.85", "how wide a plot is at its street, as nearly as a whole number of them allows, metres; 5 ken of 6.5 shaku", "敷地の間口(m)。辺を整数個に割った、これに最も近い幅。6尺5寸の5間").metres(),
+    may("depth", Number(2.0, 500.0), "39.39", "how deep a plot is at most, metres; no more than half the way to the opposite side; 20 ken", "敷地の奥行の上限(m)。向かいの辺までの半分を超えない。20間").metres(),
+    may("street", Number(0.5, 19.0), "7.88", "how wide the streets are, metres; 4 ken", "通りの幅(m)。4間").metres(),
+    may("every", Point(20.0, 5000.0), "86.67 126.06", "from the middle of a street to the next, metres: across the main direction of the area, and along it; 44 and 64 ken", "通りの中心から次の通りの中心まで(m)。面の主な方向に直角な向きと、沿う向き。44間と64間").metres(),
+    may("deep", Number(5.0, 5000.0), "94.55", "how deep an area is that no street cuts, metres: twice the farthest a place in it may be from its border; 48 ken", "通りで切らない面の深さの上限(m)。縁から最も遠い点までの2倍。48間").metres(),
+];
+#[rustfmt::skip]
 pub(in crate::parse::schema) const TABLE: &[AttributeSchema] = &[
     must("name", Text, "what `look` calls it", "`look` で使う名"),
     must("src", Text, "a CSV file whose first line names the columns", "最初の行に列の名がある CSV ファイル"),
@@ -144,11 +157,13 @@ pub(in crate::parse::schema) const TILES: &[AttributeSchema] = &[
 ];
 /// The attributes of a `Place` that only mean something in a `for`; elsewhere they are parameters like any other.
 #[rustfmt::skip]
-pub(in crate::parse::schema) const PLACEMENT: [AttributeSchema; 6] = [
+pub(in crate::parse::schema) const PLACEMENT: [AttributeSchema; 8] = [
     may("on", Choice(ON), "", "in a town: on a rectangle behind the front (`plot`), on the walls of the outline, at its centre, or along the line; without, a rectangle where one fits", "町で: 正面の後ろの矩形 `plot`、輪郭どおり `outline`、中心 `centre`、線の上 `line`。無ければ矩形が合うかどうかによる"),
     may("front", Text, "", "in a town: the layer of streets that it fronts, or `published` for the rule of the machiya macro; any other word is for the type", "町で: 正面が向く通りのレイヤー。`published` なら町家マクロの規則。ほかの語は型の変数"),
     may("cap", LENGTH, "", "in a town: the greatest depth behind the front, metres; 12 for chu-nikai, 8 for the other town houses", "町で: 正面からの奥行の上限(m)。中二階は 12、ほかの町家は 8").metres(),
     may("gap", LENGTH, "", "in a town: how much narrower than its front it is, metres", "町で: 間口をどれだけ狭めるか(m)").metres(),
     may("gap_at", Choice(GAP_AT), "", "in a town: the side on which `gap` lies, as seen from the street: one side leaves an alley to the rear", "町で: `gap` を空ける側。通りから見て。片側に寄せると裏への路地になる"),
+    may("gap_left", LENGTH, "", "in a town: how much of its front it leaves free on the left, as seen from the street, besides `gap`, metres", "町で: `gap` のほかに、通りから見て左に空ける幅(m)").metres(),
+    may("gap_right", LENGTH, "", "in a town: the same on the right: two houses can share a front, each with its gap where the other one stands", "町で: 同じく右に空ける幅(m)。互いの所を空ければ、一つの間口に二軒並ぶ").metres(),
     may("evidence", Text, "", "in a town: where it comes from, for tables and models", "町で: 根拠。表とモデルに残す"),
 ];

@@ -32,6 +32,10 @@ impl<'a> Expander<'a, '_> {
             Some(found.value.as_str().trim().to_owned()).filter(|text| !text.is_empty())
         };
         let gap_at = self.word_of(&own, "gap_at", &GapAt::WORDS);
+        let mut gap = |name| self.metres(&own, name).unwrap_or(0.0);
+        let mut gaps = gap_at.unwrap_or_default().divide(gap("gap"));
+        gaps[0] += gap("gap_left");
+        gaps[1] += gap("gap_right");
         let (word, front) = (kind.value.as_str().trim().to_owned(), text("front"));
         let mut wish = Wish {
             span: self.reporter.span(&kind.value.whole()),
@@ -39,8 +43,7 @@ impl<'a> Expander<'a, '_> {
             on: self.ground(&own, kind, scope),
             front: front.as_deref(),
             cap: self.metres(&own, "cap"),
-            gap: self.metres(&own, "gap").unwrap_or(0.0),
-            gap_at: gap_at.unwrap_or_default(),
+            gaps,
             widest: None,
         };
         // Twice, if the type turns out to be too narrow for the front.
@@ -113,8 +116,7 @@ impl<'a> Expander<'a, '_> {
             on: None,
             front: None,
             cap: None,
-            gap: 0.0,
-            gap_at: GapAt::Both,
+            gaps: [0.0; 2],
             widest: None,
         };
         let Some(stood) = site.stand(&wish) else {
@@ -144,7 +146,17 @@ impl<'a> Expander<'a, '_> {
 
     /// Returns true for an attribute of a `Place` that only means something in a town but sets a parameter here.
     pub(super) fn is_for_type(&mut self, attribute: &Attribute<'a>, scope: &Scope<'a>) -> bool {
-        if !["on", "front", "cap", "gap", "gap_at", "evidence"].contains(&attribute.name) {
+        const OWN: [&str; 8] = [
+            "on",
+            "front",
+            "cap",
+            "gap",
+            "gap_at",
+            "gap_left",
+            "gap_right",
+            "evidence",
+        ];
+        if !OWN.contains(&attribute.name) {
             return false;
         }
         let Some(site) = self.feature.site.filter(|_| self.placed.is_empty()) else {

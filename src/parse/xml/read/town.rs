@@ -1,7 +1,8 @@
 //! A town: its layers, tables and tiles; and the houses that its rules make of a feature.
 
 use crate::ast::town::{
-    Field, FieldType, Join, Layer, Made, Rule, RuleFacts, SiteWalls, Stood, Table, Tiles, Town,
+    Divided, DividedPart, Division, Field, FieldType, Join, Layer, Made, Rule, RuleFacts,
+    SiteWalls, Stood, Table, Tiles, Town,
 };
 use crate::ast::{Frame, House, Outline, Stand, Value};
 use crate::diagnostic::messages::{town, xml as say};
@@ -37,20 +38,72 @@ impl<'t> Reader<'t, '_> {
             roads: facts.roads,
             ..Town::default()
         };
+        let mut divides = vec![];
         for node in self.children(element, schema.content()) {
             let AllowedChild::Element(schema, child) = node else {
                 continue;
             };
             match schema.tag {
                 Tag::Layer => town.layers.extend(self.layer(schema, child)),
+                Tag::Divide => divides.push((schema, child)),
                 Tag::Table => town.tables.extend(self.table(schema, child)),
                 Tag::For => town.rules.extend(self.rule(child)),
                 Tag::Tiles => town.tiles = self.tiles(schema, child),
                 _ => {}
             }
         }
+        for (schema, child) in divides {
+            let layers = self.divide(schema, child, &town.layers);
+            town.layers.extend(layers);
+        }
         self.check_town(&town);
         town
+    }
+
+    /// Reads a `Divide`: four layers of the map of another, which may stand behind it.
+    fn divide(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+        layers: &[Layer],
+    ) -> Vec<Layer> {
+        let of = self.attributes(schema, element);
+        self.no_children(element);
+        let usual = Division::default();
+        let mut length = |name, usual| self.number(&of, name).map_or(usual, |n| n.value);
+        let mut division = Division {
+            frontage: length("frontage", usual.frontage),
+            depth: length("depth", usual.depth),
+            street: length("street", usual.street),
+            deep: length("deep", usual.deep),
+            every: usual.every,
+        };
+        if let Some(every) = self.point(&of, "every") {
+            division.every = every.value.into();
+        }
+        let Some(from) = self.text(&of, "layer") else {
+            return vec![];
+        };
+        let undivided = |layer: &&Layer| layer.divided.is_none();
+        let mut known = layers.iter().filter(undivided);
+        let Some(divided) = known.clone().find(|l| l.name.value == from.value) else {
+            let known: Vec<String> = known.by_ref().map(|l| l.name.value.clone()).collect();
+            let near = self.suggest.among(&from.value, known.iter().map(|n| &**n));
+            self.reporter
+                .push(|| town::unknown_layer(from.span, &from.value, near, &known));
+            return vec![];
+        };
+        let start = self.start(element);
+        let made = DividedPart::WORDS.map(|(word, part)| Layer {
+            span: start,
+            name: self
+                .text(&of, word)
+                .unwrap_or_else(|| Spanned::new(word.to_owned(), start)),
+            divided: Some(Divided { part, division }),
+            joins: vec![],
+            ..divided.clone()
+        });
+        made.into()
     }
 
     fn layer(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Option<Layer> {
@@ -83,6 +136,7 @@ impl<'t> Reader<'t, '_> {
             evidence: self.text(&of, "evidence"),
             fields,
             joins,
+            divided: None,
         })
     }
 
