@@ -120,12 +120,13 @@ proptest! {
     }
 }
 
-fn example() -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/towns/edo-1850.hsd");
+fn example(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/towns/{name}.hsd"));
     fs::read_to_string(path).expect("the example is there")
 }
 
-fn edo(text: &str) -> Built {
+/// Evaluates a text beside the maps of the examples.
+fn beside_examples(text: &str) -> Built {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/towns");
     in_folder(text, &folder, |_| {})
 }
@@ -138,7 +139,7 @@ fn shops(built: &Built) -> BTreeSet<String> {
 
 #[test]
 fn the_example_has_two_shops_a_plot_and_the_same_ones_at_any_density() {
-    let built = edo(&example());
+    let built = beside_examples(&example("edo-1850"));
     assert_eq!(built.features, built.built + built.skipped);
     let rears = |built: &Built| {
         built
@@ -152,19 +153,62 @@ fn the_example_has_two_shops_a_plot_and_the_same_ones_at_any_density() {
         plots > 60 && street > plots * 8 / 5,
         "{street} shops on {plots} plots"
     );
-    let denser = edo(&example().replace(r#"default="0.11""#, r#"default="0.8""#));
+    let denser = beside_examples(&example("edo-1850").replace(r#"default="0.11""#, r#"default="0.8""#));
     assert!(rears(&denser) > rears(&built) + 50);
     assert_eq!(denser.houses - rears(&denser), street);
     assert_eq!(shops(&built), shops(&denser));
 }
 
 #[test]
+fn a_place_of_kyoto_keeps_its_house_over_all_dates() {
+    let at = |year: &str| {
+        let text = example("kyoto");
+        let with = text.replace(r#"default="1928""#, &format!(r#"default="{year}""#));
+        assert!(year == "1928" || with != text);
+        beside_examples(&with)
+    };
+    let [early, middle, late] = ["1912", "1928", "1998"].map(at);
+    assert_eq!(early.rows.len(), late.rows.len());
+    let (mut kept, mut changed) = (0, 0);
+    for ((one, two), three) in early.rows.iter().zip(&middle.rows).zip(&late.rows) {
+        if one["layer"] != "houses" {
+            continue;
+        }
+        assert_eq!(one, two);
+        if one["type"] == three["type"] {
+            assert_eq!(one, three);
+            kept += 1;
+        } else {
+            assert_eq!((&*one["type"], &*three["type"]), ("chu-nikai", "kanban"));
+            changed += 1;
+        }
+    }
+    assert_eq!((kept, changed), (11, 4));
+}
+
+#[test]
+fn heian_has_residences_by_rank_and_plots_of_the_people() {
+    let built = beside_examples(&example("heian"));
+    assert_eq!(built.features, built.built + built.skipped);
+    let count = |layer: &str, kind: &str| {
+        let rows = built.rows.iter();
+        rows.filter(|row| row["layer"] == layer && row["type"] == kind).count()
+    };
+    assert_eq!(count("whole", "shinden"), 2);
+    assert_eq!(count("halves", "shinden"), 2);
+    assert_eq!(count("quarters", "hondo"), 4);
+    // Plots in the middle of the longer sides of two blocks; 32 each where all are laid out.
+    assert!(count("plots", "ura-nagaya") >= 40);
+    assert!(built.told.is_empty(), "{:?}", built.told);
+}
+
+#[test]
 fn what_is_wrong_with_a_division_is_told() {
-    let text = example().replace(
+    let text = example("edo-1850").replace(
         r#"<Divide layer="quarters"/>"#,
         r#"<Divide layer="quartets" street="40"/>"#,
     );
-    let built = edo(&text);
+    let built = beside_examples(&text);
     let told: Vec<&str> = built
         .told
         .iter()

@@ -51,6 +51,10 @@ pub(super) struct ReadArgs {
     #[arg(long = "param", value_name = "NAME=VALUE", value_parser = parameter)]
     parameters: Vec<(String, String)>,
 
+    /// Set the parameter `year`: the date that a town is shown at.
+    #[arg(long, value_name = "Y", allow_hyphen_values = true)]
+    year: Option<i32>,
+
     /// Allow includes only below this folder [default: the folder of each source file].
     #[arg(long, value_name = "DIR")]
     root: Option<PathBuf>,
@@ -192,9 +196,11 @@ impl ReadArgs {
         }
         let first = inputs.sources.len() as u32;
         let catalogs = Inputs::from(first, &self.catalogs, self.max_bytes, out)?;
+        let mut parameters = self.parameters.clone();
+        parameters.extend(self.year.map(|year| ("year".to_owned(), year.to_string())));
         Ok(driver::Options {
             expand,
-            parameters: self.parameters.clone(),
+            parameters,
             catalogs: catalogs.accepted().into_iter().cloned().collect(),
             ..driver::Options::default()
         })

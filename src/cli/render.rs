@@ -1,6 +1,7 @@
 //! `hsd render`: renders images for documents with the page of the preview in a headless browser.
 
 mod browser;
+mod cameras;
 mod progress;
 mod shots;
 mod standing;
@@ -10,6 +11,7 @@ use super::view::{FileHost, check_page};
 use super::{Failure, Outcome};
 use crate::ast::{NamedView, ViewTime};
 use crate::building::Built;
+use crate::cli::build::town;
 use crate::cli::files::input::Inputs;
 use crate::cli::files::output;
 use crate::cli::files::output::Files;
@@ -40,7 +42,7 @@ const TIMEOUT: Duration = Duration::from_secs(300);
 /// The interval of the checks whether the browser still runs.
 const POLL_INTERVAL: Duration = Duration::from_millis(250);
 
-/// Render images of houses for documents.
+/// Render images of houses and towns for documents.
 ///
 /// The page of `hsd view` draws them in afternoon light, in a headless Chromium, Chrome or Edge installed on this machine;
 /// HSD_CHROMIUM selects another one. A single image is written to OUT, several into the folder OUT as NAME-VIEW.png. No
@@ -54,9 +56,10 @@ Examples:
   hsd render shop.hsd -o front.png --view elevation-front      draw the front in parallel projection
   hsd render plot.hsd -o pictures/ --view garden,court         take the view named garden in the file, and a courtyard
   hsd render plot.hsd -o kura.png --house kura --date 2026-12-21 --hour 9
-                                                               show the storehouse on a winter morning")]
+                                                               show the storehouse on a winter morning
+  hsd render kyoto.hsd -o film/ --camera path.json --detail 1  go through a town along a path of cameras")]
 pub(super) struct Render {
-    /// Source files or models (.glb).
+    /// Source files of houses or towns, or models (.glb).
     #[arg(value_name = "FILE", required = true)]
     inputs: Vec<PathBuf>,
 
@@ -104,6 +107,13 @@ pub(super) struct Render {
     #[arg(long, value_name = "DEG", requires = "from", default_value_t = 45.0, value_parser = angle)]
     fov: f64,
 
+    /// Take the cameras of this file.
+    ///
+    /// It is JSON, `[{"from": [2, -8, 1.6], "to": [2, 0, 3]}, ...]`: places in metres east, north and up; `name`, `fov`, `date`
+    /// and `hour` may be given. `frames` is the number of pictures on a smooth way from the camera before.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["views", "from", "house"])]
+    camera: Option<PathBuf>,
+
     /// Set the image size in pixels.
     #[arg(long, value_name = "WxH", default_value = "960x640", value_parser = size)]
     size: (u32, u32),
@@ -119,6 +129,12 @@ pub(super) struct Render {
     /// Print only diagnostics.
     #[arg(short, long)]
     quiet: bool,
+}
+
+/// The model of a town, and the folder that it lies in as long as it is needed.
+struct BuiltTown {
+    model: PathBuf,
+    _folder: tempfile::TempDir,
 }
 
 /// Metres east, north and up.
@@ -157,6 +173,8 @@ struct Seen {
     houses: Vec<Built>,
     views: Vec<NamedView>,
     model: bool,
+    /// True for a town, of which a model is built first.
+    town: bool,
 }
 
 /// Pictures that one browser takes of a file.
@@ -182,16 +200,26 @@ impl Render {
         if let Target::Folder(folder, _) = target {
             std::fs::create_dir_all(folder).map_err(|e| Failure::at(folder.display(), e))?;
         }
+        let cameras = self.camera.as_deref().map(cameras::read).transpose()?;
+        let count = cameras.as_ref().map_or(self.count(), Vec::len);
         let mut spoiled = false;
-        let mut progress = Progress::new(self.inputs.len() * self.count());
+        let mut progress = Progress::new(self.inputs.len() * count);
         for input in &self.inputs {
             match self.seen(input, language)? {
                 None => {
-                    progress.total -= self.count();
+                    progress.total -= count;
                     spoiled = true;
                 }
                 Some(seen) => {
-                    let shots = self.shots(input, &seen)?;
+                    let built = match seen.town {
+                        true => Some(self.built(input, language)?),
+                        false => None,
+                    };
+                    let input = built.as_ref().map_or(input, |built| &built.model);
+                    let shots = match &cameras {
+                        Some(cameras) => cameras.clone(),
+                        None => self.shots(input, &seen)?,
+                    };
                     self.one(
                         (input, &shots),
                         &target,
@@ -204,12 +232,32 @@ impl Render {
         Ok(exit(spoiled))
     }
 
-    /// Returns the number of pictures of each input.
+    /// Returns the number of pictures of each input, if no file says it.
     fn count(&self) -> usize {
         match self.from {
             Some(_) => 1,
             None => self.views.len(),
         }
+    }
+
+    /// Builds the model of a town and tells what is wrong with it; a feature without a house spoils no picture.
+    fn built(&self, input: &Path, language: Language) -> Result<BuiltTown, Failure> {
+        let folder = tempfile::tempdir()?;
+        let stem = input.file_stem().unwrap_or_default().to_string_lossy();
+        let model = folder.path().join(format!("{stem}.glb"));
+        let detail = self.detail_args.detail();
+        town::model(input, &self.read_args, detail, &model).run(language)?;
+        if !model.exists() {
+            let shown = input.display();
+            return Err(Failure::Io(text!([shown]
+                "{shown}: the town has errors, so there is no picture of it",
+                "{shown}: 町に誤りがあるため、画像はありません"
+            )));
+        }
+        Ok(BuiltTown {
+            model,
+            _folder: folder,
+        })
     }
 
     /// Returns the pictures of an input. Fails for a view that it does not have.
@@ -232,7 +280,7 @@ impl Render {
         let output = &self.output;
         let named = output.to_string_lossy();
         let folder = output.is_dir() || named.ends_with(['/', std::path::MAIN_SEPARATOR]);
-        let several = self.inputs.len() * self.count() > 1;
+        let several = self.inputs.len() * self.count() > 1 || self.camera.is_some();
         let shown = output.display();
         if !folder && !several {
             return match ImageFormat::of(output) {
@@ -282,12 +330,13 @@ impl Render {
         } else {
             self.checked(input, &mut seen)?
         };
-        if !list.is_empty() {
+        // What is wrong with a town is told when it is built, with its maps.
+        if !list.is_empty() && !seen.town {
             let written = Report::new(&sources, &list).in_language(language);
             report(&written, Format::Human, &mut io::stderr())?;
         }
         let spoiled = list.iter().any(|d| self.read_args.spoils(d.severity));
-        Ok((!spoiled).then_some(seen))
+        Ok((seen.town || !spoiled).then_some(seen))
     }
 
     /// Checks a source file; returns the sources and their diagnostics.
@@ -303,6 +352,8 @@ impl Render {
         let world = self.read_args.world(own);
         let checked = driver::check(&inputs.accepted(), &world, &options, &mut out);
         (seen.houses, seen.views) = (checked.building.houses, checked.views);
+        seen.town = checked.is_town;
+        seen.model |= seen.town;
         Ok((inputs.and(checked.included), out.into_sorted()))
     }
 

@@ -12,7 +12,7 @@ use crate::backend::gltf::Writer;
 use crate::cli::files::input::Inputs;
 use crate::cli::files::output::{self, Files};
 use crate::cli::files::terminal::counted;
-use crate::cli::options::{InputArgs, exit, report};
+use crate::cli::options::{InputArgs, ReadArgs, exit, report};
 use crate::cli::{Exit, Failure, Outcome};
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
@@ -72,6 +72,26 @@ pub(in crate::cli) struct Town {
     /// Print only diagnostics.
     #[arg(short, long)]
     quiet: bool,
+}
+
+/// Returns the order to build one model of a town at a level of detail.
+pub(in crate::cli) fn model(
+    input: &Path,
+    read_args: &ReadArgs,
+    detail: Detail,
+    output: &Path,
+) -> Town {
+    Town {
+        input_args: InputArgs {
+            inputs: vec![input.to_owned()],
+            read_args: read_args.clone(),
+        },
+        output: output.to_owned(),
+        detail: vec![detail as u8],
+        compress: false,
+        stats: false,
+        quiet: true,
+    }
 }
 
 /// Reads a town and its maps and hands them to `then`; prints what is wrong with one that cannot be read. The features of a

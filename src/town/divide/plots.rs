@@ -11,7 +11,7 @@ const SWERVE: f64 = 1.0;
 const BESIDE: f64 = SWERVE + 0.05;
 /// The least width of a plot and of what is left of a side, as a share of the frontage wanted.
 const NARROW: f64 = 0.55;
-/// The least depth, as a share of the frontage.
+/// The least depth, as a share of the frontage wanted, or of the depth if that is less.
 const SHALLOW: f64 = 0.9;
 /// The least area of a plot, as a share of its width times its depth.
 const FULL: f64 = 0.4;
@@ -36,7 +36,7 @@ pub(super) fn plots(block: &Piece, division: &Division) -> (Vec<Piece>, Vec<Piec
     let (mut plots, mut left) = (vec![], vec![block.clone()]);
     for front in &fronts {
         let depth = front.depth(block, division);
-        if depth < SHALLOW * division.frontage {
+        if depth < shallow(division) {
             continue;
         }
         left = left
@@ -45,6 +45,10 @@ pub(super) fn plots(block: &Piece, division: &Division) -> (Vec<Piece>, Vec<Piec
             .collect();
     }
     (plots, left)
+}
+
+fn shallow(division: &Division) -> f64 {
+    SHALLOW * division.frontage.min(division.depth)
 }
 
 /// Returns the sides of a ring as fronts.
@@ -130,7 +134,7 @@ impl Front {
         ways.sort_by(f64::total_cmp);
         let way = ways[RAYS / 2];
         // A strip too thin for two rows has one.
-        let half = match way / 2.0 < SHALLOW * division.frontage {
+        let half = match way / 2.0 < shallow(division) {
             true => way,
             false => way / 2.0,
         };

@@ -49,6 +49,7 @@ pub(super) static COMMON: &[(&str, &str, &str)] = &[
         "テキストのパラメーターを指定する。複数回指定できる",
         "パラメーターは `hsd params IN` で一覧できます。",
     ),
+    ("year", "パラメーター `year`(町を見る年)を指定する", ""),
     (
         "catalogs",
         "このファイルの自作部材を読み込む。複数回指定できる",
@@ -400,7 +401,7 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
     },
     CommandHelp {
         path: "render",
-        about: "文書に載せる家の画像を作る",
+        about: "文書に載せる家や町の画像を作る",
         more: "`hsd view` の画面が午後の光で描きます。このマシンの Chromium、Chrome、Edge のどれかを非表示で使います。\
                HSD_CHROMIUM で別のものを指定できます。1 枚なら OUT に、複数なら OUT フォルダーに NAME-VIEW.png の名前で書きます。\
                誤りのあるテキストの画像は書きません。",
@@ -412,9 +413,16 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
   hsd render shop.hsd -o front.png --view elevation-front      正面の立面を平行投影で描く
   hsd render plot.hsd -o pictures/ --view garden,court         ファイルの視点 garden と中庭を写す
   hsd render plot.hsd -o kura.png --house kura --date 2026-12-21 --hour 9
-                                                               冬の朝の土蔵を描く",
+                                                               冬の朝の土蔵を描く
+  hsd render kyoto.hsd -o film/ --camera path.json --detail 1  町をカメラの道に沿って写す",
         arguments: &[
-            ("inputs", "テキスト、またはモデル (.glb)", ""),
+            ("inputs", "家か町のテキスト、またはモデル (.glb)", ""),
+            (
+                "camera",
+                "このファイルのカメラで写す",
+                "`[{\"from\": [2, -8, 1.6], \"to\": [2, 0, 3]}, ...]` の JSON です。位置は東、北、上(m)です。\
+                 `name`、`fov`、`date`、`hour` も書けます。`frames` は前のカメラからそこまで滑らかに動く間の枚数です。",
+            ),
             (
                 "output",
                 "画像をこのファイル (.png か .jpg) に、複数ならこのフォルダー (`pictures/`) に書く",
