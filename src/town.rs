@@ -3,7 +3,7 @@
 //! | step | file |
 //! |---|---|
 //! | maps and tables are read into one frame | `layer`, `table` |
-//! | areas are divided into blocks, streets and plots, if asked for | `divide` |
+//! | areas are divided into blocks, streets and plots, if asked for | `layer/divide` |
 //! | streets and outlines are indexed | `plan`, `street`, `grid` |
 //! | a feature knows its fields, measures and neighbours | `site`, `neighbour` |
 //! | its front is found, by the rule of the contract or the published one | `frontage`, `site/published` |
@@ -18,7 +18,6 @@
 
 mod check;
 pub mod decision;
-pub mod divide;
 pub mod frontage;
 pub mod grid;
 pub mod layer;

@@ -9,6 +9,7 @@
 //! | `editor_host` | access to source files and the editor |
 //! | `workspace`, `snapshot` | the files that can be shown; the compiled state of each |
 //! | `town` | the tiles of towns, built behind the page |
+//! | `snapshot/parameters` | the parameters of a file, which the page shows and sets |
 //! | `houses` | models house by house, so that a page loads only what has changed |
 //! | `watch` | notices saved files |
 //! | `routes`, `guard` | the API; access control |

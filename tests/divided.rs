@@ -3,7 +3,7 @@
 use crate::towns::{Built, in_folder};
 use hsd::ast::town::Division;
 use hsd::glam::{DVec2, dvec2};
-use hsd::town::divide::{Divided, Piece, divide};
+use hsd::town::layer::divide::{Divided, Piece, divide};
 use hsd::town::shape::shared;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
@@ -153,7 +153,8 @@ fn the_example_has_two_shops_a_plot_and_the_same_ones_at_any_density() {
         plots > 60 && street > plots * 8 / 5,
         "{street} shops on {plots} plots"
     );
-    let denser = beside_examples(&example("edo-1850").replace(r#"default="0.11""#, r#"default="0.8""#));
+    let denser =
+        beside_examples(&example("edo-1850").replace(r#"default="0.11""#, r#"default="0.8""#));
     assert!(rears(&denser) > rears(&built) + 50);
     assert_eq!(denser.houses - rears(&denser), street);
     assert_eq!(shops(&built), shops(&denser));
@@ -192,7 +193,8 @@ fn heian_has_residences_by_rank_and_plots_of_the_people() {
     assert_eq!(built.features, built.built + built.skipped);
     let count = |layer: &str, kind: &str| {
         let rows = built.rows.iter();
-        rows.filter(|row| row["layer"] == layer && row["type"] == kind).count()
+        rows.filter(|row| row["layer"] == layer && row["type"] == kind)
+            .count()
     };
     assert_eq!(count("whole", "shinden"), 2);
     assert_eq!(count("halves", "shinden"), 2);

@@ -81,6 +81,8 @@ pub struct Fence {
     pub span: Span,
     /// The height, shaku; without, that of the part.
     pub height: Option<f64>,
+    /// What is left open in the middle of the front of an area, metres; 0 for nothing.
+    pub gate: f64,
 }
 
 /// The surface of a road.

@@ -1,5 +1,6 @@
 //! The layers of a town: features of its maps in the frame of the town, with the fields that rules ask for.
 
+pub mod divide;
 mod divided;
 mod files;
 mod ground;

@@ -113,12 +113,13 @@ impl<'p> LotSite<'p> {
     }
 
     fn frontage_to(&self, layer: &str) -> Option<Frontage> {
-        let ring = self.lot().shape.ring()?;
+        let ring = (
+            self.lot().shape.ring()?,
+            self.plan.layers[self.id.0].front_side(),
+        );
         let pieces = self.plan.pieces(self.lot(), layer);
         let row = || self.plan.row(self.id, layer);
-        // The first side of a plot lies along the street for which it was laid out.
-        let known = self.plan.layers[self.id.0].is_plots().then_some(0);
-        Some(frontage((ring, known), &pieces, self.neighbours(), row))
+        Some(frontage(ring, &pieces, self.neighbours(), row))
     }
 
     fn measure(&self, name: &str) -> Option<Value> {

@@ -6,6 +6,7 @@ mod towns;
 use super::locked::lock;
 use super::screenshots::{self, Screenshot};
 use super::snapshot::Snapshot;
+use super::snapshot::parameters::Given;
 use super::town::TownProgress;
 use super::workspace::{Document, FileEntry, TEXT, Update, Viewer, Workspace};
 use super::{guard, model_file, page};
@@ -63,6 +64,7 @@ pub(super) fn routes(
         .route("/api/events", get(events))
         .route("/api/parts", get(parts))
         .route("/api/part", get(part))
+        .route("/api/parameters", post(set_parameters))
         .route("/api/open", post(open))
         .route("/api/stroke", post(stroke))
         .route("/api/undo", post(undo))
@@ -276,6 +278,25 @@ async fn part(State(workspace): Shared, Query(of): Query<PartQuery>) -> ApiResul
         ));
     };
     Ok(([(header::CONTENT_TYPE, "image/jpeg")], picture.to_vec()).into_response())
+}
+
+/// The parameters of a file that a page sets; those it leaves out have the values of the text.
+#[derive(Deserialize)]
+struct ParametersRequest {
+    file: String,
+    values: Given,
+}
+
+async fn set_parameters(
+    State(workspace): Shared,
+    Json(asks): Json<ParametersRequest>,
+) -> ApiResult<Response> {
+    let ParametersRequest { file, values } = asks;
+    let set = work(&workspace, move |workspace| {
+        Ok(workspace.set_parameters(&*workspace.document(&file)?, values)?)
+    });
+    set.await?;
+    Ok(Json(json!({})).into_response())
 }
 
 /// Streams updates of a file to a page.

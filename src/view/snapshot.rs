@@ -1,5 +1,7 @@
 //! The compiled state of a file: its state in the API, its model and external textures.
 
+pub(super) mod parameters;
+
 use super::editor_host::EditorHost;
 use super::fingerprint::fingerprint;
 use super::houses::Houses;
@@ -15,10 +17,11 @@ use crate::ide::plan::Plan;
 use crate::parse;
 use crate::report::{Format, Report, Style};
 use crate::source::{Source, Span, World};
+use parameters::ShownParameter;
 use serde::Serialize;
 use serde_json::value::RawValue;
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::hash::Hash;
 use std::io;
 use std::path::Path;
@@ -39,6 +42,8 @@ pub(super) struct Snapshot {
     pub(super) sources: Vec<Source>,
     /// The parts available to its houses.
     pub(super) catalog: Cow<'static, Catalog>,
+    /// The names of its parameters.
+    pub(super) parameters: BTreeSet<String>,
     /// True if it is a town, which is built in tiles.
     pub(super) is_town: bool,
     /// True if an external texture is missing.
@@ -46,6 +51,9 @@ pub(super) struct Snapshot {
     /// The fingerprint of the content.
     fingerprint: u64,
 }
+
+/// Returns the options with which a document is read.
+pub(super) type ReadAs<'r> = dyn Fn(&Options) -> Options + 'r;
 
 /// The origin of a model.
 enum Content {
@@ -67,6 +75,7 @@ struct State<'a> {
     pictures: &'a BTreeMap<String, String>,
     plan: Plan,
     town: Option<ShownTown>,
+    parameters: Vec<ShownParameter>,
     scan: Option<&'a Scan>,
     times: Vec<(&'static str, f64)>,
 }
@@ -92,17 +101,13 @@ impl Snapshot {
     /// # Errors
     /// If the file cannot be read.
     pub(super) fn of_text(
-        host: &dyn EditorHost,
+        (host, read_as): (&dyn EditorHost, &ReadAs<'_>),
         (root, file): (&Path, &str),
         (language, revision): (Language, u64),
         (id, built_town): (u64, Option<Arc<BuiltTown>>),
     ) -> io::Result<Snapshot> {
         let path = root.join(file);
-        let mut compiled = None;
-        host.read(&path, &mut |source, world, options| {
-            compiled = Some(built(source, world, options));
-        })?;
-        let (mut read, (houses, pictures), times) = compiled.ok_or(io::ErrorKind::NotFound)?;
+        let (mut read, (houses, pictures), times) = compiled(host, read_as, &path)?;
         let town = read.checked.is_town.then(|| match &built_town {
             Some(built) => built.shown.clone(),
             None => ShownTown::none(id),
@@ -112,6 +117,7 @@ impl Snapshot {
             read.add_town(Arc::default(), included, found);
         }
         let keys = keys(&pictures);
+        let parameters = parameters::shown(&read.checked.parameters, language);
         let sources: Vec<Source> = read.sources().cloned().collect();
         let report = Report::new(&sources, &read.diagnostics).in_language(language);
         let diagnostics = raw(&report)?;
@@ -122,6 +128,7 @@ impl Snapshot {
             houses.places().hash(p);
             keys.hash(p);
             town.hash(p);
+            parameters.hash(p);
             scanned.hash(p);
             diagnostics.get().hash(p);
             sources.iter().for_each(|s| s.text().hash(p));
@@ -135,6 +142,7 @@ impl Snapshot {
             pictures: &keys,
             plan: Plan::of(&read, language),
             town: town.clone(),
+            parameters,
             scan: scan.as_ref(),
             times: times.iter().map(|(step, t)| (*step, millis(*t))).collect(),
         };
@@ -145,6 +153,7 @@ impl Snapshot {
             pictures: pictures.into(),
             sources,
             catalog: read.checked.catalog,
+            parameters: parameters::names(&read.checked.parameters),
             is_town: town.is_some(),
             lacks: false,
             fingerprint: same,
@@ -166,6 +175,7 @@ impl Snapshot {
             pictures: &pictures,
             plan: Plan::default(),
             town: Some(built.shown.clone()),
+            parameters: vec![],
             scan: None,
             times: vec![],
         };
@@ -177,6 +187,7 @@ impl Snapshot {
             pictures: Arc::default(),
             sources: vec![],
             catalog: Cow::Borrowed(parse::builtin()),
+            parameters: BTreeSet::new(),
             is_town: false, // Nothing is to be built.
             lacks: false,
             fingerprint: fingerprint(|p| (&built.shown, changed).hash(p)),
@@ -206,6 +217,7 @@ impl Snapshot {
             pictures: &keys,
             plan: Plan::default(),
             town: None,
+            parameters: vec![],
             scan: None,
             times: vec![],
         };
@@ -221,6 +233,7 @@ impl Snapshot {
             pictures: model.pictures.into(),
             sources: vec![],
             catalog: Cow::Borrowed(parse::builtin()),
+            parameters: BTreeSet::new(),
             is_town: false,
             lacks: !model.diagnostics.is_empty(),
         })
@@ -257,6 +270,19 @@ fn keys(pictures: &BTreeMap<String, Vec<u8>>) -> BTreeMap<String, String> {
 
 type Times = Vec<(&'static str, Duration)>;
 type Built = (Houses, BTreeMap<String, Vec<u8>>);
+
+/// Reads and compiles a source file.
+fn compiled(
+    host: &dyn EditorHost,
+    read_as: &ReadAs<'_>,
+    path: &Path,
+) -> io::Result<(Analysis, Built, Times)> {
+    let mut compiled = None;
+    host.read(path, &mut |source, world, options| {
+        compiled = Some(built(source, world, &read_as(options)));
+    })?;
+    Ok(compiled.ok_or(io::ErrorKind::NotFound)?)
+}
 
 /// Compiles a source file to houses and their external textures by name.
 fn built(source: Source, world: &dyn World, options: &Options) -> (Analysis, Built, Times) {

@@ -43,7 +43,7 @@ impl Workspace {
                 .first()
                 .is_some_and(|s| s.text() == source.text());
             if snapshot.revision == revision && shown {
-                let read = Analysis::new(source, world, options);
+                let read = Analysis::new(source, world, &document.options(options));
                 let edits = stroke::edits(&read, stroke);
                 drawn = Some(edits.map(|edits| apply(&read.source, &before, &edits)));
             }

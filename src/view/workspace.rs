@@ -7,9 +7,11 @@ use super::editor_host::EditorHost;
 use super::history::History;
 use super::locked::lock;
 use super::model_file;
-use super::snapshot::{Snapshot, slashed};
+use super::snapshot::parameters::{self, Given};
+use super::snapshot::{ReadAs, Snapshot, slashed};
 use super::town::{BuiltTown, TILESET, TownProgress, TownSlot};
 use crate::diagnostic::Language;
+use crate::driver::Options;
 use crate::source::{FileId, Span};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -98,6 +100,8 @@ pub(super) struct Document {
     viewers: AtomicUsize,
     /// Strokes that can be undone and redone.
     pub(super) history: Mutex<History>,
+    /// The parameters that a page has set.
+    given: Mutex<Given>,
     /// Its number among the documents.
     pub(super) id: u64,
     /// What is built of it, if it is a town.
@@ -107,6 +111,11 @@ pub(super) struct Document {
 }
 
 impl Document {
+    /// Returns the options for reading it, with the parameters that a page has set.
+    pub(super) fn options(&self, options: &Options) -> Options {
+        parameters::with(options, &lock(&self.given))
+    }
+
     /// Returns the last snapshot, if there is one.
     pub(super) fn last(&self) -> Option<Arc<Snapshot>> {
         lock(&self.snapshot).clone()
@@ -203,6 +212,7 @@ impl Workspace {
             building: Mutex::default(),
             viewers: AtomicUsize::new(0),
             history: Mutex::default(),
+            given: Mutex::default(),
             id: self.revision.fetch_add(1, Ordering::Relaxed),
             town: TownSlot::default(),
             town_stale: AtomicBool::new(false),
@@ -347,8 +357,20 @@ impl Workspace {
                 Snapshot::of_tiles(file, &built, revision)
             }
             _ => {
-                let town = (document.id, lock(&document.town.built).clone());
-                Snapshot::of_text(&*self.host, place, (self.language, revision), town)
+                let text = || {
+                    let town = (document.id, lock(&document.town.built).clone());
+                    let read_as = |options: &Options| document.options(options);
+                    let of = (&*self.host, &read_as as &ReadAs<'_>);
+                    Snapshot::of_text(of, place, (self.language, revision), town)
+                };
+                let snapshot = text()?;
+                // A parameter that the text no longer has is forgotten.
+                let mut given = lock(&document.given);
+                let before = given.len();
+                given.retain(|name, _| snapshot.parameters.contains(name));
+                let is_less = given.len() < before;
+                drop(given);
+                if is_less { text() } else { Ok(snapshot) }
             }
         }
     }
@@ -375,6 +397,22 @@ impl Workspace {
             let _ = self.renew_and_tell(&document);
             self.start_town(&document);
         }
+    }
+
+    /// Sets the parameters of a document, in place of all that were set before, and recompiles it.
+    ///
+    /// # Errors
+    /// If the file cannot be read.
+    pub(super) fn set_parameters(&self, document: &Document, given: Given) -> io::Result<()> {
+        let before = std::mem::replace(&mut *lock(&document.given), given.clone());
+        if before == given {
+            return Ok(());
+        }
+        document.stale.store(true, Ordering::Release);
+        document.town_stale.store(true, Ordering::Release);
+        self.renew_and_tell(document)?;
+        self.start_town(document);
+        Ok(())
     }
 
     /// Recompiles a document and tells the pages that show it, if it differs.

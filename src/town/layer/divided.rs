@@ -1,9 +1,9 @@
 //! Layers of divided areas: the plots, blocks, streets or yards of each area take its place.
 
+use super::divide::{Piece, divide};
 use super::{Lot, Lots, Shape};
 use crate::ast::town::{Divided, DividedPart};
 use crate::map::{self, Fault, Kind};
-use crate::town::divide::{Piece, divide};
 use rayon::prelude::*;
 
 /// The greatest number of features that the areas of a layer may become.
@@ -17,10 +17,11 @@ const QUARTER: &str = "quarter";
 const WIDTH: &str = "width";
 
 impl Lots {
-    /// Returns true for the plots of divided areas.
-    pub(in crate::town) fn is_plots(&self) -> bool {
-        let divided = self.layer.divided.as_ref();
-        divided.is_some_and(|divided| divided.part == DividedPart::Plots)
+    /// Returns the side of its features that is known to be their front: the first one of a plot lies along the street for
+    /// which it was laid out.
+    pub(in crate::town) fn front_side(&self) -> Option<usize> {
+        let divided = self.layer.divided.as_ref()?;
+        (divided.part == DividedPart::Plots).then_some(0)
     }
 
     /// Puts the parts of its areas in their place, if the layer is one of divided areas. What is no area has no parts.

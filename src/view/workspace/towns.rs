@@ -51,9 +51,10 @@ impl Workspace {
         let mut made = Ok(());
         let read = self.host.read(&path, &mut |source, world, options| {
             let town = (document.id, stops);
+            let options = document.options(options);
             made = document
                 .town
-                .build(town, (source, world, options), &scratch, &ears);
+                .build(town, (source, world, &options), &scratch, &ears);
         });
         let failed = read.and(made).is_err();
         if failed && !stops.load(Ordering::Relaxed) {

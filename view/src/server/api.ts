@@ -251,9 +251,26 @@ export interface State {
   plan: { reasons: Record<string, string>; houses: House[]; views: NamedView[]; places: PlanPlace[]; outlines: PlanOutline[]; doubts: Doubt[] };
   /** Null if the file is no town. */
   town: TownState | null;
+  /** Empty for models and towns in tiles. */
+  parameters: Parameter[];
   /** Null if no scan lies beside the file. */
   scan: Scan | null;
   times: [step: string, ms: number][];
+}
+
+/** A parameter of a file; values as they are written. */
+export interface Parameter {
+  name: string;
+  kind: 'number' | 'truth' | 'text';
+  value: string;
+  default: string;
+  min: string | null;
+  max: string | null;
+  step: string | null;
+  /** Empty if any value is allowed. */
+  choices: string[];
+  unit: string | null;
+  doc: string | null;
 }
 
 /** A town in tiles. */
@@ -371,6 +388,9 @@ const send = (path: string, body: unknown) =>
 export const fetchHouses = (file: string, revision: number, had: string[]) => send('/api/houses', { file, revision, had });
 
 const post = async <T>(path: string, body: unknown) => answer<T>(await send(path, body));
+
+/** Sets parameters of a file for as long as the preview runs; those that are left out have their usual values. */
+export const setParameters = (file: string, values: Record<string, string>) => post<{}>('/api/parameters', { file, values });
 
 /** Opens a location in the user's editor. */
 export const openInEditor = (file: string, id: number, span: ByteRange) => post<{}>('/api/open', { file, id, span });

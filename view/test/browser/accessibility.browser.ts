@@ -1,31 +1,20 @@
 // Accessibility: keyboard, screen reader, phone, Japanese, dark mode.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
 import type { Page } from 'playwright-core';
+import { AXE, violations } from './axe.ts';
 import { translations } from '../../src/ui/strings.ts';
 import { does, Preview, until } from './preview.ts';
 
 let preview: Preview;
 const WIDE = { width: 1280, height: 800 }, PHONE = { width: 360, height: 740 };
-const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 before(async () => {
   preview = await Preview.of(['machiya.hsd', 't-house.hsd', ['wrong.hsd', '9\n\nKSK  XYZ  KSK\nKSK\nKSK  KSK  KSK\nKSK\n']]);
   preview.script = AXE;
 });
 after(async () => { await preview?.close(); });
-
-/** Violations found by axe, one line each. */
-async function violations(page: Page): Promise<string[]> {
-  return page.evaluate(async () => {
-    const { axe } = window as unknown as { axe: { run: (options: object) => Promise<{ violations: { id: string; nodes: { html: string; failureSummary: string }[] }[] }> } };
-    const { violations } = await axe.run({ resultTypes: ['violations'] });
-    return violations.flatMap(({ id, nodes }) => nodes.map(({ html, failureSummary }) => `${id}: ${html.slice(0, 160)} ${failureSummary.slice(0, 200)}`));
-  });
-}
 
 /** Opens all panes and sections. */
 async function openAll(page: Page) {

@@ -1,15 +1,13 @@
 // Review of a house that was read from a scan: the scan lies under its plan, walls in doubt are settled by keys and clicks.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { after, before, beforeEach, test } from 'node:test';
 import { deflateSync, inflateSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
+import { AXE } from './axe.ts';
 import { drawing } from './drawing.ts';
 import { does, Preview, until } from './preview.ts';
 
-const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const HOUSE = `<House name="read">
   <Storey height="9">
     <!-- in doubt: KTU at 1 0, TSH 2 at 2 0 -->

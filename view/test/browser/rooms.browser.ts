@@ -1,14 +1,12 @@
 // Rooms in the drawing tool: walls inside and rooms go into the text, by pointer and by keyboard.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { after, before, beforeEach, test } from 'node:test';
 import type { Page } from 'playwright-core';
+import { AXE } from './axe.ts';
 import { drawing } from './drawing.ts';
 import { does, Preview, until } from './preview.ts';
 
-const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const HOUSE = `<Houses>
   <House name="small">
     <Storey height="9">

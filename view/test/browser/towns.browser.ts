@@ -2,15 +2,14 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { cpSync, readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
+import { cpSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import type { Page } from 'playwright-core';
+import { AXE } from './axe.ts';
 import { brightness, does, EXAMPLES, mean, Preview, until } from './preview.ts';
 
 const TOWN = 'town/block.hsd', PHONE = { width: 360, height: 740 };
-const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 /** The library says so of every tileset of version 1.1. */
 const KNOWN = 'tiles versions at 1.1 or higher have limited support';
 

@@ -112,7 +112,7 @@ pub(in crate::parse::schema) const TREE: &[AttributeSchema] = &[
     EVIDENCE,
 ];
 /// The attributes of units along a line, of which the middle one is this part.
-const fn units_of(code: &'static str) -> [AttributeSchema; 5] {
+const fn units_of(code: &'static str) -> [AttributeSchema; 6] {
     [
         may(
             "code",
@@ -143,6 +143,14 @@ const fn units_of(code: &'static str) -> [AttributeSchema; 5] {
             "高さ(尺)。無ければ部材の高さ",
         )
         .shaku(),
+        may(
+            "gate",
+            Number(0.0, 100.0),
+            "0",
+            "round an area: how much of its front is left open in the middle, metres, for a gate",
+            "面を囲むとき: 門のために正面の中央に空ける幅(m)",
+        )
+        .metres(),
         EVIDENCE,
     ]
 }

@@ -31,11 +31,6 @@ impl<'a> Expander<'a, '_> {
             let found = own.iter().find(|a| a.name == name)?;
             Some(found.value.as_str().trim().to_owned()).filter(|text| !text.is_empty())
         };
-        let gap_at = self.word_of(&own, "gap_at", &GapAt::WORDS);
-        let mut gap = |name| self.metres(&own, name).unwrap_or(0.0);
-        let mut gaps = gap_at.unwrap_or_default().divide(gap("gap"));
-        gaps[0] += gap("gap_left");
-        gaps[1] += gap("gap_right");
         let (word, front) = (kind.value.as_str().trim().to_owned(), text("front"));
         let mut wish = Wish {
             span: self.reporter.span(&kind.value.whole()),
@@ -43,7 +38,7 @@ impl<'a> Expander<'a, '_> {
             on: self.ground(&own, kind, scope),
             front: front.as_deref(),
             cap: self.metres(&own, "cap"),
-            gaps,
+            gaps: self.gaps(&own),
             widest: None,
         };
         // Twice, if the type turns out to be too narrow for the front.
@@ -75,6 +70,14 @@ impl<'a> Expander<'a, '_> {
             self.made.elements[into].children.push(Child::Element(made));
             return;
         }
+    }
+
+    /// Returns how much of its front a `Place` leaves free on the left and on the right, metres.
+    fn gaps(&mut self, own: &[Attribute<'a>]) -> [f64; 2] {
+        let gap_at = self.word_of(own, "gap_at", &GapAt::WORDS);
+        let mut gap = |name| self.metres(own, name).unwrap_or(0.0);
+        let [left, right] = gap_at.unwrap_or_default().divide(gap("gap"));
+        [left + gap("gap_left"), right + gap("gap_right")]
     }
 
     /// Makes a `Place` with these attributes and puts the houses of a type into it.

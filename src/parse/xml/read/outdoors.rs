@@ -64,6 +64,7 @@ impl<'t> Reader<'t, '_> {
             first: part(self.text(of, "first")),
             last: part(self.text(of, "last")),
             height: self.number(of, "height").map(|h| h.value),
+            gate: self.usual(of, "gate"),
         }
     }
 }

@@ -28,7 +28,11 @@ impl LotSite<'_> {
             Shape::Area(ring, _) => {
                 let mut around: Vec<DVec2> = ring.iter().rev().copied().collect();
                 around.extend(around.first().copied());
-                vec![around]
+                let front = self.frontage().filter(|_| wish.gate > 0.0);
+                vec![match front {
+                    Some(found) => opened(&around, found.front.chord.middle(), wish.gate)?,
+                    None => around,
+                }]
             }
             _ => self.ways(),
         };
@@ -91,6 +95,32 @@ impl LotSite<'_> {
         found.push((vec![Segment::new(at(from), wall.to)], low));
         found
     }
+}
+
+/// Opens a closed line for a gate, in the middle of its side nearest to a place; returns it from one post of the gate round to
+/// the other.
+fn opened(around: &[DVec2], near: DVec2, gate: f64) -> Result<Vec<DVec2>, Text> {
+    let sides: Vec<Segment> = segments(around).collect();
+    let off = |n: &usize| sides[*n].nearest(near).distance(near);
+    let front = (0..sides.len()).min_by(|a, b| off(a).total_cmp(&off(b)));
+    let side = front.map(|n| sides[n]);
+    let (Some(n), Some(side)) = (front, side.filter(|s| s.length() > gate + 2.0 * SHORT)) else {
+        return Err(text!([gate]
+            "its front leaves no room for a gate of {gate} m",
+            "正面に {gate} m の門が収まりません"
+        ));
+    };
+    let reach = gate / 2.0 + SHORT;
+    let middle = (near - side.from).dot(side.direction());
+    let middle = middle.clamp(reach, side.length() - reach);
+    let post = |t: f64| side.from + side.direction() * t;
+    let whole = sides.len();
+    let corners = (1..=whole).map(|k| sides[(n + k) % whole].from);
+    let begin = std::iter::once(post(middle + gate / 2.0));
+    Ok(begin
+        .chain(corners)
+        .chain([post(middle - gate / 2.0)])
+        .collect())
 }
 
 /// Returns the whole number of units of a part whose size is nearest to their own on a wall of this length.
