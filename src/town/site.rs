@@ -113,19 +113,18 @@ impl<'p> LotSite<'p> {
     }
 
     fn frontage_to(&self, layer: &str) -> Option<Frontage> {
-        let ring = (
-            self.lot().shape.ring()?,
-            self.plan.layers[self.id.0].front_side(),
-        );
+        let ring = self.lot().shape.ring()?;
+        let known = self.plan.layers[self.id.0].front_side();
         let pieces = self.plan.pieces(self.lot(), layer);
         let row = || self.plan.row(self.id, layer);
-        Some(frontage(ring, &pieces, self.neighbours(), row))
+        Some(frontage((ring, known), &pieces, self.neighbours(), row))
     }
 
     fn measure(&self, name: &str) -> Option<Value> {
         let lot = self.lot();
         let ring = lot.shape.ring();
         let front = || self.frontage().map(|f| f.front.chord);
+        let behind = |(front, ring)| plot::depth_behind(ring, front);
         let number = |n: f64| Value::Number((n * 1e6).round() / 1e6);
         Some(match name {
             "key" => Value::read(&lot.key),
@@ -141,11 +140,7 @@ impl<'p> LotSite<'p> {
             "orthogonal" => Value::Truth(ring.is_some_and(is_orthogonal)),
             "word" => Value::Text(ring.map_or(String::new(), |r| word(r, self.frontage()))),
             "frontage" => number(front().map_or(0.0, Segment::length)),
-            "depth" => number(
-                front()
-                    .zip(ring)
-                    .map_or(0.0, |(f, r)| plot::depth_behind(r, f)),
-            ),
+            "depth" => number(front().zip(ring).map_or(0.0, behind)),
             "facing" => number(front().map_or(0.0, |f| azimuth(f.normal()))),
             "street" => number(self.frontage()?.front.street.unwrap_or(f64::from(u16::MAX))),
             "corner" => Value::Truth(self.frontage().is_some_and(|f| f.corner)),
