@@ -38,6 +38,7 @@ mod heights;
 mod joins;
 mod language;
 mod legacy_grammar;
+mod law;
 mod light;
 mod lower;
 mod lsp;

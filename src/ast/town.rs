@@ -1,6 +1,8 @@
 //! A town as written (docs/contract.md 10): layers of maps, and rules for what is made of their features. What stands
 //! in a `for` is evaluated for each feature, at its [`Site`].
 
+pub mod law;
+
 use super::{House, Outdoor, Value};
 use crate::rng::Place;
 use crate::source::{Span, Spanned};
@@ -34,6 +36,8 @@ pub struct Town {
     pub housed: Vec<String>,
     /// The layers of which a rule may make roads.
     pub roads: Vec<String>,
+    /// The layers of which a rule may make zones.
+    pub zones: Vec<String>,
     /// How its model is divided.
     pub tiles: Tiles,
 }
@@ -141,6 +145,8 @@ pub struct RuleFacts {
     pub housed: Vec<String>,
     /// The layers of which they may make roads.
     pub roads: Vec<String>,
+    /// The layers of which they may make zones.
+    pub zones: Vec<String>,
 }
 
 /// A `for`.

@@ -1,6 +1,7 @@
 //! A feature as the rules of its town see it: its fields and measures, and where a house stands on it.
 
 mod footing;
+pub mod law;
 mod outdoors;
 pub mod published;
 mod word;

@@ -78,6 +78,7 @@ const EXCEPTIONS: &[(&str, &str)] = &[
     ("Fence", "code"),
     ("Hedge", "code"),
     ("Wall", "code"),
+    ("Envelope", "show"),
     ("Join", "within"),
     ("Tiles", "size"),
     ("Tiles", "detail"),

@@ -77,7 +77,8 @@ pub fn plan_lodged(
     let mut plan = Plan::new(town.clone(), frame, layers, tables);
     plan.unjoined = unjoined;
     plan.ground = Arc::new(ground);
-    plan.roads = Arc::new(super::outdoors::roads(input, &plan));
+    let (roads, zones) = super::outdoors::laid_first(input, &plan);
+    (plan.roads, plan.zones) = (Arc::new(roads), Arc::new(zones));
     if let Some(lodger) = lodger {
         plan.lodge(lodger)?;
     }

@@ -1,6 +1,7 @@
 //! Outdoor objects of a town (docs/contract.md 10.4): a rule turns a feature into shapes on the ground, or a fence as runs of parts.
 
 mod bands;
+mod envelopes;
 mod fences;
 mod lines;
 mod rails;
@@ -13,6 +14,7 @@ use crate::diagnostic::Text;
 use crate::geometry::clip::on_grid;
 use crate::rng::Place;
 use crate::source::{Span, Spanned};
+use crate::town::decision::EnvelopeRow;
 use crate::town::layer::Shape;
 use crate::town::shape::Segment;
 use crate::town::street::Piece;
@@ -32,6 +34,8 @@ pub struct Laid {
     pub houses: Vec<House>,
     /// What the table of decisions tells.
     pub parameters: Vec<(String, Value)>,
+    /// What the table of envelopes tells.
+    pub envelope: Option<EnvelopeRow>,
 }
 
 impl LotSite<'_> {
@@ -45,6 +49,8 @@ impl LotSite<'_> {
             Outdoor::Rail(rail) => self.rail(rail, span),
             Outdoor::Tree(tree) => self.trees(tree, span, draws),
             Outdoor::Fence(fence) => self.fence(fence, span),
+            Outdoor::Zone(zone) => self.zone(zone),
+            Outdoor::Envelope(wish) => self.envelope(wish, span),
         }
     }
 

@@ -6,7 +6,8 @@
 
 use super::super::tree::{Element, Tree};
 use super::draws::Open;
-use super::facts::{has_road, is_outdoors};
+use super::facts::{has, is_outdoors};
+use crate::parse::schema::Tag;
 use super::scope::Frame;
 use super::{ElementRef, Expander, Scope};
 use crate::ast::Value;
@@ -203,8 +204,11 @@ impl<'a, 'f> Expander<'a, 'f> {
             if !is_outdoors(element_ref) {
                 facts.housed.push(name.clone());
             }
-            if has_road(element_ref) {
-                facts.roads.push(name);
+            if has(element_ref, Tag::Road) {
+                facts.roads.push(name.clone());
+            }
+            if has(element_ref, Tag::Zone) {
+                facts.zones.push(name);
             }
             self.feature.rules.push(Rule {
                 tree: Rc::clone(element_ref.tree),

@@ -1,5 +1,6 @@
-//! What a rule of a town makes beside houses: `Road`, `Rail`, `Tree`, `Fence`, `Hedge`, `Wall`.
+//! What a rule of a town makes beside houses: `Road`, `Rail`, `Tree`, `Fence`, `Hedge`, `Wall`, `Zone`, `Envelope`.
 
+use crate::ast::town::law::{DistrictPlan, EnvelopeWish, Zone};
 use crate::ast::{CodeText, Fence, Outdoor, Railway, Road, Species, Surface, TreeWish};
 use crate::parse::schema::{Schema, Tag};
 use crate::parse::xml::read::{Attributes, Reader};
@@ -28,6 +29,14 @@ impl<'t> Reader<'t, '_> {
                 spacing: self.usual(&of, "spacing"),
                 offset: self.usual(&of, "offset"),
             }),
+            Tag::Zone => Outdoor::Zone(Box::new(self.zone(&of))),
+            Tag::Envelope => Outdoor::Envelope(Box::new(EnvelopeWish {
+                own: self.zone(&of),
+                scenario: self.text(&of, "scenario").map_or_else(String::new, |s| s.value),
+                built: self.number(&of, "built").map(|h| h.value),
+                roads: self.text(&of, "roads").map(|r| r.value),
+                show: self.yes_no(&of, "show").is_none_or(|s| s.value),
+            })),
             tag => {
                 let word = match tag {
                     Tag::Hedge => "hedge",
@@ -36,6 +45,24 @@ impl<'t> Reader<'t, '_> {
                 };
                 Outdoor::Fence(self.fence(word, schema, &of))
             }
+        }
+    }
+
+    fn zone(&mut self, of: &Attributes<'t>) -> Zone {
+        let mut number = |name| self.number(of, name).map(|n| n.value);
+        Zone {
+            gradient: number("gradient"),
+            distance: number("distance"),
+            ratio: number("ratio"),
+            factor: number("factor"),
+            limit: number("limit"),
+            setback: number("setback"),
+            side_height: number("side_height"),
+            side_gradient: number("side_gradient"),
+            storey: number("storey"),
+            coverage: number("coverage"),
+            plan: self.choice(of, "plan", &DistrictPlan::WORDS).map(|p| p.value),
+            by_ratio: self.yes_no(of, "by_ratio").map(|b| b.value),
         }
     }
 

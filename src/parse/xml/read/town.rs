@@ -35,6 +35,7 @@ impl<'t> Reader<'t, '_> {
             fronts: facts.fronts,
             housed: facts.housed,
             roads: facts.roads,
+            zones: facts.zones,
             ..Town::default()
         };
         for node in self.children(element, schema.content()) {

@@ -66,7 +66,11 @@ impl LotSite<'_> {
             told("units", f64::from(count)),
             told("length", length),
         ];
-        Ok(Laid { houses, parameters })
+        Ok(Laid {
+            houses,
+            parameters,
+            envelope: None,
+        })
     }
 
     /// Divides a wall where the ground under it rises or falls, between units; each piece with its lowest ground.

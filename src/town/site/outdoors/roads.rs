@@ -226,6 +226,7 @@ impl LotSite<'_> {
         Laid {
             houses: vec![self.open(span, "road", sheets, vec![])],
             parameters,
+            envelope: None,
         }
     }
 
