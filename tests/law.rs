@@ -3,9 +3,10 @@
 
 use glam::{DVec2, DVec3, dvec2};
 use hsd::ast::town::law::{DistrictPlan, Terms};
+use hsd::geometry::Heading;
 use hsd::geometry::envelope::{Bound, faces};
 use hsd::town::shape::{area, contains, distance};
-use hsd::town::site::law::{Envelope, Front, Ground, Rule, envelope};
+use hsd::town::site::law::{Envelope, Facet, Front, Ground, Rule, envelope};
 
 /// Numbers that are the same in every run (SplitMix64).
 struct Numbers(u64);
@@ -33,7 +34,9 @@ fn rectangle(width: f64, depth: f64) -> Vec<DVec2> {
 
 /// An envelope of a lot without holes, with roads at these sides of these widths.
 fn of(ring: &[DVec2], roads: &[(usize, f64)], terms: &Terms) -> Envelope {
-    let fronts = roads.iter().map(|(side, width)| Front::at(ring, *side, *width));
+    let fronts = roads
+        .iter()
+        .map(|(side, width)| Front::at(ring, *side, *width));
     envelope(ring, &[], &fronts.collect::<Vec<Front>>(), terms)
 }
 
@@ -100,7 +103,14 @@ fn a_rectangle_on_two_roads_has_the_closed_form() {
     let wing = |width: f64, depth: f64| 1.5 * a * (width * depth + depth * depth / 2.0);
     is(made.volume(), wing(4.0, ridge) + wing(6.0, b - ridge));
     // Adjacent land on all sides: a hip roof from 31 m.
-    let made = of(&lot, &[], &Terms { limit: 1000.0, ..Terms::default() });
+    let made = of(
+        &lot,
+        &[],
+        &Terms {
+            limit: 1000.0,
+            ..Terms::default()
+        },
+    );
     let hip = a * a * (3.0 * b - a) / 12.0;
     is(made.volume(), 31.0 * a * b + 2.5 * hip);
 }
@@ -108,7 +118,10 @@ fn a_rectangle_on_two_roads_has_the_closed_form() {
 #[test]
 fn floors_fill_the_ratio_of_the_road() {
     let lot = rectangle(6.0, 20.0);
-    let terms = Terms { ratio: Some(4.0), ..of_roads(60.0) };
+    let terms = Terms {
+        ratio: Some(4.0),
+        ..of_roads(60.0)
+    };
     // 4 m x 0.4 = 160 % (002-30).
     let made = of(&lot, &[(0, 4.0)], &terms);
     is(made.ratio.expect("a road limits it"), 1.6);
@@ -117,7 +130,10 @@ fn floors_fill_the_ratio_of_the_road() {
     is(floors[0], 120.0);
     is(floors[1], 72.0);
     // From 12 m of width the designated ratio counts, and where a plan relaxes that of the road.
-    is(of(&lot, &[(0, 12.0)], &terms).ratio.expect("designated"), 4.0);
+    is(
+        of(&lot, &[(0, 12.0)], &terms).ratio.expect("designated"),
+        4.0,
+    );
     let guided = Terms {
         plan: DistrictPlan::Guided,
         limit: 12.0,
@@ -129,13 +145,24 @@ fn floors_fill_the_ratio_of_the_road() {
     is(made.volume(), 6.0 * 19.5 * 12.0);
     is(made.floors().iter().sum(), 4.0 * 6.0 * 19.5);
     // The third storey reaches 9 m, which the slope has 2 m behind the front.
-    let open = Terms { ratio: None, factor: 10.0, ..terms };
+    let open = Terms {
+        ratio: None,
+        factor: 10.0,
+        ..terms
+    };
     is(of(&lot, &[(0, 4.0)], &open).floors()[2], 6.0 * 18.0);
     // As in the paper's figure: cut where a house on the whole lot has used up its 160 %.
-    let cut = Terms { by_ratio: true, ..terms };
+    let cut = Terms {
+        by_ratio: true,
+        ..terms
+    };
     let made = of(&lot, &[(0, 4.0)], &cut);
     is(made.volume(), 120.0 * 4.8);
-    let rules: Vec<String> = made.binding().iter().map(|(n, _)| made.rules[*n].name()).collect();
+    let rules: Vec<String> = made
+        .binding()
+        .iter()
+        .map(|(n, _)| made.rules[*n].name())
+        .collect();
     assert_eq!(rules, ["ratio"]);
 }
 
@@ -151,8 +178,8 @@ fn random_lot(numbers: &mut Numbers) -> Vec<DVec2> {
     let count = 3 + numbers.below(7);
     let turn = numbers.next(0.0, 1.0);
     let corner = |n: usize, numbers: &mut Numbers| {
-        let angle = (n as f64 + turn + numbers.next(-0.3, 0.3)) / count as f64 * std::f64::consts::TAU;
-        dvec2(angle.cos(), angle.sin()) * numbers.next(4.0, 20.0)
+        let angle = (n as f64 + turn + numbers.next(-0.3, 0.3)) / count as f64 * 360.0;
+        Heading::new(angle).vector() * numbers.next(4.0, 20.0)
     };
     (0..count).map(|n| corner(n, numbers)).collect()
 }
@@ -245,7 +272,10 @@ fn volumes_are_those_of_samples_on_random_lots() {
                 sum += height;
                 square += height * height;
                 let own = made.height_at(p).unwrap_or(0.0);
-                assert!((own - height).abs() < 1e-5, "lot {number} at {p}: {own} is not {height}");
+                assert!(
+                    (own - height).abs() < 1e-5,
+                    "lot {number} at {p}: {own} is not {height}"
+                );
             }
         }
         let count = (SIDE * SIDE) as f64;
@@ -267,7 +297,10 @@ fn enclosed(rings: &[Vec<DVec3>]) -> f64 {
     let fan = |ring: &Vec<DVec3>| {
         let first = ring[0];
         let corners = ring[1..].windows(2);
-        corners.map(|two| first.dot(two[0].cross(two[1]))).sum::<f64>() / 6.0
+        corners
+            .map(|two| first.dot(two[0].cross(two[1])))
+            .sum::<f64>()
+            / 6.0
     };
     rings.iter().map(fan).sum()
 }
@@ -285,7 +318,9 @@ fn every_face_lies_on_the_plane_of_a_rule() {
             let on_line = |of: &dyn Fn(DVec2) -> f64| places().all(|(p, _)| of(p).abs() < NEAR);
             let fits = match face.bound {
                 Bound::Ground => places().all(|(_, z)| z == 0.0),
-                Bound::Limit(n) => places().all(|(p, z)| (made.limits[n].height(p) - z).abs() < NEAR),
+                Bound::Limit(n) => {
+                    places().all(|(p, z)| (made.limits[n].height(p) - z).abs() < NEAR)
+                }
                 Bound::End(n) => {
                     let within = &made.limits[n].within;
                     within.iter().any(|half| on_line(&|p| half.depth(p)))
@@ -309,7 +344,10 @@ fn every_face_lies_on_the_plane_of_a_rule() {
         }
         let rings: Vec<Vec<DVec3>> = found.into_iter().map(|face| face.ring).collect();
         let (volume, solid) = (made.volume(), enclosed(&rings));
-        assert!((volume - solid).abs() < 1e-4 * volume.max(1.0), "lot {number}: {volume} {solid}");
+        assert!(
+            (volume - solid).abs() < 1e-4 * volume.max(1.0),
+            "lot {number}: {volume} {solid}"
+        );
     }
 }
 
@@ -325,7 +363,10 @@ fn a_wider_road_never_shrinks_an_envelope() {
         let (mut volume, mut floor) = (0.0, 0.0);
         for _ in 0..5 {
             let made = of(&lot, &roads, &terms);
-            assert!(made.volume() >= volume - 1e-6, "lot {number} shrinks from {volume}");
+            assert!(
+                made.volume() >= volume - 1e-6,
+                "lot {number} shrinks from {volume}"
+            );
             let floors: f64 = made.floors().iter().sum();
             assert!(floors >= floor - 1e-6, "lot {number} loses floor area");
             (volume, floor) = (made.volume(), floors);
@@ -341,20 +382,41 @@ fn houses_above_their_envelope_are_measured() {
     let made = of(&lot, &[(0, 4.0)], &of_roads(60.0));
     is(made.exceeded(&lot, 6.0), 0.0);
     is(made.exceeded(&lot, 9.0), 3.0);
-    let rear = rectangle(6.0, 10.0).iter().map(|p| *p + dvec2(0.0, 10.0)).collect::<Vec<DVec2>>();
+    let rear = rectangle(6.0, 10.0)
+        .iter()
+        .map(|p| *p + dvec2(0.0, 10.0))
+        .collect::<Vec<DVec2>>();
     is(made.exceeded(&rear, 21.0), 0.0);
     is(made.exceeded(&rear, 22.0), 1.0);
 }
 
 #[test]
 fn faces_tell_their_rule_and_its_arithmetic() {
-    let made = of(&rectangle(6.0, 40.0), &[(0, 4.0)], &Terms::default());
-    let road = made.rules.iter().find(|rule| matches!(rule, Rule::Road { .. }));
+    let made = of(
+        &rectangle(6.0, 40.0),
+        &[(0, 4.0)],
+        &Terms {
+            side_height: 50.0,
+            ..Terms::default()
+        },
+    );
+    let road = made
+        .rules
+        .iter()
+        .find(|rule| matches!(rule, Rule::Road { .. }));
     let road = road.expect("a road is in front");
     assert_eq!(road.arithmetic(), "1.5 x d; d = 4 + x <= 30");
     let named: Vec<String> = made.faces().iter().map(|face| face.ground.name()).collect();
     for name in ["ground", "border", "road 1", "side 2", "end of road 1"] {
-        assert!(named.iter().any(|own| own == name), "no face is of {name}: {named:?}");
+        assert!(
+            named.iter().any(|own| own == name),
+            "no face is of {name}: {named:?}"
+        );
     }
-    assert!(made.faces().iter().any(|face| matches!(face.ground, Ground::Rule(Rule::Height(_)))) == false);
+    let is_end = |face: &Facet| matches!(face.ground, Ground::End(Rule::Road { .. }));
+    let ends: Vec<Facet> = made.faces().into_iter().filter(is_end).collect();
+    assert!(
+        ends.iter()
+            .all(|face| face.ring.iter().all(|p| (p.y - 26.0).abs() < 1e-9))
+    );
 }

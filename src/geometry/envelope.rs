@@ -127,10 +127,12 @@ fn divided(ring: &[DVec2], of: impl Fn(DVec2) -> f64) -> [Vec<DVec2>; 2] {
             below.push(cut);
         }
     }
-    [above, below].map(|ring| match ring.len() > 2 && area_of(&ring) * 2.0 > NOTHING {
-        true => ring,
-        false => vec![],
-    })
+    [above, below].map(
+        |ring| match ring.len() > 2 && area_of(&ring) * 2.0 > NOTHING {
+            true => ring,
+            false => vec![],
+        },
+    )
 }
 
 /// Returns what a convex ring has inside all of some half-planes, and convex pieces of the rest.

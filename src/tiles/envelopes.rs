@@ -39,7 +39,10 @@ pub fn table(rows: &[EnvelopeRow]) -> String {
 /// Returns the scene of envelopes.
 pub fn scene(rows: &[EnvelopeRow]) -> Scene {
     let mut scene = Scene {
-        materials: LOOKS.iter().map(|(name, tint)| material(name, *tint)).collect(),
+        materials: LOOKS
+            .iter()
+            .map(|(name, tint)| material(name, *tint))
+            .collect(),
         ..Scene::default()
     };
     let places = rows.iter().flat_map(|row| &row.faces);
@@ -47,7 +50,11 @@ pub fn scene(rows: &[EnvelopeRow]) -> Scene {
     let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
         (low.min(x), high.max(x))
     });
-    let step = if high > low { (high - low) * (1.0 + APART) } else { 0.0 };
+    let step = if high > low {
+        (high - low) * (1.0 + APART)
+    } else {
+        0.0
+    };
     for (number, scenario) in scenarios(rows).into_iter().enumerate() {
         let at = dvec3(step * number as f64, 0.0, 0.0);
         let name = match scenario {
@@ -119,7 +126,9 @@ fn is_of(rule: &str, word: &str) -> bool {
 fn add(primitive: &mut Primitive, ring: &[[f64; 3]], base: DVec3) {
     let ring: Vec<DVec3> = ring.iter().map(|p| DVec3::from(*p) - base).collect();
     let fan = ring[1..].windows(2);
-    let normal: DVec3 = fan.map(|two| (two[0] - ring[0]).cross(two[1] - ring[0])).sum();
+    let normal: DVec3 = fan
+        .map(|two| (two[0] - ring[0]).cross(two[1] - ring[0]))
+        .sum();
     let normal = normal.normalize_or_zero();
     let right = match normal.truncate().length() > 1e-6 {
         true => DVec3::Z.cross(normal).normalize_or_zero(),

@@ -1,4 +1,4 @@
-//! Building law as a town writes it (docs/contract.md 10.6): the terms of a zone, and the envelope of a lot under them.
+//! Building law as a town writes it (docs/contract.md 10.5): the terms of a zone, and the envelope of a lot under them.
 
 use serde::Serialize;
 

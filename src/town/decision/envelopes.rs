@@ -80,7 +80,10 @@ impl EnvelopeRow {
         let known = |n: Option<f64>| n.map(number).unwrap_or_default();
         let rules = self.rules.iter();
         let rules = rules.map(|(rule, area)| format!("{rule}: {}", short(&Value::Number(*area))));
-        let floors = self.floors.iter().map(|floor| short(&Value::Number(*floor)));
+        let floors = self
+            .floors
+            .iter()
+            .map(|floor| short(&Value::Number(*floor)));
         let cells = [
             self.key.clone(),
             self.layer.clone(),

@@ -43,10 +43,12 @@ impl Zones {
             contains(&zone.ring, p) && !zone.holes.iter().any(|hole| contains(hole, p))
         };
         let size = |zone: &ZoneArea| area(&zone.ring, &zone.holes);
-        let least = near.filter(holds).reduce(|best, next| match size(next) < size(best) {
-            true => next,
-            false => best,
-        });
+        let least = near
+            .filter(holds)
+            .reduce(|best, next| match size(next) < size(best) {
+                true => next,
+                false => best,
+            });
         least.map(|zone| &zone.terms)
     }
 
@@ -62,7 +64,9 @@ impl Zones {
             for number in numbers(&mut terms.clone()) {
                 out.float(number.unwrap_or(f64::NAN));
             }
-            let plan = terms.plan.map_or(0, |plan| 1 + u8::from(plan == DistrictPlan::Guided));
+            let plan = terms
+                .plan
+                .map_or(0, |plan| 1 + u8::from(plan == DistrictPlan::Guided));
             let by_ratio = terms.by_ratio.map_or(0, |by| 1 + u8::from(by));
             out.bytes(&[plan, by_ratio]);
         }

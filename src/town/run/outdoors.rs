@@ -125,6 +125,11 @@ pub(super) fn enter(
     }
     record.footing = site.footing.get();
     record.envelopes.extend(laid.envelope);
+    if laid.no_guiding_height {
+        let mut remark = Diagnostics::new();
+        remark.push(say::no_guiding_height(span));
+        found.push_new(remark);
+    }
     let word = wish.word();
     if matches!(record.outcome, Outcome::Built) && !record.kind.is_empty() {
         // What stands there beside the first has its word before its parameters.

@@ -1,4 +1,4 @@
-//! What building law lets stand on a lot (docs/contract.md 10.6): the solid under the slant line of each road in front of it, those
+//! What building law lets stand on a lot (docs/contract.md 10.5): the solid under the slant line of each road in front of it, those
 //! of adjacent land, and a greatest height (002-28 to 002-32). It is a study of shapes and no legal opinion.
 
 mod faces;
@@ -146,19 +146,27 @@ impl Envelope {
         of.filter(|(_, area)| *area > 0.0).collect()
     }
 
-    /// Returns how far a body of a height over an outline stands above it, metres; 0 if it does not. What stands where
-    /// nothing may counts with its full height.
+    /// Returns how far a body of a height over an outline stands above it, metres; 0 if it does not. Strips in which nothing may
+    /// stand do not count.
     pub fn exceeded(&self, ring: &[DVec2], built: f64) -> f64 {
         let corners = self.cells.iter().flat_map(|cell| {
             let limit = &self.limits[cell.limit];
-            cell.ring.iter().map(move |p| (*p + self.at, limit.height(*p)))
+            cell.ring
+                .iter()
+                .map(move |p| (*p + self.at, limit.height(*p)))
         });
         let inside = |p: DVec2| {
             crate::town::shape::contains(ring, p) || crate::town::shape::distance(ring, p) < 1e-6
         };
-        let within = corners.filter(|(p, _)| inside(*p)).map(|(_, height)| height);
-        let own = ring.iter().map(|p| self.height_at(*p).unwrap_or(0.0));
+        let within = corners
+            .filter(|(p, _)| inside(*p))
+            .map(|(_, height)| height);
+        let own = ring.iter().filter_map(|p| self.height_at(*p));
         let least = own.chain(within).fold(f64::INFINITY, f64::min);
-        (built - least).max(0.0)
+        if least.is_finite() {
+            (built - least).max(0.0)
+        } else {
+            0.0
+        }
     }
 }

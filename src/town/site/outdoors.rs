@@ -36,6 +36,8 @@ pub struct Laid {
     pub parameters: Vec<(String, Value)>,
     /// What the table of envelopes tells.
     pub envelope: Option<EnvelopeRow>,
+    /// True if it is to line heights up but knows none.
+    pub no_guiding_height: bool,
 }
 
 impl LotSite<'_> {

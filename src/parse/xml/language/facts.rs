@@ -51,13 +51,7 @@ pub(super) fn is_outdoors(rule: &ElementRef<'_, '_>) -> bool {
             });
         inner.into_iter().all(|child| match child.tag() {
             Some(
-                Tag::Road
-                | Tag::Rail
-                | Tag::Tree
-                | Tag::Fence
-                | Tag::Hedge
-                | Tag::Wall
-                | Tag::Zone,
+                Tag::Road | Tag::Rail | Tag::Tree | Tag::Fence | Tag::Hedge | Tag::Wall | Tag::Zone,
             ) => {
                 *something = true;
                 true

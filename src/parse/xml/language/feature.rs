@@ -7,7 +7,6 @@
 use super::super::tree::{Element, Tree};
 use super::draws::Open;
 use super::facts::{has, is_outdoors};
-use crate::parse::schema::Tag;
 use super::scope::Frame;
 use super::{ElementRef, Expander, Scope};
 use crate::ast::Value;
@@ -15,6 +14,7 @@ use crate::ast::town::{Known, RuleFacts, Site, Stood, Unfound};
 use crate::diagnostic::messages::{town, xml as say};
 use crate::diagnostic::{Noun, noun};
 use crate::parse::expr::{self, Meanings, Problem};
+use crate::parse::schema::Tag;
 use crate::rng::Place;
 use crate::source::Span;
 use std::cell::Cell;

@@ -121,7 +121,8 @@ fn straight(looks: &[(DVec2, f64, f64)], normal: DVec2, distance: f64) -> Option
     }
     let inward = -line.normal();
     let off = |look| (point(look) - first).dot(inward).abs();
-    let is_line = looks.iter().all(|look| off(look) <= STRAIGHT) && angle(line.normal(), normal) <= TURN;
+    let is_line =
+        looks.iter().all(|look| off(look) <= STRAIGHT) && angle(line.normal(), normal) <= TURN;
     is_line.then_some(Half { at: first, inward })
 }
 

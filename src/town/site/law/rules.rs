@@ -133,7 +133,10 @@ pub fn rules(plot: &Plot<'_>, terms: &Terms) -> Vec<(Rule, Limit)> {
     found.extend(roads.map(|(front, number)| road(plot, front, number, terms)));
     let all: Vec<Segment> = sides(plot.ring).collect();
     for (number, side) in all.iter().enumerate() {
-        let is_road = plot.fronts.iter().any(|front| front.sides.contains(&number));
+        let is_road = plot
+            .fronts
+            .iter()
+            .any(|front| front.sides.contains(&number));
         if is_road || side.length() == 0.0 {
             continue;
         }
@@ -198,7 +201,11 @@ fn road(plot: &Plot<'_>, front: &Front, number: usize, terms: &Terms) -> (Rule, 
 /// concave lot, and where two meet they are equally high.
 fn region(all: &[Segment], number: usize) -> Vec<Half> {
     let n = all.len();
-    let (before, own, after) = (all[(number + n - 1) % n], all[number], all[(number + 1) % n]);
+    let (before, own, after) = (
+        all[(number + n - 1) % n],
+        all[number],
+        all[(number + 1) % n],
+    );
     let mut within = vec![behind(own)];
     for (other, corner, along) in [
         (before, own.from, own.direction()),

@@ -1,7 +1,7 @@
 //! Zones of building law, and the envelopes of lots in them (002-28 to 002-32).
 
 use super::{Laid, LotSite, told};
-use crate::ast::town::law::{EnvelopeWish, Zone};
+use crate::ast::town::law::{DistrictPlan, EnvelopeWish, Zone};
 use crate::ast::{Sheet, Value};
 use crate::diagnostic::Text;
 use crate::source::Span;
@@ -9,6 +9,7 @@ use crate::text;
 use crate::town::decision::{EnvelopeFace, EnvelopeRow};
 use crate::town::layer::Shape;
 use crate::town::plan::ZoneArea;
+use crate::town::plot::Rectangle;
 use crate::town::shape::area;
 use crate::town::site::law::{Envelope, Facet, Ground, Rule, envelope, fronts};
 use glam::DVec3;
@@ -44,6 +45,7 @@ impl LotSite<'_> {
             houses: vec![],
             parameters,
             envelope: None,
+            no_guiding_height: false,
         })
     }
 
@@ -57,10 +59,13 @@ impl LotSite<'_> {
         let roads = wish.roads.as_deref().unwrap_or_default();
         let layers = &self.plan.layers;
         if !roads.is_empty() && !layers.iter().any(|l| l.layer.name.value == roads) {
-            return Err(text!([roads] "there is no layer `{roads}`", "`{roads}` というレイヤーはありません"));
+            return Err(
+                text!([roads] "there is no layer `{roads}`", "`{roads}` というレイヤーはありません"),
+            );
         }
         let zone = self.plan.zones.at(lot.shape.centre());
-        let terms = zone.map_or(wish.own.clone(), |zone| wish.own.or(zone)).terms();
+        let given = zone.map_or(wish.own.clone(), |zone| wish.own.or(zone));
+        let terms = given.terms();
         let pieces = self.plan.road_pieces(lot, roads);
         let fronts = fronts(ring, &pieces, self.neighbours());
         let made = envelope(ring, holes, &fronts, &terms);
@@ -87,7 +92,10 @@ impl LotSite<'_> {
             told("height", row.height),
         ];
         if !wish.scenario.is_empty() {
-            parameters.insert(0, ("scenario".to_owned(), Value::Text(wish.scenario.clone())));
+            parameters.insert(
+                0,
+                ("scenario".to_owned(), Value::Text(wish.scenario.clone())),
+            );
         }
         let rules = row.rules.iter().zip(&row.arithmetic);
         parameters.extend(rules.map(|((rule, _), arithmetic)| {
@@ -98,21 +106,23 @@ impl LotSite<'_> {
             houses,
             parameters,
             envelope: Some(row),
+            no_guiding_height: terms.plan == DistrictPlan::Guided && given.limit.is_none(),
         })
     }
 
-    fn row(
-        &self,
-        wish: &EnvelopeWish,
-        made: &Envelope,
-        faces: &[Facet],
-        foot: f64,
-    ) -> EnvelopeRow {
-        let ring = self.lot().shape.ring().unwrap_or_default();
+    fn row(&self, wish: &EnvelopeWish, made: &Envelope, faces: &[Facet], foot: f64) -> EnvelopeRow {
+        // The house before it, or as much as the lot.
+        let house = self.on_rectangles().first().map(Rectangle::corners);
+        let outline = self.lot().shape.ring().unwrap_or_default();
+        let ring = house.as_ref().map_or(outline, |corners| &corners[..]);
         let binding = made.binding();
         let face = |facet: &Facet| EnvelopeFace {
             rule: facet.ground.name(),
-            ring: facet.ring.iter().map(|p| (*p + DVec3::Z * foot).to_array()).collect(),
+            ring: facet
+                .ring
+                .iter()
+                .map(|p| (*p + DVec3::Z * foot).to_array())
+                .collect(),
         };
         EnvelopeRow {
             key: self.lot().key.to_string(),
@@ -121,8 +131,14 @@ impl LotSite<'_> {
             volume: made.volume(),
             floors: made.floors(),
             height: made.height(),
-            rules: binding.iter().map(|(n, area)| (made.rules[*n].name(), *area)).collect(),
-            arithmetic: binding.iter().map(|(n, _)| made.rules[*n].arithmetic()).collect(),
+            rules: binding
+                .iter()
+                .map(|(n, area)| (made.rules[*n].name(), *area))
+                .collect(),
+            arithmetic: binding
+                .iter()
+                .map(|(n, _)| made.rules[*n].arithmetic())
+                .collect(),
             lot_area: made.lot_area,
             roads: made.roads,
             road_width: made.road_width,
@@ -142,7 +158,9 @@ impl LotSite<'_> {
             _ => "envelope_level",
         };
         let shown = |name: &'static str| {
-            let own = faces.iter().filter(|f| f.ground != Ground::Lot && finish(&f.ground) == name);
+            let own = faces
+                .iter()
+                .filter(|f| f.ground != Ground::Lot && finish(&f.ground) == name);
             let ring = |facet: &Facet| facet.ring.iter().map(|p| *p - base).collect();
             let faces: Vec<Vec<DVec3>> = own.map(ring).collect();
             (!faces.is_empty()).then_some(Sheet {

@@ -70,6 +70,7 @@ impl LotSite<'_> {
             houses,
             parameters,
             envelope: None,
+            no_guiding_height: false,
         })
     }
 

@@ -77,6 +77,7 @@ impl LotSite<'_> {
             houses: vec![self.open(span, "rail", sheets, vec![])],
             parameters: vec![told("gauge", wish.gauge)],
             envelope: None,
+            no_guiding_height: false,
         })
     }
 }

@@ -227,6 +227,7 @@ impl LotSite<'_> {
             houses: vec![self.open(span, "road", sheets, vec![])],
             parameters,
             envelope: None,
+            no_guiding_height: false,
         }
     }
 

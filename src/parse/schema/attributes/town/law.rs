@@ -1,4 +1,4 @@
-//! The attributes of building law (docs/contract.md 10.6).
+//! The attributes of building law (docs/contract.md 10.5).
 
 use super::super::{LENGTH, TRUTH};
 use super::EVIDENCE;
@@ -31,9 +31,34 @@ macro_rules! with_terms {
 
 pub(in crate::parse::schema) const ZONE: &[AttributeSchema] = with_terms!(EVIDENCE);
 pub(in crate::parse::schema) const ENVELOPE: &[AttributeSchema] = with_terms!(
-    may("scenario", Text, "", "the name of the set of rules, to put several side by side", "規制の案の名。いくつかを並べて比べる"),
-    may("built", LENGTH, "", "height of the house that stands on the lot, metres: one above its envelope is listed", "敷地に今ある建物の高さ(m)。エンベロープを超えるものは一覧に載る").metres(),
-    may("roads", Text, "", "the layer of roads; without, all streets", "道路のレイヤー。無ければすべての通り"),
-    may("show", TRUTH, "yes", "shown as glass in the model of the town", "町のモデルにガラスとして示す"),
+    may(
+        "scenario",
+        Text,
+        "",
+        "the name of the set of rules, to put several side by side",
+        "規制の案の名。いくつかを並べて比べる"
+    ),
+    may(
+        "built",
+        LENGTH,
+        "",
+        "height of the house that stands on the lot, metres: one above its envelope is listed",
+        "敷地に今ある建物の高さ(m)。エンベロープを超えるものは一覧に載る"
+    )
+    .metres(),
+    may(
+        "roads",
+        Text,
+        "",
+        "the layer of roads; without, all streets",
+        "道路のレイヤー。無ければすべての通り"
+    ),
+    may(
+        "show",
+        TRUTH,
+        "yes",
+        "shown as glass in the model of the town",
+        "町のモデルにガラスとして示す"
+    ),
     EVIDENCE,
 );
