@@ -249,7 +249,7 @@ fn allowed(lot: &[DVec2], roads: &[(usize, f64)], terms: &Terms, p: DVec2) -> f6
 #[test]
 fn volumes_are_those_of_samples_on_random_lots() {
     const LOTS: usize = 1000;
-    const SIDE: usize = 40;
+    const SIDE: usize = 32;
     let mut numbers = Numbers(18);
     let (mut concave, mut worst) = (0, 0.0f64);
     for number in 0..LOTS {

@@ -132,7 +132,9 @@ fn passes_by(town: &Town, layer: &Layer, sheets: &[Sheet]) -> bool {
     let mut joins = town.layers.iter().flat_map(|l| &l.joins);
     let is_joined = !layer.joins.is_empty() || joins.any(|join| join.layer.value == *name);
     let has_lines = sheets.iter().any(|sheet| sheet.raw.has_lines());
-    has_rules && !is_joined && layer.outline.is_none() && !has_lines && has_no_streets(town, name)
+    // Zones are looked at before the lots in them.
+    let is_first = has_lines || town.zones.contains(name);
+    has_rules && !is_joined && layer.outline.is_none() && !is_first && has_no_streets(town, name)
 }
 
 /// Reads the files of a layer, in their order; `None` if one of them cannot be read.
