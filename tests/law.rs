@@ -102,6 +102,25 @@ fn a_rectangle_on_two_roads_has_the_closed_form() {
     let ridge = (b + 6.0 - 4.0) / 2.0;
     let wing = |width: f64, depth: f64| 1.5 * a * (width * depth + depth * depth / 2.0);
     is(made.volume(), wing(4.0, ridge) + wing(6.0, b - ridge));
+    // Two walls on one road: rules that agree count once.
+    let step = [
+        (0.0, 0.0),
+        (6.0, 0.0),
+        (6.0, 2.0),
+        (12.0, 2.0),
+        (12.0, 16.0),
+        (0.0, 16.0),
+    ];
+    let step = step.map(|(x, y)| dvec2(x, y));
+    let made = of(&step, &[(0, 4.0), (2, 6.0)], &of_roads(60.0));
+    is(
+        made.volume(),
+        6.0 * 1.5 * (4.0 * 16.0 + 128.0) + 6.0 * 1.5 * (6.0 * 14.0 + 98.0),
+    );
+    is(
+        made.cells.iter().map(|cell| cell.area()).sum(),
+        area(&step, &[]),
+    );
     // Adjacent land on all sides: a hip roof from 31 m.
     let made = of(
         &lot,

@@ -107,10 +107,14 @@ fn area_of(ring: &[DVec2]) -> f64 {
     area2(&about) / 2.0
 }
 
-/// Divides a convex ring by the sign of a linear function; returns where it is above 0, and the rest. What has no area is empty.
+/// Divides a convex ring by the sign of a linear function; returns where it is above 0, and the rest. What has no area is empty;
+/// where it is 0 everywhere, as between two rules that agree, nothing is above.
 fn divided(ring: &[DVec2], of: impl Fn(DVec2) -> f64) -> [Vec<DVec2>; 2] {
     let snap = |value: f64| if value.abs() < ON { 0.0 } else { value };
     let values: Vec<f64> = ring.iter().map(|p| snap(of(*p))).collect();
+    if values.iter().all(|value| *value <= 0.0) {
+        return [vec![], ring.to_vec()];
+    }
     let [mut above, mut below] = [vec![], vec![]];
     for (i, (p, s)) in ring.iter().zip(&values).enumerate() {
         let next = (i + 1) % ring.len();
@@ -216,8 +220,9 @@ pub fn volume(cells: &[Cell], limits: &[Limit]) -> f64 {
 /// Returns the area of the section of the solid at a height.
 pub fn section(cells: &[Cell], limits: &[Limit], height: f64) -> f64 {
     let of = |cell: &Cell| {
-        let [above, _] = divided(&cell.ring, |p| limits[cell.limit].height(p) - height);
-        area_of(&above)
+        // What is level with it still bears a floor.
+        let [below, _] = divided(&cell.ring, |p| height - limits[cell.limit].height(p));
+        cell.area() - area_of(&below)
     };
     cells.iter().map(of).sum()
 }

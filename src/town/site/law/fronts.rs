@@ -12,8 +12,10 @@ use glam::DVec2;
 const REACH: f64 = 3.0;
 /// How far a lot may lie in a road by the map, metres.
 const WITHIN: f64 = 1.0;
-/// The places along a wall from which one looks.
+/// The places along a wall from which one looks, and the distance of those beyond its ends, metres. They tell the width where a
+/// wall stands at the end of another road.
 const LOOKS: usize = 7;
+const BEYOND: [f64; 3] = [1.5, 3.0, 4.5];
 /// The length of a lot on a road that makes it one in front, metres (Building Standards Act art. 43 (1)), or share of a wall.
 const LEAST: f64 = 2.0;
 const LEAST_SHARE: f64 = 0.5;
@@ -81,10 +83,10 @@ pub fn fronts(ring: &[DVec2], pieces: &[Piece], neighbours: &Neighbours<'_>) -> 
 
 fn front(run: &Run, pieces: &[Piece], neighbours: &Neighbours<'_>) -> Option<Front> {
     let (chord, normal) = (run.chord, run.chord.normal());
+    let look = |eye: DVec2| across(eye, normal, pieces).map(|[near, far]| (eye, near, far));
     let looks = (0..LOOKS).filter_map(|n| {
         let share = (n as f64 + 0.5) / LOOKS as f64;
-        let eye = chord.from.lerp(chord.to, share);
-        let [near, far] = across(eye, normal, pieces)?;
+        let (eye, near, far) = look(chord.from.lerp(chord.to, share))?;
         let before = Segment::new(eye + normal * 0.05, eye + normal * near);
         let is_free = near <= 0.05 || neighbours.is_free(before);
         is_free.then_some((eye, near, far))
@@ -94,8 +96,14 @@ fn front(run: &Run, pieces: &[Piece], neighbours: &Neighbours<'_>) -> Option<Fro
     if looks.is_empty() || (share < LEAST_SHARE && share * chord.length() < LEAST) {
         return None;
     }
-    let width = median(looks.iter().map(|(_, near, far)| far - near));
-    let distance = median(looks.iter().map(|(_, _, far)| *far));
+    let way = chord.direction();
+    let ends = BEYOND
+        .iter()
+        .flat_map(|by| [chord.from - way * *by, chord.to + way * *by]);
+    let ends: Vec<(DVec2, f64, f64)> = ends.filter_map(look).collect();
+    let all = || looks.iter().chain(&ends);
+    let width = narrow(all().map(|(_, near, far)| far - near));
+    let distance = narrow(all().map(|(_, _, far)| *far));
     let level = Half {
         at: chord.middle() + normal * distance,
         inward: -normal,
@@ -126,10 +134,11 @@ fn straight(looks: &[(DVec2, f64, f64)], normal: DVec2, distance: f64) -> Option
     is_line.then_some(Half { at: first, inward })
 }
 
-fn median(values: impl Iterator<Item = f64>) -> f64 {
+/// Returns the lower quartile: at a crossing ways run along the other road.
+fn narrow(values: impl Iterator<Item = f64>) -> f64 {
     let mut values: Vec<f64> = values.collect();
     values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
+    values[values.len() / 4]
 }
 
 /// Returns how far away the road before a place begins and ends in a direction, metres; `None` if none begins soon.
