@@ -2,7 +2,7 @@
 //! on the planes of their rules, roads that grow.
 
 use glam::{DVec2, DVec3, dvec2};
-use hsd::ast::town::law::{DistrictPlan, Terms};
+use hsd::ast::law::{DistrictPlan, Terms};
 use hsd::geometry::Heading;
 use hsd::geometry::envelope::{Bound, faces};
 use hsd::town::shape::{area, contains, distance};

@@ -1,8 +1,10 @@
 //! What a town has outside its houses (docs/contract.md 10): the wishes that its rules write, and the shapes that become of them.
 
-use super::town::law::{EnvelopeWish, Zone};
+pub mod law;
+
 use crate::source::Span;
 use glam::{DVec2, DVec3};
+use law::{EnvelopeWish, Zone};
 use serde::Serialize;
 
 /// The outdoor object that a rule asks for.

@@ -1,8 +1,6 @@
 //! A town as written (docs/contract.md 10): layers of maps, and rules for what is made of their features. What stands
 //! in a `for` is evaluated for each feature, at its [`Site`].
 
-pub mod law;
-
 use super::{House, Outdoor, Value};
 use crate::rng::Place;
 use crate::source::{Span, Spanned};

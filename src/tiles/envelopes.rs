@@ -4,7 +4,8 @@
 use crate::scene::{
     Image, Kind, Material, MaterialId, Mesh, MeshId, Node, NodeId, Primitive, Scene,
 };
-use crate::town::decision::{ENVELOPES_HEAD, EnvelopeRow};
+use crate::town::decision::ENVELOPES_HEAD;
+use crate::town::site::law::EnvelopeRow;
 use compact_str::{CompactString, format_compact};
 use glam::{DVec2, DVec3, dvec3};
 

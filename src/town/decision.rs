@@ -2,13 +2,14 @@
 
 mod envelopes;
 
-pub use envelopes::{ENVELOPES_HEAD, EnvelopeFace, EnvelopeRow};
+pub use envelopes::ENVELOPES_HEAD;
 
 use super::layer::Lot;
 use super::plan::LotId;
 use super::plot::Rectangle;
 use super::rear::{RearDecision, RearPlace};
 use super::shape::{Segment, azimuth};
+use super::site::law::EnvelopeRow;
 use super::site::{Decision, Footing, LotSite};
 use crate::ast::Value;
 use crate::ast::town::PlaceOn;

@@ -6,10 +6,11 @@ mod entries;
 pub use account::{Account, Closing, StoredAccount};
 pub use entries::{Entries, Table};
 
-use super::decision::{EnvelopeRow, HEAD, SkippedFeature, TownReport};
+use super::decision::{HEAD, SkippedFeature, TownReport};
 use super::layer::Unjoined;
 use super::plan::Plan;
 use super::run::{Chunk, TownHouses, TownInput};
+use super::site::law::EnvelopeRow;
 use crate::backend::spool::NewSpool;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::town as say;

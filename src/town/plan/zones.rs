@@ -1,6 +1,6 @@
 //! The zones that the rules of a town make, by place: the smallest one that a place lies in counts.
 
-use crate::ast::town::law::{DistrictPlan, Zone};
+use crate::ast::law::{DistrictPlan, Zone};
 use crate::map::pack::{Packer, Unpacker};
 use crate::town::grid::{Bounds, Grid, bounds};
 use crate::town::shape::{area, contains};

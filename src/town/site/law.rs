@@ -3,13 +3,15 @@
 
 mod faces;
 mod fronts;
+mod row;
 mod rules;
 
 pub use faces::{Facet, Ground};
 pub use fronts::{Front, fronts};
+pub use row::{EnvelopeFace, EnvelopeRow};
 pub use rules::{Plot, Rule, rules};
 
-use crate::ast::town::law::{DistrictPlan, Terms};
+use crate::ast::law::{DistrictPlan, Terms};
 use crate::geometry::envelope::{self, Cell, Limit};
 use crate::town::shape::{area, sides};
 use glam::DVec2;

@@ -8,13 +8,13 @@ mod rails;
 mod roads;
 mod trees;
 
+use super::law::EnvelopeRow;
 use super::{Footing, LotSite};
 use crate::ast::{House, Outdoor, Outdoors, Settings, Sheet, Tree, Value};
 use crate::diagnostic::Text;
 use crate::geometry::clip::on_grid;
 use crate::rng::Place;
 use crate::source::{Span, Spanned};
-use crate::town::decision::EnvelopeRow;
 use crate::town::layer::Shape;
 use crate::town::shape::Segment;
 use crate::town::street::Piece;

@@ -1,6 +1,6 @@
 //! What a rule of a town makes beside houses: `Road`, `Rail`, `Tree`, `Fence`, `Hedge`, `Wall`, `Zone`, `Envelope`.
 
-use crate::ast::town::law::{DistrictPlan, EnvelopeWish, Zone};
+use crate::ast::law::{DistrictPlan, EnvelopeWish, Zone};
 use crate::ast::{CodeText, Fence, Outdoor, Railway, Road, Species, Surface, TreeWish};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::schema::{Schema, Tag};

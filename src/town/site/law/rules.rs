@@ -1,7 +1,7 @@
 //! The rules for a lot, each with the plane that it makes.
 
 use super::fronts::Front;
-use crate::ast::town::law::{DistrictPlan, Terms};
+use crate::ast::law::{DistrictPlan, Terms};
 use crate::diagnostic::Text;
 use crate::geometry::envelope::{Half, Limit};
 use crate::text;

@@ -1,17 +1,18 @@
 //! Zones of building law, and the envelopes of lots in them (002-28 to 002-32).
 
 use super::{Laid, LotSite, told};
-use crate::ast::town::law::{DistrictPlan, EnvelopeWish, Zone};
+use crate::ast::law::{DistrictPlan, EnvelopeWish, Zone};
 use crate::ast::{Sheet, Value};
 use crate::diagnostic::Text;
 use crate::source::Span;
 use crate::text;
-use crate::town::decision::{EnvelopeFace, EnvelopeRow};
 use crate::town::layer::Shape;
 use crate::town::plan::ZoneArea;
 use crate::town::plot::Rectangle;
 use crate::town::shape::area;
-use crate::town::site::law::{Envelope, Facet, Ground, Rule, envelope, fronts};
+use crate::town::site::law::{
+    Envelope, EnvelopeFace, EnvelopeRow, Facet, Ground, Rule, envelope, fronts,
+};
 use glam::DVec3;
 
 /// The least area of a lot, square metres.

@@ -2,7 +2,7 @@
 
 use super::super::{LENGTH, TRUTH};
 use super::EVIDENCE;
-use crate::ast::town::law::DistrictPlan;
+use crate::ast::law::DistrictPlan;
 use crate::parse::schema::kinds::Kind::{Choice, Number, Text};
 use crate::parse::schema::kinds::{AttributeSchema, may, words};
 
