@@ -116,6 +116,8 @@ fn scenarios_stand_side_by_side() {
     is(roots[0], 0.0);
     is(roots[1], 60.0 * 1.05);
     assert_eq!(scene.nodes.len(), 2 + 28);
+    let named = |name: &str| scene.materials.iter().any(|material| material.name == name);
+    assert!(named("envelope road 1") && named("envelope ratio") && named("envelope border"));
     let glb = gltf::glb(&scene, &Library::default());
     assert_eq!(&glb[..4], b"glTF");
 }

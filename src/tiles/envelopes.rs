@@ -1,4 +1,5 @@
-//! The envelopes of a town as a table and as a scene: a node for each lot below one for its scenario, a primitive for each kind of rule. Scenarios
+//! The envelopes of a town as a table and as a scene: a node for each lot below one for its scenario, a material for each rule, so that
+//! each face tells what binds it. Scenarios
 //! stand side by side from west to east, in the order of their names' first use (002-32, figures 10 and 11).
 
 use crate::scene::{
@@ -8,17 +9,18 @@ use crate::town::decision::ENVELOPES_HEAD;
 use crate::town::site::law::EnvelopeRow;
 use compact_str::{CompactString, format_compact};
 use glam::{DVec2, DVec3, dvec3};
+use std::collections::BTreeSet;
 
 /// The free width between two scenarios, as a share of the width of the town.
 const APART: f64 = 0.05;
-/// The colours of what binds a face, by the word of its rule, linear.
-const LOOKS: [(&str, [f32; 4]); 5] = [
+/// The colours of what binds a face, by the word of its rule, linear; those of borders and the ground.
+const LOOKS: [(&str, [f32; 4]); 4] = [
     ("road", [0.8, 0.22, 0.1, 1.0]),
     ("side", [0.1, 0.4, 0.75, 1.0]),
     ("ratio", [0.35, 0.55, 0.25, 1.0]),
     ("height", [0.75, 0.6, 0.25, 1.0]),
-    ("border", [0.72, 0.7, 0.66, 1.0]),
 ];
+const PLAIN: [f32; 4] = [0.72, 0.7, 0.66, 1.0];
 
 /// Returns the names of the scenarios of envelopes, in the order of their first use.
 pub fn scenarios(rows: &[EnvelopeRow]) -> Vec<&str> {
@@ -39,23 +41,14 @@ pub fn table(rows: &[EnvelopeRow]) -> String {
 
 /// Returns the scene of envelopes.
 pub fn scene(rows: &[EnvelopeRow]) -> Scene {
+    let faces = rows.iter().flat_map(|row| &row.faces);
+    let rules: BTreeSet<&str> = faces.map(|face| &*face.rule).collect();
+    let rules: Vec<&str> = rules.into_iter().collect();
     let mut scene = Scene {
-        materials: LOOKS
-            .iter()
-            .map(|(name, tint)| material(name, *tint))
-            .collect(),
+        materials: rules.iter().map(|rule| material(rule)).collect(),
         ..Scene::default()
     };
-    let places = rows.iter().flat_map(|row| &row.faces);
-    let places = places.flat_map(|face| face.ring.iter().map(|p| p[0]));
-    let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-        (low.min(x), high.max(x))
-    });
-    let step = if high > low {
-        (high - low) * (1.0 + APART)
-    } else {
-        0.0
-    };
+    let step = width(rows) * (1.0 + APART);
     for (number, scenario) in scenarios(rows).into_iter().enumerate() {
         let at = dvec3(step * number as f64, 0.0, 0.0);
         let name = match scenario {
@@ -65,17 +58,30 @@ pub fn scene(rows: &[EnvelopeRow]) -> Scene {
         let root = NodeId(scene.nodes.len() as u32);
         scene.nodes.push(Node::new(None, Kind::Outdoors, name, at));
         for row in rows.iter().filter(|row| row.scenario == scenario) {
-            lot(&mut scene, root, row);
+            lot(&mut scene, (root, &rules), row);
         }
     }
     scene
 }
 
-fn material(name: &str, tint: [f32; 4]) -> Material {
+/// Returns how wide envelopes lie from west to east, metres.
+fn width(rows: &[EnvelopeRow]) -> f64 {
+    let places = rows.iter().flat_map(|row| &row.faces);
+    let places = places.flat_map(|face| face.ring.iter().map(|p| p[0]));
+    let wider = |[low, high]: [f64; 2], x: f64| [low.min(x), high.max(x)];
+    let [low, high] = places.fold([f64::INFINITY, f64::NEG_INFINITY], wider);
+    (high - low).max(0.0)
+}
+
+/// Returns the look of the faces that a rule binds.
+fn material(rule: &str) -> Material {
+    let kind = rule.strip_prefix("end of ").unwrap_or(rule);
+    let kind = kind.split(' ').next().unwrap_or_default();
+    let look = LOOKS.iter().find(|(word, _)| *word == kind);
     Material {
-        name: format!("envelope_{name}"),
+        name: format!("envelope {rule}"),
         image: Image::None,
-        tint,
+        tint: look.map_or(PLAIN, |(_, tint)| *tint),
         roughness: 0.9,
         metallic: 0.0,
         double_sided: false,
@@ -85,18 +91,18 @@ fn material(name: &str, tint: [f32; 4]) -> Material {
     }
 }
 
-/// Adds the envelope of a lot.
-fn lot(scene: &mut Scene, root: NodeId, row: &EnvelopeRow) {
+/// Adds the envelope of a lot, a primitive for each rule.
+fn lot(scene: &mut Scene, (root, rules): (NodeId, &[&str]), row: &EnvelopeRow) {
     let first = row.faces.iter().find_map(|face| face.ring.first());
     let Some(first) = first else {
         return;
     };
     let at = DVec3::from(*first);
     let name = format_compact!("{} {}", row.layer, row.key);
-    let primitives = LOOKS.iter().enumerate().filter_map(|(number, (word, _))| {
-        let own = row.faces.iter().filter(|face| is_of(&face.rule, word));
+    let primitives = rules.iter().zip(0..).filter_map(|(rule, number)| {
+        let own = row.faces.iter().filter(|face| face.rule == *rule);
         let mut primitive = Primitive {
-            material: MaterialId(number as u32),
+            material: MaterialId(number),
             positions: vec![],
             normals: vec![],
             uvs: vec![],
@@ -114,13 +120,6 @@ fn lot(scene: &mut Scene, root: NodeId, row: &EnvelopeRow) {
         primitives,
     });
     scene.nodes.push(node);
-}
-
-/// Returns true if a face bound by a rule has the look of a word; the ground has that of borders.
-fn is_of(rule: &str, word: &str) -> bool {
-    let rule = rule.strip_prefix("end of ").unwrap_or(rule);
-    let own = rule.split(' ').next().unwrap_or_default();
-    own == word || (own == "ground" && word == "border")
 }
 
 /// Adds a face.

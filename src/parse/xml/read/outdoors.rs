@@ -54,7 +54,7 @@ impl<'t> Reader<'t, '_> {
 
     /// Reads a ratio of floor area; a percentage is reported.
     fn ratio(&mut self, of: &Attributes<'t>) -> Option<f64> {
-        const PERCENT: std::ops::RangeInclusive<f64> = 20.0..=2000.0;
+        const PERCENT: std::ops::RangeInclusive<f64> = 30.0..=2000.0;
         let written = of.get("ratio")?;
         let text = written.value.as_str().trim();
         let number = text
