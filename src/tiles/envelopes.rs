@@ -1,6 +1,6 @@
-//! The envelopes of a town as a table and as a scene: a node for each lot below one for its scenario, a material for each rule, so that
-//! each face tells what binds it. Scenarios
-//! stand side by side from west to east, in the order of their names' first use (002-32, figures 10 and 11).
+//! The envelopes of a town as a table and as a scene: a node for each lot below one for its scenario, a material for each rule, so
+//! that each face tells what binds it. Scenarios stand side by side from west to east, in the order of their names' first use
+//! (002-32, figures 10 and 11).
 
 use crate::scene::{
     Image, Kind, Material, MaterialId, Mesh, MeshId, Node, NodeId, Primitive, Scene,

@@ -4,7 +4,7 @@ use super::{CHUNK, cache, context, name};
 use crate::ast::Outdoor;
 use crate::ast::town::{Made, Site};
 use crate::diagnostic::messages::town as say;
-use crate::diagnostic::{Diagnostics, Origin};
+use crate::diagnostic::{Diagnostic, Diagnostics, Origin};
 use crate::driver::FeatureHouse;
 use crate::parse::Values;
 use crate::parse::xml::{self, FeatureOf, RuleMade, Trees};
@@ -80,6 +80,13 @@ fn place(input: TownInput<'_>, site: &LotSite<'_>) -> Place {
     root.at(x.cast_unsigned()).at(y.cast_unsigned())
 }
 
+/// Tells what is wrong with a rule, unless that has been told at another feature.
+fn told_once(remark: Diagnostic, found: &mut Diagnostics) {
+    let mut own = Diagnostics::new();
+    own.push(remark);
+    found.push_new(own);
+}
+
 /// Lays what was made on the ground and records it; what is no matter of the ground comes back. A feature that bears a house
 /// keeps the type of that in its record.
 pub(super) fn enter(
@@ -126,9 +133,7 @@ pub(super) fn enter(
     record.footing = site.footing.get();
     record.envelopes.extend(laid.envelope);
     if laid.no_guiding_height {
-        let mut remark = Diagnostics::new();
-        remark.push(say::no_guiding_height(span));
-        found.push_new(remark);
+        told_once(say::no_guiding_height(span), found);
     }
     let word = wish.word();
     if matches!(record.outcome, Outcome::Built) && !record.kind.is_empty() {
