@@ -1,14 +1,15 @@
 //! Enters what a rule makes beside houses: pieces of road, trees, fences.
 
 use super::{CHUNK, cache, context, name};
-use crate::ast::Outdoor;
 use crate::ast::town::{Made, Site};
+use crate::ast::{Outdoor, Value};
 use crate::diagnostic::messages::town as say;
 use crate::diagnostic::{Diagnostic, Diagnostics, Origin};
 use crate::driver::FeatureHouse;
 use crate::parse::Values;
 use crate::parse::xml::{self, FeatureOf, RuleMade, Trees};
 use crate::rng::Place;
+use crate::source::Span;
 use crate::town::decision::{Outcome, Record};
 use crate::town::plan::{LotId, RoadPiece, Roads, ZoneArea, Zones};
 use crate::town::site::LotSite;
@@ -135,19 +136,28 @@ pub(super) fn enter(
     if laid.no_guiding_height {
         told_once(say::no_guiding_height(span), found);
     }
-    let word = wish.word();
+    let told = (wish.word(), evidence, laid.parameters);
+    note(record, (rule, span), told);
+    None
+}
+
+/// Notes what was made in the record of its feature.
+fn note(
+    record: &mut Record,
+    (rule, span): (usize, Span),
+    (word, evidence, parameters): (&'static str, String, Vec<(String, Value)>),
+) {
     if matches!(record.outcome, Outcome::Built) && !record.kind.is_empty() {
         // What stands there beside the first has its word before its parameters.
-        let more = laid.parameters.into_iter();
+        let more = parameters.into_iter();
         let more = more.map(|(name, value)| (format!("{word}_{name}"), value));
         record.parameters.extend(more);
-        return None;
+        return;
     }
     record.rule = rule;
     record.span = Some(span);
     record.outcome = Outcome::Built;
     record.kind = word.to_owned();
     record.evidence = evidence;
-    record.parameters = laid.parameters;
-    None
+    record.parameters = parameters;
 }
