@@ -192,12 +192,12 @@ fn lowered(cell: Cell, number: usize, limit: &Limit, limits: &[Limit]) -> Vec<Ce
         ring,
         limit: cell.limit,
     };
-    let (inside, mut rest) = parted(&cell.ring, &limit.within);
-    if inside.is_empty() {
+    let before = &limits[cell.limit];
+    let [lower, above] = divided(&cell.ring, |p| before.height(p) - limit.height(p));
+    if lower.is_empty() {
         return vec![cell];
     }
-    let before = &limits[cell.limit];
-    let [under, above] = divided(&inside, |p| before.height(p) - limit.height(p));
+    let (under, mut rest) = parted(&lower, &limit.within);
     if under.is_empty() {
         return vec![cell];
     }

@@ -37,6 +37,13 @@ struct Edge {
 }
 
 impl Edge {
+    /// Returns true if the boxes of both meet.
+    fn is_near(self, other: Edge) -> bool {
+        let of = |edge: Edge| [edge.from.min(edge.to), edge.from.max(edge.to)];
+        let ([a, b], [c, d]) = (of(self), of(other));
+        (a - SAME_LINE).cmple(d).all() && (c - SAME_LINE).cmple(b).all()
+    }
+
     fn at(self, share: f64) -> DVec2 {
         match share {
             0.0 => self.from,
@@ -102,7 +109,8 @@ pub fn faces(cells: &[Cell], limits: &[Limit]) -> Vec<Face> {
 
 /// Adds the upright faces over a side of a cell: where nothing continues it, and where the next cell is lower.
 fn upright(edge: Edge, edges: &[Edge], of: (&[Cell], &[Limit]), found: &mut Vec<Face>) {
-    let others = edges.iter().filter(|other| other.cell != edge.cell);
+    let others = edges.iter();
+    let others = others.filter(|other| other.cell != edge.cell && edge.is_near(**other));
     let beside = others.filter_map(|other| Some((edge.shared(*other)?, other.cell)));
     let mut beside: Vec<([f64; 2], usize)> = beside.collect();
     beside.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));

@@ -13,10 +13,12 @@ use crate::town::shape::area;
 use crate::town::site::law::{
     Envelope, EnvelopeFace, EnvelopeRow, Facet, Ground, Rule, envelope, fronts,
 };
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// The least area of a lot, square metres.
 const LEAST_AREA: f64 = 1.0;
+/// The most corners of a lot: each is a rule against all others.
+const MOST_CORNERS: usize = 120;
 
 impl LotSite<'_> {
     /// Returns the feature as a zone; `None` if it is no area.
@@ -50,13 +52,26 @@ impl LotSite<'_> {
         })
     }
 
-    /// Finds the envelope of a lot.
-    pub(super) fn envelope(&self, wish: &EnvelopeWish, span: Span) -> Result<Laid, Text> {
-        let lot = self.lot();
-        let (ring, holes) = match &lot.shape {
+    /// Returns the outline of a lot and the holes in it.
+    fn lot_area(&self) -> Result<(&[DVec2], &[Vec<DVec2>]), Text> {
+        let (ring, holes) = match &self.lot().shape {
             Shape::Area(ring, holes) if area(ring, holes) >= LEAST_AREA => (ring, holes),
             _ => return Err(text!("a lot is an area", "敷地は面です")),
         };
+        let corners = ring.len() + holes.iter().map(Vec::len).sum::<usize>();
+        match corners > MOST_CORNERS {
+            true => Err(text!([corners]
+                "the lot has {corners} corners, more than 120",
+                "敷地の頂点が {corners} 個あり、120 を超えます"
+            )),
+            false => Ok((ring, holes)),
+        }
+    }
+
+    /// Finds the envelope of a lot.
+    pub(super) fn envelope(&self, wish: &EnvelopeWish, span: Span) -> Result<Laid, Text> {
+        let lot = self.lot();
+        let (ring, holes) = self.lot_area()?;
         let roads = wish.roads.as_deref().unwrap_or_default();
         let layers = &self.plan.layers;
         if !roads.is_empty() && !layers.iter().any(|l| l.layer.name.value == roads) {
