@@ -29,6 +29,7 @@ pub use fittings::{
 pub use fixtures::{Fixture, FixtureKind};
 pub use frame::{Anchor, Frame, PlacedBy, Placement};
 pub use monuments::{Gate, Given, Hall, Measures, Monument, Pagoda, Pair};
+pub use outdoors::law;
 pub use outdoors::{
     Fence, Outdoor, Outdoors, Railway, Road, Sheet, Species, Surface, Tree, TreeWish,
 };

@@ -7,6 +7,7 @@
 
 pub mod clip;
 pub(crate) mod convex;
+pub mod envelope;
 pub mod outline;
 pub mod overlap;
 pub mod plan;

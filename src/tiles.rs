@@ -8,6 +8,7 @@
 //! | the houses are made once and written at each level of detail | `make` |
 //! | or written as CityJSON, or as a scene each | `city`, `scenes` |
 //! | the ground is cut into pieces and thinned, each by itself | `terrain`, `piece` |
+//! | what the law lets stand is a table and a scene of its own | `envelopes` |
 //! | a tile that is there already is kept, another is made | `maker` |
 //! | all become a tileset | `run` |
 //! | or each step is taken by itself, on many machines | `work` |
@@ -15,6 +16,7 @@
 //! Files go to a [`TileStore`], which a shell provides; nothing here touches a file system.
 
 pub mod city;
+pub mod envelopes;
 mod home;
 pub mod input;
 pub mod make;

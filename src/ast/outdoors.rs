@@ -1,7 +1,10 @@
 //! What a town has outside its houses (docs/contract.md 10): the wishes that its rules write, and the shapes that become of them.
 
+pub mod law;
+
 use crate::source::Span;
 use glam::{DVec2, DVec3};
+use law::{EnvelopeWish, Zone};
 use serde::Serialize;
 
 /// The outdoor object that a rule asks for.
@@ -15,6 +18,10 @@ pub enum Outdoor {
     Tree(TreeWish),
     /// A fence, a hedge or a wall along a line or round an area.
     Fence(Fence),
+    /// The terms of building law over an area.
+    Zone(Box<Zone>),
+    /// What the law lets stand on an area.
+    Envelope(Box<EnvelopeWish>),
 }
 
 impl Outdoor {
@@ -25,6 +32,8 @@ impl Outdoor {
             Outdoor::Rail(_) => "rail",
             Outdoor::Tree(_) => "tree",
             Outdoor::Fence(fence) => fence.word,
+            Outdoor::Zone(_) => "zone",
+            Outdoor::Envelope(_) => "envelope",
         }
     }
 }

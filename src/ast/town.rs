@@ -34,6 +34,8 @@ pub struct Town {
     pub housed: Vec<String>,
     /// The layers of which a rule may make roads.
     pub roads: Vec<String>,
+    /// The layers of which a rule may make zones.
+    pub zones: Vec<String>,
     /// How its model is divided.
     pub tiles: Tiles,
 }
@@ -205,6 +207,8 @@ pub struct RuleFacts {
     pub housed: Vec<String>,
     /// The layers of which they may make roads.
     pub roads: Vec<String>,
+    /// The layers of which they may make zones.
+    pub zones: Vec<String>,
 }
 
 /// A `for`.

@@ -32,6 +32,15 @@ const fn plain(name: &'static str, rgb: [f32; 3], roughness: f32) -> Surface {
     }
 }
 
+/// Returns a plain colour that one looks through.
+const fn veil(name: &'static str, rgb: [f32; 3]) -> Surface {
+    Surface {
+        tint: [rgb[0], rgb[1], rgb[2], 0.3],
+        thin: true,
+        ..plain(name, rgb, 0.9)
+    }
+}
+
 /// Returns the surface in another colour.
 const fn tinted(surface: Surface, rgb: [f32; 3]) -> Surface {
     Surface {
@@ -226,6 +235,10 @@ pub(super) static TABLE: &[Surface] = &[
     tinted(worn("sign_rusty", &SHEET, 1), [0.95, 0.91, 0.78]),
     plain("iron", [0.03, 0.03, 0.032], 0.6),
     plain("bronze", [0.11, 0.14, 0.115], 0.55),
+    // Envelopes of building law: what a road, adjacent land, a level or a border binds.
+    veil("envelope_road", [0.8, 0.22, 0.1]),
+    veil("envelope_side", [0.1, 0.4, 0.75]),
+    veil("envelope_level", [0.75, 0.7, 0.5]),
     // Dark surfaces behind openings.
     plain("dark", [0.012, 0.011, 0.01], 1.0),
     plain("groove", [0.05, 0.05, 0.05], 1.0),

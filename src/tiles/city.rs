@@ -124,6 +124,7 @@ fn object(kind: &str) -> Option<&'static str> {
         "tree" => "SolitaryVegetationObject",
         "hedge" => "PlantCover",
         "fence" | "wall" => "CityFurniture",
+        "envelope" => "OtherConstruction",
         _ => return None,
     })
 }

@@ -1,10 +1,15 @@
 //! The table of decisions: a line a feature, and what the report says of all.
 
+mod envelopes;
+
+pub use envelopes::ENVELOPES_HEAD;
+
 use super::layer::Lot;
 use super::plan::LotId;
 use super::plot::Rectangle;
 use super::rear::{RearDecision, RearPlace};
 use super::shape::{Segment, azimuth};
+use super::site::law::EnvelopeRow;
 use super::site::{Decision, Footing, LotSite};
 use crate::ast::Value;
 use crate::ast::town::PlaceOn;
@@ -57,6 +62,8 @@ pub struct Record {
     pub houses: usize,
     /// The parameters of the house.
     pub parameters: Vec<(String, Value)>,
+    /// The envelopes that its rules ask for.
+    pub envelopes: Vec<EnvelopeRow>,
     /// The gravest problem while it was evaluated.
     pub problem: Option<(Severity, Code)>,
     /// The number of parts of its geometry that are left out.
@@ -113,6 +120,7 @@ impl Record {
             outcome: Outcome::NoRule,
             houses: 0,
             parameters: vec![],
+            envelopes: vec![],
             problem: None,
             parts_left: lot.parts_left,
             footing: site.footing.get(),
@@ -143,6 +151,7 @@ impl Record {
             place: centre.map_or(self.place, |c| c.to_array()),
             parts_left: 0,
             footing: Footing::Known,
+            envelopes: vec![],
             access: "",
             corner: false,
             measures: String::new(),
@@ -266,6 +275,9 @@ pub struct Entry {
     pub skipped: Option<SkippedFeature>,
     /// How its geometry or its place was changed.
     pub corrected: Vec<SkippedFeature>,
+    /// Its envelopes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub envelopes: Vec<EnvelopeRow>,
 }
 
 impl Entry {
@@ -298,6 +310,7 @@ impl Entry {
                 of(what, why)
             }),
             corrected: parts.into_iter().chain(off).collect(),
+            envelopes: record.envelopes.clone(),
         }
     }
 }
@@ -325,6 +338,7 @@ impl Entry {
                 reason: WHY.to_owned(),
             }),
             corrected: vec![],
+            envelopes: vec![],
         }
     }
 }
@@ -355,6 +369,9 @@ pub struct TownReport {
     pub skipped: Vec<SkippedFeature>,
     /// Features that were changed before something was built on them.
     pub corrected: Vec<SkippedFeature>,
+    /// Houses above the envelope of their lot.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub above_envelope: Vec<SkippedFeature>,
 }
 
 /// A feature in a report.
@@ -393,15 +410,18 @@ impl TownReport {
         self.skipped.push(feature);
     }
 
-    /// Adds a feature; what stands behind its house is counted with it.
-    pub fn add(&mut self, entry: Entry) {
+    /// Adds a feature; what stands behind its house is counted with it. Returns its envelopes.
+    pub fn add(&mut self, entry: Entry) -> Vec<EnvelopeRow> {
         if entry.is_part {
-            return;
+            return vec![];
         }
         self.features += 1;
         self.built += usize::from(entry.built);
         self.corrected.extend(entry.corrected);
         self.skipped.extend(entry.skipped);
+        let above = entry.envelopes.iter().filter_map(EnvelopeRow::above);
+        self.above_envelope.extend(above);
+        entry.envelopes
     }
 }
 

@@ -133,7 +133,7 @@ pub fn runs(ring: &[DVec2]) -> Vec<Run> {
 }
 
 /// Returns true for a run that cuts a corner off.
-fn is_cut(runs: &[Run], at: usize) -> bool {
+pub(in crate::town) fn is_cut(runs: &[Run], at: usize) -> bool {
     let n = runs.len();
     let (before, own, after) = (&runs[(at + n - 1) % n], &runs[at], &runs[(at + 1) % n]);
     let length = own.chord.length();

@@ -6,6 +6,7 @@ mod lodged;
 mod packed;
 mod roads;
 mod shelves;
+mod zones;
 
 pub use key::TileKey;
 pub(in crate::town) use lodged::Lodger;
@@ -13,13 +14,14 @@ pub use lodged::{Lodged, LodgedTile, Lodging};
 pub use packed::PartReader;
 pub use roads::{BORDERS, RoadPiece, Roads};
 pub(in crate::town) use shelves::Shelves;
+pub use zones::{ZoneArea, Zones};
 
 use super::frontage::first_front;
 use super::grid::{Grid, wider};
 use super::layer::{Ground, Lot, Lots, Shape, TownFrame, Unjoined};
 use super::neighbour::{Neighbours, TOUCHING};
 use super::shape::Segment;
-use super::street::{FAR, Piece, Streets, StreetsBuilder, class_width};
+use super::street::{FAR, Piece, Streets, StreetsBuilder, WIDE, class_width};
 use super::table::Rows;
 use crate::ast::town::Town;
 use blocks::Blocks;
@@ -51,6 +53,8 @@ pub struct Plan {
     blocks: Arc<Blocks>,
     /// The roads that its rules make; none if they make none, or by a definition that they use.
     pub roads: Arc<Roads>,
+    /// The zones that its rules make.
+    pub zones: Arc<Zones>,
     /// Its features, if they wait in a spool: then no layer has any.
     pub lodged: Option<Lodged>,
     /// Outlines on which houses may stand: layer and feature.
@@ -102,6 +106,7 @@ impl Plan {
             unjoined: vec![],
             streets: Arc::new(streets),
             roads: Arc::default(),
+            zones: Arc::default(),
             lodged: None,
             outlines: vec![],
             index: Grid::default(),
@@ -133,6 +138,7 @@ impl Plan {
             streets: self.streets.clone(),
             blocks: self.blocks.clone(),
             roads: self.roads.clone(),
+            zones: self.zones.clone(),
             lodged: None,
             outlines,
             layers,
@@ -206,6 +212,12 @@ impl Plan {
     pub fn pieces(&self, lot: &Lot, layer: &str) -> Vec<Piece> {
         let streets = self.streets.get(layer).or(self.streets.get(""));
         streets.map_or(vec![], |s| s.near(lot.shape.bounds(), FAR))
+    }
+
+    /// Returns the pieces of streets that may be as far away as the far side of a wide road; of one layer, if it is named.
+    pub fn road_pieces(&self, lot: &Lot, layer: &str) -> Vec<Piece> {
+        let streets = self.streets.get(layer).or(self.streets.get(""));
+        streets.map_or(vec![], |s| s.near(lot.shape.bounds(), WIDE))
     }
 
     /// Returns the outlines within a distance of a feature, itself left out.

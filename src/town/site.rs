@@ -1,6 +1,7 @@
 //! A feature as the rules of its town see it: its fields and measures, and where a house stands on it.
 
 mod footing;
+pub mod law;
 mod outdoors;
 pub mod published;
 mod word;
@@ -191,10 +192,9 @@ impl<'p> LotSite<'p> {
         let walls = sides(ring).filter(|s| angle(s.normal(), way) < 45.0);
         let found = walls.map(|wall| self.neighbours().distance(wall, BESIDE));
         let least = found.fold(BESIDE, f64::min);
-        if least <= super::neighbour::TOUCHING {
-            0.0
-        } else {
-            least
+        match least <= super::neighbour::TOUCHING {
+            true => 0.0,
+            false => least,
         }
     }
 

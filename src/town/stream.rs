@@ -10,6 +10,7 @@ use super::decision::{HEAD, SkippedFeature, TownReport};
 use super::layer::Unjoined;
 use super::plan::Plan;
 use super::run::{Chunk, TownHouses, TownInput};
+use super::site::law::EnvelopeRow;
 use crate::backend::spool::NewSpool;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::town as say;
@@ -31,6 +32,8 @@ pub struct Ledger {
     pub decisions: Table,
     /// The report.
     pub report: TownReport,
+    /// The envelopes of lots.
+    pub envelopes: Vec<EnvelopeRow>,
     entries: Entries,
     found: Diagnostics,
     totals: Totals,
@@ -153,10 +156,11 @@ impl Ledger {
     ) -> io::Result<(Ledger, Vec<Source>)> {
         out.append(std::mem::take(&mut self.found));
         let (table, report) = (&mut self.decisions, &mut self.report);
+        let envelopes = &mut self.envelopes;
         table.push(HEAD)?;
         std::mem::take(&mut self.entries).each(&mut |entry| {
             table.push(&entry.line)?;
-            report.add(entry);
+            envelopes.extend(report.add(entry));
             Ok(())
         })?;
         let mut told = BTreeSet::new();

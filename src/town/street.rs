@@ -8,6 +8,8 @@ use std::io;
 
 /// Streets farther away than this do not count, metres.
 pub const FAR: f64 = 30.0;
+/// The far sides of roads are looked for up to this distance, metres.
+pub const WIDE: f64 = 60.0;
 /// A ring turns by this at the end of a street, degrees.
 const LEG: f64 = 30.0;
 /// Distances below this count as touching, metres.
@@ -123,9 +125,9 @@ impl Streets {
 }
 
 impl Streets {
-    /// Appends the pieces whose sides may be within [`FAR`] of something in a box to bytes.
+    /// Appends the pieces whose sides may be within [`WIDE`] of something in a box to bytes.
     pub(in crate::town) fn pack(&self, bounds: Bounds, out: &mut Packer<'_>) {
-        let pieces = self.near(bounds, FAR);
+        let pieces = self.near(bounds, WIDE);
         // How far they reach is told by all streets, so that a part finds what the whole town does.
         out.float(self.reach);
         out.count(pieces.len());

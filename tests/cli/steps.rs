@@ -64,7 +64,7 @@ fn plan(folder: &Path, town: &str) -> Vec<String> {
 
 #[test]
 fn the_steps_make_what_one_command_makes() {
-    for town in ["block.hsd", "hill.hsd", "lots.hsd"] {
+    for town in ["block.hsd", "hill.hsd", "law.hsd", "lots.hsd"] {
         let folder = towns();
         let folder = folder.path();
         let plain = hsd(folder, &["town", town, "-o", "plain/", "--detail", "0"]);

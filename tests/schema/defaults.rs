@@ -81,6 +81,7 @@ const EXCEPTIONS: &[(&str, &str)] = &[
     ("Fence", "gate"),
     ("Hedge", "gate"),
     ("Wall", "gate"),
+    ("Envelope", "show"),
     ("Join", "within"),
     ("Divide", "plots"),
     ("Divide", "blocks"),

@@ -6,23 +6,25 @@ pub(super) use folder::Folder;
 
 use super::streamed;
 use crate::ast;
+use crate::backend::images::Library;
 use crate::backend::spool::Spool;
+use crate::backend::{gltf, obj};
 use crate::cli::Failure;
-use crate::cli::files::output::{write_all, write_poured};
+use crate::cli::files::output::{folder_of, write_all, write_poured};
 use crate::cli::files::terminal::{HOUSE, bytes, counted};
 use crate::diagnostic::{Diagnostics, Language, Noun, Text, noun};
 use crate::driver;
 use crate::source::Source;
 use crate::text;
-use crate::tiles::TileStore;
 use crate::tiles::record::{LevelRecord, TileRecord};
 use crate::tiles::run::{self, TileJob, TileParts, TiledTown};
+use crate::tiles::{TileStore, envelopes};
 use crate::town::stream::Ledger;
 use crate::town::{Plan, TownInput};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::BTreeMap;
 use std::io::{self, IsTerminal, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The noun for features of maps.
 pub(super) const FEATURE: Noun = noun("feature", "地物{}件");
@@ -43,12 +45,26 @@ pub(super) struct Wish<'a> {
     pub(super) quiet: bool,
 }
 
-/// Writes the table of decisions and the report into a folder, or beside a model.
+/// Writes the table of decisions and the report into a folder, or beside a model; with them the envelopes of lots, if there are any.
 pub(super) fn tables(output: &Path, ledger: &mut Ledger) -> Result<(), Failure> {
     let beside = |name: &str| match output.is_dir() {
         true => output.join(name),
         false => output.with_extension(name),
     };
+    let rows = &ledger.envelopes;
+    if !rows.is_empty() {
+        let (scene, path) = (envelopes::scene(rows), beside("envelopes.obj"));
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let library = Library::default();
+        let own = obj::obj(&scene, &library, &stem).into_iter().map(|file| {
+            let target = folder_of(&path).join(&file.name);
+            (target, file.bytes.into_owned())
+        });
+        let mut files: Vec<(PathBuf, Vec<u8>)> = own.collect();
+        files.push((beside("envelopes.glb"), gltf::glb(&scene, &library)));
+        files.push((beside("envelopes.csv"), envelopes::table(rows).into_bytes()));
+        write_all(files)?;
+    }
     let (table, report) = (&mut ledger.decisions, &ledger.report);
     write_poured(vec![
         (
@@ -148,6 +164,17 @@ fn bar(features: usize, quiet: bool, language: Language) -> ProgressBar {
     style.map_or(bar.clone(), |style| bar.with_style(style))
 }
 
+/// Returns the line printed of the envelopes of lots; `None` if there are none.
+pub(super) fn above(ledger: &Ledger) -> Option<Text> {
+    let (count, above) = (ledger.envelopes.len(), ledger.report.above_envelope.len());
+    (count > 0).then(|| {
+        text!([count, above]
+            "  {count} envelopes of lots, {above} houses above theirs",
+            "  敷地のエンベロープ {count} 件、うち建物が超えるもの {above} 件"
+        )
+    })
+}
+
 /// Returns the lines printed after a town: what was built, and from which level its heights count.
 fn lines(wish: &Wish<'_>, made: &TiledTown) -> Vec<Text> {
     let (name, report) = (wish.output.display(), &made.ledger.report);
@@ -167,6 +194,7 @@ fn lines(wish: &Wish<'_>, made: &TiledTown) -> Vec<Text> {
             "  うち {kept} 枚は前からあったものです"
         ));
     }
+    lines.extend(above(&made.ledger));
     lines.push(match made.zero {
         Some(0.0) => text!(
             "  heights: 0 is the ellipsoid of the globe, which in Japan lies some 25 to 45 m below sea level; `geoid=\"yes\"` of `Town` counts from the sea",

@@ -357,7 +357,9 @@ impl Town {
             "{name}: {features}, {built} of them built, {houses} houses, {mib} MiB",
             "{name}: {features}、うち {built} 件に建物 {houses} 棟、{mib} MiB"
         );
-        writeln!(io::stderr(), "{}", line.in_language(language))?;
+        for line in std::iter::once(line).chain(tiled::above(ledger)) {
+            writeln!(io::stderr(), "{}", line.in_language(language))?;
+        }
         Ok(())
     }
 

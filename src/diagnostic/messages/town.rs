@@ -1,5 +1,9 @@
 //! Messages about towns (HSD11xx).
 
+mod law;
+
+pub use law::no_guiding_height;
+
 use super::words::{all_of, quote};
 use super::xml::{known, offer};
 use crate::diagnostic::{Diagnostic, Noun, Origin, Text};

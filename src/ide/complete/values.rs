@@ -60,6 +60,7 @@ fn proposals(
         ("use", "name") => names::pieces(request, inner),
         ("Place", "type") => types(request, inner),
         ("for", "each") => fields::layers(request, inner),
+        ("Envelope", "roads") => fields::layers(request, inner),
         ("Place", "front") => {
             let mut found = fields::layers(request, inner);
             found.extend(listed(request, element, attribute, inner));

@@ -87,6 +87,8 @@ pub(in crate::parse) static FOR: Content = content(
         Tag::Fence,
         Tag::Hedge,
         Tag::Wall,
+        Tag::Zone,
+        Tag::Envelope,
         Tag::Random,
     ],
 );

@@ -75,8 +75,9 @@ fn lay(bodies: &mut Bodies, sheet: &Sheet, lift: f64) {
     let up = DVec3::Z * lift;
     for face in &sheet.faces {
         let corners: Vec<DVec3> = face.iter().map(|p| *p + up).collect();
-        match polygon::normal(&corners).z > 0.5 {
-            // Roads are shaded as one surface, however the ground bends.
+        // Roads are shaded as one surface, however the ground bends; envelopes have planes.
+        let bends = !sheet.finish.starts_with("envelope");
+        match bends && polygon::normal(&corners).z > 0.5 {
             true => bodies.shaded(finish, &corners, &vec![DVec3::Z; corners.len()]),
             false => bodies.face(finish, &corners),
         }

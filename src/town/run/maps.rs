@@ -77,7 +77,8 @@ pub fn plan_lodged(
     let mut plan = Plan::new(town.clone(), frame, layers, tables);
     plan.unjoined = unjoined;
     plan.ground = Arc::new(ground);
-    plan.roads = Arc::new(super::outdoors::roads(input, &plan));
+    let (roads, zones) = super::outdoors::laid_first(input, &plan);
+    (plan.roads, plan.zones) = (Arc::new(roads), Arc::new(zones));
     if let Some(lodger) = lodger {
         plan.lodge(lodger)?;
     }
@@ -136,12 +137,10 @@ fn passes_by(town: &Town, layer: &Layer, sheets: &[Sheet]) -> bool {
     let mut joins = town.layers.iter().flat_map(|l| &l.joins);
     let is_joined = !layer.joins.is_empty() || joins.any(|join| join.layer.value == *name);
     let has_lines = sheets.iter().any(|sheet| sheet.raw.has_lines());
-    has_rules
-        && !is_joined
-        && layer.outline.is_none()
-        && layer.divided.is_none()
-        && !has_lines
-        && has_no_streets(town, name)
+    // Zones are looked at before the lots in them.
+    let is_first = has_lines || town.zones.contains(name);
+    let is_made = layer.outline.is_some() || layer.divided.is_some();
+    has_rules && !is_joined && !is_made && !is_first && has_no_streets(town, name)
 }
 
 /// Reads the files of a layer, in their order; `None` if one of them cannot be read.

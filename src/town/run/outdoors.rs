@@ -1,29 +1,29 @@
 //! Enters what a rule makes beside houses: pieces of road, trees, fences.
 
 use super::{CHUNK, cache, context, name};
-use crate::ast::Outdoor;
 use crate::ast::town::{Made, Site};
+use crate::ast::{Outdoor, Value};
 use crate::diagnostic::messages::town as say;
-use crate::diagnostic::{Diagnostics, Origin};
+use crate::diagnostic::{Diagnostic, Diagnostics, Origin};
 use crate::driver::FeatureHouse;
 use crate::parse::Values;
 use crate::parse::xml::{self, FeatureOf, RuleMade, Trees};
 use crate::rng::Place;
+use crate::source::Span;
 use crate::town::decision::{Outcome, Record};
-use crate::town::plan::{LotId, RoadPiece, Roads};
+use crate::town::plan::{LotId, RoadPiece, Roads, ZoneArea, Zones};
 use crate::town::site::LotSite;
 use crate::town::text;
 use crate::town::{Plan, TownInput};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Finds the roads that rules make of lines, so that each knows those that it meets. What is wrong with a rule is told when its
-/// features are evaluated.
-pub(super) fn roads(input: TownInput<'_>, plan: &Plan) -> Roads {
+/// Finds the roads that rules make of lines, so that each knows those that it meets, and the zones that lots lie in. What is
+/// wrong with a rule is told when its features are evaluated.
+pub(super) fn laid_first(input: TownInput<'_>, plan: &Plan) -> (Roads, Zones) {
     let makes = |layer: &usize| {
-        plan.town
-            .roads
-            .contains(&plan.layers[*layer].layer.name.value)
+        let name = &plan.layers[*layer].layer.name.value;
+        plan.town.roads.contains(name) || plan.town.zones.contains(name)
     };
     let layers = (0..plan.layers.len()).filter(makes);
     let lots = layers.flat_map(|layer| (0..plan.layers[layer].lots.len()).map(move |n| (layer, n)));
@@ -40,21 +40,37 @@ pub(super) fn roads(input: TownInput<'_>, plan: &Plan) -> Roads {
         let (mut trees, mut unsaid) = (Trees::default(), Diagnostics::new());
         let wanted = (&*features, false);
         let (made, _) = xml::features(input.source, setting, &mut trees, wanted, &mut unsaid);
-        let pieces = made.into_iter().zip(&sites).flat_map(|(made, site)| {
-            let roads = made.made.into_iter().filter_map(|made| match made.made {
-                Made::Outdoor {
-                    wish: Outdoor::Road(road),
-                    ..
-                } => Some(road),
-                _ => None,
+        let wishes = made.into_iter().zip(&sites).flat_map(|(made, site)| {
+            let wishes = made.made.into_iter().filter_map(|made| match made.made {
+                Made::Outdoor { wish, .. } => Some(wish),
+                Made::Skip { .. } | Made::Houses { .. } => None,
             });
-            roads
-                .flat_map(|road| site.road_pieces(&road))
-                .collect::<Vec<_>>()
+            wishes.map(move |wish| first(site, wish))
         });
-        pieces.collect::<Vec<RoadPiece>>()
+        wishes.collect::<Vec<First>>()
     });
-    Roads::new(pieces.collect())
+    let (mut roads, mut zones) = (vec![], vec![]);
+    for first in pieces.collect::<Vec<First>>() {
+        match first {
+            First::Road(pieces) => roads.extend(pieces),
+            First::Zone(zone) => zones.extend(zone),
+        }
+    }
+    (Roads::new(roads), Zones::new(zones))
+}
+
+/// What others look at before they are made.
+enum First {
+    Road(Vec<RoadPiece>),
+    Zone(Option<ZoneArea>),
+}
+
+fn first(site: &LotSite<'_>, wish: Outdoor) -> First {
+    match wish {
+        Outdoor::Road(road) => First::Road(site.road_pieces(&road)),
+        Outdoor::Zone(terms) => First::Zone(site.zone_area(*terms)),
+        _ => First::Zone(None),
+    }
 }
 
 /// Returns what keys the draws of a feature.
@@ -63,6 +79,13 @@ fn place(input: TownInput<'_>, site: &LotSite<'_>) -> Place {
     let seed = input.options.expand.seed.unwrap_or(site.seed());
     let root = Place::seed(seed).named("place");
     root.at(x.cast_unsigned()).at(y.cast_unsigned())
+}
+
+/// Tells what is wrong with a rule, unless that has been told at another feature.
+fn told_once(remark: Diagnostic, found: &mut Diagnostics) {
+    let mut own = Diagnostics::new();
+    own.push(remark);
+    found.push_new(own);
 }
 
 /// Lays what was made on the ground and records it; what is no matter of the ground comes back. A feature that bears a house
@@ -109,19 +132,32 @@ pub(super) fn enter(
         });
     }
     record.footing = site.footing.get();
-    let word = wish.word();
+    record.envelopes.extend(laid.envelope);
+    if laid.no_guiding_height {
+        told_once(say::no_guiding_height(span), found);
+    }
+    let told = (wish.word(), evidence, laid.parameters);
+    note(record, (rule, span), told);
+    None
+}
+
+/// Notes what was made in the record of its feature.
+fn note(
+    record: &mut Record,
+    (rule, span): (usize, Span),
+    (word, evidence, parameters): (&'static str, String, Vec<(String, Value)>),
+) {
     if matches!(record.outcome, Outcome::Built) && !record.kind.is_empty() {
         // What stands there beside the first has its word before its parameters.
-        let more = laid.parameters.into_iter();
+        let more = parameters.into_iter();
         let more = more.map(|(name, value)| (format!("{word}_{name}"), value));
         record.parameters.extend(more);
-        return None;
+        return;
     }
     record.rule = rule;
     record.span = Some(span);
     record.outcome = Outcome::Built;
     record.kind = word.to_owned();
     record.evidence = evidence;
-    record.parameters = laid.parameters;
-    None
+    record.parameters = parameters;
 }

@@ -1,12 +1,14 @@
 //! Outdoor objects of a town (docs/contract.md 10.4): a rule turns a feature into shapes on the ground, or a fence as runs of parts.
 
 mod bands;
+mod envelopes;
 mod fences;
 mod lines;
 mod rails;
 mod roads;
 mod trees;
 
+use super::law::EnvelopeRow;
 use super::{Footing, LotSite};
 use crate::ast::{House, Outdoor, Outdoors, Settings, Sheet, Tree, Value};
 use crate::diagnostic::Text;
@@ -32,6 +34,10 @@ pub struct Laid {
     pub houses: Vec<House>,
     /// What the table of decisions tells.
     pub parameters: Vec<(String, Value)>,
+    /// What the table of envelopes tells.
+    pub envelope: Option<EnvelopeRow>,
+    /// True if it is to line heights up but knows none.
+    pub no_guiding_height: bool,
 }
 
 impl LotSite<'_> {
@@ -45,6 +51,8 @@ impl LotSite<'_> {
             Outdoor::Rail(rail) => self.rail(rail, span),
             Outdoor::Tree(tree) => self.trees(tree, span, draws),
             Outdoor::Fence(fence) => self.fence(fence, span),
+            Outdoor::Zone(zone) => self.zone(zone),
+            Outdoor::Envelope(wish) => self.envelope(wish, span),
         }
     }
 

@@ -1,5 +1,9 @@
 //! The attributes of the elements of towns (docs/contract.md 10).
 
+mod law;
+
+pub(in crate::parse::schema) use law::{ENVELOPE, ZONE};
+
 use super::{FAR, LENGTH, TRUTH};
 use crate::ast::town::{FieldType, GapAt, PlaceOn};
 use crate::ast::{Species, Surface};

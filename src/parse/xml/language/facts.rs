@@ -6,11 +6,16 @@ use crate::parse::schema::Tag;
 use crate::source::Spanned;
 
 impl<'a> Expander<'a, '_> {
-    /// Records the layers that `Place`s in an element front.
+    /// Records the layers that `Place`s and `Envelope`s in an element front.
     pub(super) fn fronts_in(&mut self, element_ref: &ElementRef<'_, 'a>) {
         let element = element_ref.element();
-        if element_ref.tag() == Some(Tag::Place) {
-            let front = element.attributes.iter().find(|a| a.name == "front");
+        let name = match element_ref.tag() {
+            Some(Tag::Place) => "front",
+            Some(Tag::Envelope) => "roads",
+            _ => "",
+        };
+        if !name.is_empty() {
+            let front = element.attributes.iter().find(|a| a.name == name);
             self.feature.facts.fronts.extend(front.map(|front| {
                 let span = self.reporter.span(&front.value.whole());
                 Spanned::new(front.value.as_str().trim().to_owned(), span)
@@ -24,11 +29,11 @@ impl<'a> Expander<'a, '_> {
     }
 }
 
-/// Returns true if a rule writes a road.
-pub(super) fn has_road(of: &ElementRef<'_, '_>) -> bool {
-    of.tag() == Some(Tag::Road)
+/// Returns true if a rule writes an element.
+pub(super) fn has(of: &ElementRef<'_, '_>, tag: Tag) -> bool {
+    of.tag() == Some(tag)
         || of.element().children.iter().any(|child| match child {
-            Child::Element(index) => has_road(&of.child(*index)),
+            Child::Element(index) => has(&of.child(*index), tag),
             Child::Text(_) => false,
         })
 }
@@ -45,7 +50,9 @@ pub(super) fn is_outdoors(rule: &ElementRef<'_, '_>) -> bool {
                 Child::Text(_) => None,
             });
         inner.into_iter().all(|child| match child.tag() {
-            Some(Tag::Road | Tag::Rail | Tag::Tree | Tag::Fence | Tag::Hedge | Tag::Wall) => {
+            Some(
+                Tag::Road | Tag::Rail | Tag::Tree | Tag::Fence | Tag::Hedge | Tag::Wall | Tag::Zone,
+            ) => {
                 *something = true;
                 true
             }

@@ -6,7 +6,7 @@
 
 use super::super::tree::{Element, Tree};
 use super::draws::Open;
-use super::facts::{has_road, is_outdoors};
+use super::facts::{has, is_outdoors};
 use super::scope::Frame;
 use super::{ElementRef, Expander, Scope};
 use crate::ast::Value;
@@ -14,6 +14,7 @@ use crate::ast::town::{Known, RuleFacts, Site, Stood, Unfound};
 use crate::diagnostic::messages::{town, xml as say};
 use crate::diagnostic::{Noun, noun};
 use crate::parse::expr::{self, Meanings, Problem};
+use crate::parse::schema::Tag;
 use crate::rng::Place;
 use crate::source::Span;
 use std::cell::Cell;
@@ -203,8 +204,11 @@ impl<'a, 'f> Expander<'a, 'f> {
             if !is_outdoors(element_ref) {
                 facts.housed.push(name.clone());
             }
-            if has_road(element_ref) {
-                facts.roads.push(name);
+            if has(element_ref, Tag::Road) {
+                facts.roads.push(name.clone());
+            }
+            if has(element_ref, Tag::Zone) {
+                facts.zones.push(name);
             }
             self.feature.rules.push(Rule {
                 tree: Rc::clone(element_ref.tree),

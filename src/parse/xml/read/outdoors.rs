@@ -1,9 +1,12 @@
-//! What a rule of a town makes beside houses: `Road`, `Rail`, `Tree`, `Fence`, `Hedge`, `Wall`.
+//! What a rule of a town makes beside houses: `Road`, `Rail`, `Tree`, `Fence`, `Hedge`, `Wall`, `Zone`, `Envelope`.
 
+use crate::ast::law::{DistrictPlan, EnvelopeWish, Zone};
 use crate::ast::{CodeText, Fence, Outdoor, Railway, Road, Species, Surface, TreeWish};
+use crate::diagnostic::messages::xml as say;
 use crate::parse::schema::{Schema, Tag};
 use crate::parse::xml::read::{Attributes, Reader};
 use crate::parse::xml::tree::Element;
+use crate::text;
 
 impl<'t> Reader<'t, '_> {
     /// Reads what an element wants.
@@ -28,6 +31,16 @@ impl<'t> Reader<'t, '_> {
                 spacing: self.usual(&of, "spacing"),
                 offset: self.usual(&of, "offset"),
             }),
+            Tag::Zone => Outdoor::Zone(Box::new(self.zone(&of))),
+            Tag::Envelope => Outdoor::Envelope(Box::new(EnvelopeWish {
+                own: self.zone(&of),
+                scenario: self
+                    .text(&of, "scenario")
+                    .map_or_else(String::new, |s| s.value),
+                built: self.number(&of, "built").map(|h| h.value),
+                roads: self.text(&of, "roads").map(|r| r.value),
+                show: self.yes_no(&of, "show").is_none_or(|s| s.value),
+            })),
             tag => {
                 let word = match tag {
                     Tag::Hedge => "hedge",
@@ -36,6 +49,51 @@ impl<'t> Reader<'t, '_> {
                 };
                 Outdoor::Fence(self.fence(word, schema, &of))
             }
+        }
+    }
+
+    /// Reads a ratio of floor area; a percentage is reported.
+    fn ratio(&mut self, of: &Attributes<'t>) -> Option<f64> {
+        const PERCENT: std::ops::RangeInclusive<f64> = 30.0..=2000.0;
+        let written = of.get("ratio")?;
+        let text = written.value.as_str().trim();
+        let number = text
+            .trim_end_matches(['%', '％'])
+            .trim()
+            .parse::<f64>()
+            .ok();
+        let Some(percent) = number.filter(|n| PERCENT.contains(n)) else {
+            return self.number(of, "ratio").map(|n| n.value);
+        };
+        let (span, ratio) = (self.value_span(written), percent / 100.0);
+        self.reporter.push(|| {
+            let bounds = text!(
+                "a ratio from 0.1 to 20: 400 % is 4",
+                "0.1 から 20 までの比。400 % は 4"
+            );
+            say::out_of_range(span, "ratio", text, bounds, Some(&ratio.to_string()))
+        });
+        Some(ratio)
+    }
+
+    fn zone(&mut self, of: &Attributes<'t>) -> Zone {
+        let ratio = self.ratio(of);
+        let mut number = |name| self.number(of, name).map(|n| n.value);
+        Zone {
+            gradient: number("gradient"),
+            distance: number("distance"),
+            ratio,
+            factor: number("factor"),
+            limit: number("limit"),
+            setback: number("setback"),
+            side_height: number("side_height"),
+            side_gradient: number("side_gradient"),
+            storey: number("storey"),
+            coverage: number("coverage"),
+            plan: self
+                .choice(of, "plan", &DistrictPlan::WORDS)
+                .map(|p| p.value),
+            by_ratio: self.yes_no(of, "by_ratio").map(|b| b.value),
         }
     }
 

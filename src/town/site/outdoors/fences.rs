@@ -70,7 +70,12 @@ impl LotSite<'_> {
             told("units", f64::from(count)),
             told("length", length),
         ];
-        Ok(Laid { houses, parameters })
+        Ok(Laid {
+            houses,
+            parameters,
+            envelope: None,
+            no_guiding_height: false,
+        })
     }
 
     /// Divides a wall where the ground under it rises or falls, between units; each piece with its lowest ground.

@@ -76,6 +76,8 @@ impl LotSite<'_> {
         Ok(Laid {
             houses: vec![self.open(span, "rail", sheets, vec![])],
             parameters: vec![told("gauge", wish.gauge)],
+            envelope: None,
+            no_guiding_height: false,
         })
     }
 }

@@ -226,6 +226,8 @@ impl LotSite<'_> {
         Laid {
             houses: vec![self.open(span, "road", sheets, vec![])],
             parameters,
+            envelope: None,
+            no_guiding_height: false,
         }
     }
 
