@@ -2,7 +2,7 @@
 
 use crate::lsp::client::{Client, position, range};
 use crate::support::Words;
-use crate::support::{Numbers, OPTIMISED, number, root, texts};
+use crate::support::{Numbers, OPTIMISED, number, root, texts, texts_in_turn};
 use hsd::diagnostic::{Diagnostics, Origin, Severity};
 use hsd::driver::{self, Options};
 use hsd::fs::FolderWorld;
@@ -168,7 +168,7 @@ fn ask_everything(client: &mut Client, uri: &str, text: &str, random: &mut Numbe
 
 #[test]
 fn diagnostics_are_those_of_check_after_any_edit() {
-    let mut paths = texts("examples");
+    let mut paths = texts_in_turn("examples", 2);
     paths.extend(texts("library"));
     let (edits, mut random) = (
         number("HSD_EDITS", EDITS),
