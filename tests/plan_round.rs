@@ -140,7 +140,7 @@ fn round(path: &Path, wanted: &[Wanted], scale: u32) -> Vec<String> {
 fn plans_come_back_as_they_went_out() {
     let paths: Vec<_> = ["examples", "library"]
         .into_iter()
-        .flat_map(texts)
+        .flat_map(|folder| texts_in_turn(folder, 1))
         .filter(|p| !OWN_PARTS.contains(&stem(p).as_str()))
         .collect();
     let wrong = on_all_processors(paths.len(), |k| round(&paths[k], &[Wanted::Plans], 100));

@@ -232,7 +232,9 @@ pub fn texts_in_turn(folder: &str, turn: usize) -> Vec<PathBuf> {
     let mut files = texts(folder);
     if std::env::var_os("HSD_THOROUGH").is_none() {
         let others = GREAT.iter().enumerate().filter(|(k, _)| *k != turn);
-        let left_out: Vec<&str> = others.flat_map(|(_, names)| names.iter().copied()).collect();
+        let left_out: Vec<&str> = others
+            .flat_map(|(_, names)| names.iter().copied())
+            .collect();
         files.retain(|path| !left_out.contains(&&*stem(path)));
     }
     files
