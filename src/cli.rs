@@ -116,7 +116,7 @@ type Outcome = Result<Exit, Failure>;
 /// What `--version` tells: the version, and what is in this build; `-V` tells the version alone.
 static CONTENTS: LazyLock<String> = LazyLock::new(|| {
     #[cfg(feature = "view")]
-    let page = crate::view::page::is_built();
+    let page = crate::view::is_built();
     #[cfg(not(feature = "view"))]
     let page = false;
     let in_it = |what| if what { "yes" } else { "no" };
