@@ -70,7 +70,7 @@ fn errors_are_those_of_check_and_leave_no_output() {
     assert_eq!(lines[2]["messages"], check);
     assert_eq!(names(&folder.path().join("out")), ["sound.glb"]);
     // In the language asked for, and of two streams that go one way.
-    let run = hsd(folder.path(), &[&["--lang", "ja"], &both[..]].concat());
+    let run = hsd(folder.path(), &[&["--lang", "ja"][..], &both[..]].concat());
     assert!(!stdout(&run).is_ascii());
     let run = hsd(
         folder.path(),
@@ -110,13 +110,13 @@ fn towns_tell_how_far_they_are() {
         let files = files(&last);
         for name in ["block.hsd", "block-houses.geojson", "shares.csv"] {
             assert!(
-                files.iter().any(|f| Path::new(f) == Path::new(name)),
+                files.iter().any(|f| Path::new(f).ends_with(name)),
                 "{name}: {files:?}"
             );
         }
         lines
     };
-    for out in ["town.glb", "town.hsd", "town.city.jsonl"] {
+    for out in ["town.glb", "town.city.jsonl"] {
         assert!(town(out).is_empty(), "{out}");
     }
     let lines = town("town/");
