@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use std::path::Path;
 
 /// Edits in all; a test that is not optimized is content with fewer.
-const EDITS: usize = if OPTIMISED { 1_500 } else { 800 };
+const EDITS: usize = if OPTIMISED { 1_000 } else { 800 };
 
 /// Edits after which a text is taken anew, since it has gone to pieces.
 const ROUND: usize = 40;
