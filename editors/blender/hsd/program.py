@@ -6,16 +6,11 @@ import json
 import os
 import pathlib
 import re
-import shutil
-import subprocess
-import sys
 
-NAME = "hsd.exe" if sys.platform == "win32" else "hsd"
+from . import executable
+from .executable import Failure
+
 IMAGES = {".png", ".jpg", ".jpeg", ".webp"}
-
-
-class Failure(Exception):
-    """hsd could not be run or did not answer as expected; the text is for the user."""
 
 
 @dataclasses.dataclass
@@ -60,29 +55,14 @@ def spell(value):
 
 def find(chosen=""):
     """The program: the chosen one, that on the path, or that of cargo."""
-    if chosen:
-        if pathlib.Path(chosen).is_file():
-            return chosen
-        raise Failure(f"there is no program {chosen}: choose hsd in the preferences of the add-on")
-    found = shutil.which(NAME) or shutil.which(NAME, path=str(pathlib.Path.home() / ".cargo" / "bin"))
-    if not found:
-        raise Failure("hsd is not on the path: install it, or choose it in the preferences of the add-on")
-    return found
-
-
-def plain():
-    """The environment for a program whose words are not for a terminal: without colours."""
-    return {**{k: v for k, v in os.environ.items() if k not in ("CLICOLOR_FORCE", "FORCE_COLOR")}, "NO_COLOR": "1"}
+    return executable.find(chosen, "the preferences of the add-on")
 
 
 def run(program, *words):
     """Runs hsd and returns exit status, standard output and standard error."""
-    hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if sys.platform == "win32" else {}
-    try:
-        done = subprocess.run([program, *map(str, words)], stdin=subprocess.DEVNULL, capture_output=True, env=plain(), **hidden)
-    except OSError as error:
-        raise Failure(f"{program} cannot be run: {error.strerror or error}") from error
-    return done.returncode, done.stdout.decode("utf-8", "replace"), done.stderr.decode("utf-8", "replace")
+    process = executable.start([program, *words])
+    out, errors = process.communicate()
+    return process.returncode, out, errors
 
 
 def answer(program, *words):

@@ -4,44 +4,22 @@
 import json
 import os
 import pathlib
-import shutil
 import subprocess
-import sys
 import threading
 
-NAME = "hsd.exe" if sys.platform == "win32" else "hsd"
-
-
-class Failure(Exception):
-    """hsd could not be run, or did not do what was asked; the text is for the user."""
+from . import executable
+from .executable import Failure
 
 
 def find(chosen=""):
     """The program: the chosen one, that on the path, or that of cargo."""
-    if chosen:
-        if pathlib.Path(chosen).is_file():
-            return chosen
-        raise Failure(f"there is no program {chosen}: choose hsd in Settings > Options > Processing > Providers > hsd")
-    found = shutil.which(NAME) or shutil.which(NAME, path=str(pathlib.Path.home() / ".cargo" / "bin"))
-    if not found:
-        raise Failure("hsd is not on the path: install it, or choose it in Settings > Options > Processing > Providers > hsd")
-    return found
-
-
-def plain():
-    """The environment for a program whose words are not for a terminal: without colours."""
-    return {**{k: v for k, v in os.environ.items() if k not in ("CLICOLOR_FORCE", "FORCE_COLOR")}, "NO_COLOR": "1"}
+    return executable.find(chosen, "Settings > Options > Processing > Providers > hsd")
 
 
 def run(words, tell=lambda line: None, stopped=lambda: False, heard=lambda line: None):
     """Runs a command, hears each line of its standard output and tells each of its standard error; ends it when the user stops.
     Returns its status."""
-    hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if sys.platform == "win32" else {}
-    try:
-        process = subprocess.Popen([str(w) for w in words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE, encoding="utf-8", errors="replace", env=plain(), **hidden)
-    except OSError as error:
-        raise Failure(f"{words[0]} cannot be run: {error.strerror or error}") from error
+    process = executable.start(words)
 
     def read(stream, take):
         for line in stream:
