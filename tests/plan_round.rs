@@ -1,7 +1,7 @@
 //! What `hsd draw` has drawn comes back: the drawing of the house that was read from a plan is the drawing that was read.
 
 use crate::support::{
-    Run, assert_none, compile_changed, compile_file, on_all_processors, stem, texts,
+    Run, assert_none, compile_changed, compile_file, on_all_processors, stem, texts, texts_in_turn,
 };
 use glam::{DVec2, dvec2};
 use hsd::Language;
