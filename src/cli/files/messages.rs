@@ -3,7 +3,7 @@
 
 use crate::cli::Failure;
 use crate::cli::files::input::STDIN;
-use crate::cli::options::report;
+use crate::cli::files::terminal;
 use crate::diagnostic::{Diagnostic, Language};
 use crate::report::{Format, Report};
 use crate::source::Source;
@@ -12,7 +12,7 @@ use clap::{Args, ValueEnum};
 use serde::Serialize;
 use serde_json::value::{RawValue, to_raw_value};
 use std::collections::BTreeSet;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 /// The form of messages.
@@ -154,4 +154,17 @@ impl Teller {
         stdout.write_all(&text)?;
         Ok(stdout.flush()?)
     }
+}
+
+/// Writes a report to a stream, styled for a terminal if it is one.
+pub(in crate::cli) fn report(
+    written: &Report<'_>,
+    format: Format,
+    stream: &mut (impl Write + IsTerminal),
+) -> Result<(), Failure> {
+    let style = terminal::style(stream);
+    let mut text = vec![];
+    written.write(format, style, &mut text)?;
+    stream.write_all(&text)?;
+    Ok(stream.flush()?)
 }
