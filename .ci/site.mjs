@@ -1,17 +1,18 @@
-// node site.mjs HSD OUT_DIR
+// node site.mjs HSD OUT_DIR [TYPE...]
 // Builds the reference as a static site in English and Japanese: the pages of grammar/, all elements and attributes, all parts with their
-// images, all messages. The site is self-contained: no request goes to another host. Exits with 1 on broken links.
+// images, all messages, house types to turn with sliders (those named, or all, which takes some minutes). The site is self-contained: no request goes to another host. Exits with 1 on broken links.
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join, posix, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { folder as modules } from './modules.mjs';
 import { deadLinks } from './site_links.mjs';
 import { reference } from './site_reference.mjs';
+import { typePages } from './site_types.mjs';
 
 const { Marked } = await import(pathToFileURL(join(modules, 'node_modules/marked/lib/marked.esm.js')));
 const here = dirname(fileURLToPath(import.meta.url));
 const root = resolve(here, '..');
-const [hsd, out] = process.argv.slice(2);
+const [hsd, out, ...types] = process.argv.slice(2);
 if (!out) throw new Error('usage: site.mjs HSD OUT_DIR');
 
 /** Source files of the repository and their pages. */
@@ -35,10 +36,10 @@ const folders = new Map([['grammar/diagnostics', 'messages/index.html'], ['gramm
 
 const menu = {
   en: [['index.html', 'The language'], ['tutorial.html', 'Tutorial'], ['reference.html', 'Reference'], ['legacy.html', 'Legacy form'], ['catalogue.html', 'Parts'], ['catalogs.html', 'Custom parts'],
-    ['types.html', 'House types'], ['roofs.html', 'Roofs'], ['dressing.html', 'Roof details'], ['partitions.html', 'Partitions'], ['materials.html', 'Materials'], ['messages/index.html', 'Diagnostics'],
+    ['types.html', 'House types'], ['houses.html', 'Types to turn'], ['roofs.html', 'Roofs'], ['dressing.html', 'Roof details'], ['partitions.html', 'Partitions'], ['materials.html', 'Materials'], ['messages/index.html', 'Diagnostics'],
     ['glossary.html', 'Glossary']],
   ja: [['ja/index.html', 'はじめに'], ['ja/language.html', '言語'], ['ja/tutorial.html', 'チュートリアル'], ['ja/reference.html', 'リファレンス'], ['ja/legacy.html', '旧形式'], ['ja/catalogue.html', '部材'],
-    ['ja/catalogs.html', '自作部材'], ['ja/types.html', '家のひな形'], ['ja/roofs.html', '屋根'], ['ja/dressing.html', '屋根の納まり'],
+    ['ja/catalogs.html', '自作部材'], ['ja/types.html', '家のひな形'], ['ja/houses.html', 'ひな形を回す'], ['ja/roofs.html', '屋根'], ['ja/dressing.html', '屋根の納まり'],
     ['ja/partitions.html', '平面の分け方'], ['ja/materials.html', '材料'], ['ja/messages/index.html', '指摘'], ['glossary.html', '用語集']],
 };
 
@@ -155,6 +156,7 @@ function markdown(source, page) {
 
 for (const [source, page] of pages) markdown(source, page);
 reference({ hsd, root, out, write, escape, relative, messages: [...pages].filter(([s]) => /HSD\d/.test(s)) });
+await typePages({ hsd, root, out, write, relative }, types);
 
 const search = readFileSync(join(here, 'site_search.js'), 'utf8');
 mkdirSync(out, { recursive: true });

@@ -23,6 +23,7 @@ mod textures;
 #[cfg(feature = "view")]
 mod view;
 pub use crate::diagnostic::{Language, Text};
+use crate::templates::TYPES;
 use crate::text;
 use clap::error::{ContextKind, ContextValue, ErrorKind as ClapError};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -30,6 +31,7 @@ use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 use std::process::ExitCode;
+use std::sync::LazyLock;
 
 /// The exit status of a run that completed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,9 +113,31 @@ impl From<io::Error> for Failure {
 
 type Outcome = Result<Exit, Failure>;
 
+/// What `--version` tells: the version, and what is in this build; `-V` tells the version alone.
+static CONTENTS: LazyLock<String> = LazyLock::new(|| {
+    #[cfg(feature = "view")]
+    let page = crate::view::is_built();
+    #[cfg(not(feature = "view"))]
+    let page = false;
+    let in_it = |what| if what { "yes" } else { "no" };
+    let rows = [
+        ("page of hsd view", in_it(page)),
+        ("language server", in_it(cfg!(feature = "lsp"))),
+        ("--compress", in_it(cfg!(feature = "compress"))),
+        ("GeoPackage", in_it(cfg!(feature = "geopackage"))),
+        ("GeoParquet", in_it(cfg!(feature = "geoparquet"))),
+    ];
+    let mut text = env!("CARGO_PKG_VERSION").to_owned();
+    for (what, there) in rows {
+        text += &format!("\n{:<18}{there}", format!("{what}:"));
+    }
+    let (parts, types) = (crate::parse::builtin().parts().len(), TYPES.len());
+    text + &format!("\n{parts} parts, {types} house types")
+});
+
 /// Compile house files into textured 3D models.
 #[derive(Debug, Parser)]
-#[command(name = "hsd", version, propagate_version = true, max_term_width = 100)]
+#[command(name = "hsd", version, long_version = &**CONTENTS, propagate_version = true, max_term_width = 100)]
 #[command(after_help = "\
 Examples:
   hsd build examples/machiya.hsd -o machiya.glb    build a model for any glTF viewer
@@ -151,6 +175,7 @@ enum Command {
     #[cfg(feature = "lsp")]
     Lsp(lsp::Lsp),
     Completions(completions::Completions),
+    Man(completions::man::Man),
 }
 
 /// Runs the program; the first argument is the program name.
@@ -223,6 +248,7 @@ impl Command {
             #[cfg(feature = "lsp")]
             Command::Lsp(c) => c.run(language),
             Command::Completions(c) => c.run(language),
+            Command::Man(c) => c.run(),
         }
     }
 }

@@ -13,6 +13,7 @@ mod short;
 use crate::diagnostic::{Diagnostic, Language, Noun, Origin, Severity, noun, visible};
 use crate::source::{FileId, Source, Span};
 use lines::{Lines, Position};
+use serde::Serialize;
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
 use std::io::{self, Write};
@@ -89,6 +90,11 @@ impl<'a> Report<'a> {
             Format::Json => json::write(self, out),
             Format::Sarif => sarif::write(self, out),
         }
+    }
+
+    /// Returns the messages as [`Format::Json`] writes them, for a larger JSON.
+    pub fn messages(&self) -> impl Serialize + use<'_, 'a> {
+        json::messages(self).collect::<Vec<_>>()
     }
 
     /// Returns the counts by severity and file: `2 errors, 1 warning in shop.hsd`; `None` without messages.

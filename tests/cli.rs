@@ -8,6 +8,7 @@ mod fmt;
 mod folders;
 mod languages;
 mod leftovers;
+mod messages;
 mod plan;
 mod printing;
 mod render;

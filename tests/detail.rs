@@ -1,6 +1,6 @@
 //! Levels of detail: the same house with less and less shape, never another outline.
 
-use crate::support::{compile, compile_file, stem, texts};
+use crate::support::{compile, compile_file, stem, texts_in_turn};
 use glam::{DVec3, dvec3};
 use hsd::backend::{flat, sound};
 use hsd::driver;
@@ -42,7 +42,7 @@ fn extent(scene: &Scene) -> (DVec3, DVec3) {
 
 #[test]
 fn every_example_is_sound_at_every_detail() {
-    for path in texts("examples") {
+    for path in texts_in_turn("examples", 1) {
         let run = compile_file(&path);
         for (detail, scene) in Detail::ALL.into_iter().zip(scenes(&run)) {
             let name = stem(&path);
@@ -77,7 +77,7 @@ fn normal(p: &hsd::scene::Primitive, t: &[u32]) -> DVec3 {
 
 #[test]
 fn less_detail_has_fewer_triangles_and_the_same_outline() {
-    for path in texts("examples") {
+    for path in texts_in_turn("examples", 2) {
         let run = compile_file(&path);
         let all = scenes(&run);
         let counts = all.each_ref().map(triangles);

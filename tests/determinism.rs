@@ -1,6 +1,6 @@
 //! The same text becomes the same bytes, again and again and on several threads at a time.
 
-use crate::support::{compile, compile_file, texts};
+use crate::support::{compile, compile_file, texts_in_turn};
 use hsd::building::Building;
 
 /// Everything a run shows, as text: every number of it is written out.
@@ -13,7 +13,7 @@ fn all_of(path: &std::path::Path) -> String {
 
 #[test]
 fn the_same_text_becomes_the_same_scene() {
-    for path in texts("examples") {
+    for path in texts_in_turn("examples", 1) {
         let first = all_of(&path);
         std::thread::scope(|scope| {
             let threads: Vec<_> = (0..4).map(|_| scope.spawn(|| all_of(&path))).collect();

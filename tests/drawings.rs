@@ -1,6 +1,7 @@
 //! Drawings to scale, read again by a reader of their SVG that knows nothing of how they were made.
 
-use crate::support::{assert_none, compile, compile_file, on_all_processors, stem, texts};
+use crate::support::{assert_none, compile, compile_file, on_all_processors, stem};
+use crate::support::{texts, texts_in_turn};
 use glam::{DVec2, DVec3, dvec2};
 use hsd::Language;
 use hsd::drawing::paper::Sheet;
@@ -200,7 +201,7 @@ fn ring_area(ring: &[DVec2]) -> f64 {
 
 #[test]
 fn a_section_has_the_area_of_the_cut() {
-    let paths = texts("examples");
+    let paths = texts_in_turn("examples", 2);
     let findings = on_all_processors(paths.len(), |index| {
         let run = compile_file(&paths[index]);
         let scene = hsd::driver::scene(&run.building, &run.catalog, Detail::Everything);

@@ -1,6 +1,7 @@
 //! Models for other programs: closed bodies to print, houses as single meshes, and what they tell of their sources.
 
-use crate::support::{Run, assert_none, compile, compile_file, on_all_processors, stem, texts};
+use crate::support::{Run, assert_none, compile, compile_file, on_all_processors, stem};
+use crate::support::{texts, texts_in_turn};
 use hsd::backend::spool::in_memory;
 use hsd::backend::{NoImages, gltf, stl};
 use hsd::driver;
@@ -32,7 +33,7 @@ fn open_edges(triangles: &[[[f32; 3]; 3]]) -> usize {
 
 #[test]
 fn every_body_of_every_example_is_closed_at_every_detail() {
-    let examples = texts("examples");
+    let examples = texts_in_turn("examples", 1);
     assert_none(&on_all_processors(examples.len(), |number| {
         let run = compile_file(&examples[number]);
         let mut found = vec![];

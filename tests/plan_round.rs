@@ -1,7 +1,7 @@
 //! What `hsd draw` has drawn comes back: the drawing of the house that was read from a plan is the drawing that was read.
 
 use crate::support::{
-    Run, assert_none, compile_changed, compile_file, on_all_processors, stem, texts,
+    Run, assert_none, compile_changed, compile_file, on_all_processors, stem, texts, texts_in_turn,
 };
 use glam::{DVec2, dvec2};
 use hsd::Language;
@@ -140,7 +140,7 @@ fn round(path: &Path, wanted: &[Wanted], scale: u32) -> Vec<String> {
 fn plans_come_back_as_they_went_out() {
     let paths: Vec<_> = ["examples", "library"]
         .into_iter()
-        .flat_map(texts)
+        .flat_map(|folder| texts_in_turn(folder, 1))
         .filter(|p| !OWN_PARTS.contains(&stem(p).as_str()))
         .collect();
     let wrong = on_all_processors(paths.len(), |k| round(&paths[k], &[Wanted::Plans], 100));

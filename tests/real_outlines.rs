@@ -2,7 +2,7 @@
 //! the repository, not in it; without them the test is reported as ignored.
 //!
 //! `HSD_OUTLINES=FOLDER cargo test --release real_outlines -- --include-ignored --nocapture` prints the figures for the
-//! GeoJSON files of another folder. Of the maps beside the repository every fourth outline is built; with `HSD_THOROUGH` all are.
+//! GeoJSON files of another folder. Of the maps beside the repository every eighth outline is built; with `HSD_THOROUGH` all are.
 
 use crate::support::crossings::deepest;
 use crate::support::maps::{Plan, maps, maps_in, plans};
@@ -175,7 +175,7 @@ fn figures(maps: &[PathBuf]) -> (Counts, Vec<String>) {
 fn step() -> usize {
     match asked().is_some() || std::env::var_os("HSD_THOROUGH").is_some() {
         true => 1,
-        false => 4,
+        false => 8,
     }
 }
 

@@ -9,7 +9,7 @@ mod mutations;
 use crate::support::cpu::{assert_linear, growth, spent};
 use crate::support::{
     OPTIMISED, Run, assert_none, compile, flaws_of_diagnostics, number, on_all_processors, stem,
-    texts,
+    texts, texts_in_turn,
 };
 use heaps::{comb, heaps, pile_of_roofs, unlike_stairs};
 use hsd::diagnostic::{Code, Diagnostics, Severity};
@@ -24,7 +24,7 @@ use std::time::Duration;
 
 /// The most processor time that an input may take: ten times that of the longest example.
 static BOUND: LazyLock<Duration> = LazyLock::new(|| {
-    let examples = examples();
+    let examples = read(texts("examples"));
     let time = |(name, bytes): &(String, Vec<u8>)| spent(|| compile(name, bytes)).1;
     10 * examples.iter().map(time).max().expect("there are examples")
 });
@@ -47,9 +47,14 @@ fn findings_of(name: &str, bytes: &[u8]) -> (Run, Vec<String>) {
     (run, findings)
 }
 
+/// The examples that are cut and changed.
 fn examples() -> Vec<(String, Vec<u8>)> {
+    read(texts_in_turn("examples", 1))
+}
+
+fn read(paths: Vec<PathBuf>) -> Vec<(String, Vec<u8>)> {
     let read = |path: PathBuf| (stem(&path), fs::read(&path).expect("examples can be read"));
-    texts("examples").into_iter().map(read).collect()
+    paths.into_iter().map(read).collect()
 }
 
 #[test]
@@ -58,7 +63,7 @@ fn examples_cut_anywhere() {
     let cuts: Vec<(&str, &[u8])> = examples
         .iter()
         .flat_map(|(name, bytes)| {
-            let step = 1 + bytes.len() / share(150); // the long ones in steps
+            let step = 1 + bytes.len() / share(120); // the long ones in steps
             let ends = (0..bytes.len()).step_by(step);
             ends.map(|end| (name.as_str(), &bytes[..end]))
         })

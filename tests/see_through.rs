@@ -169,9 +169,14 @@ fn gaps(scene: &Scene, front: Front) -> Vec<String> {
 #[test]
 fn one_does_not_see_through_closed_bays() {
     let parts = closed();
+    let thorough = std::env::var_os("HSD_THOROUGH").is_some();
     let findings = on_all_processors(parts.len(), |i| {
         let mut found = vec![];
         for (index, front) in FRONTS.into_iter().enumerate() {
+            // Of six fronts each part is in two, its neighbours in others.
+            if !thorough && (index + i) % 3 != 0 {
+                continue;
+            }
             // Joinery of less detail are images, which take long to bake: every second front has them.
             let images = if index % 2 == 0 {
                 &[Detail::Openings, Detail::Flat][..]

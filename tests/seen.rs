@@ -2,7 +2,7 @@
 //! for one place.
 
 use crate::support::view::View;
-use crate::support::{assert_none, compile_file, on_all_processors, stem, texts};
+use crate::support::{assert_none, compile_file, on_all_processors, stem, texts_in_turn};
 use glam::{DVec3, dvec3};
 use hsd::scene::{Detail, Kind, Scene};
 use std::collections::BTreeMap;
@@ -69,7 +69,7 @@ fn findings(scene: &Scene, detail: Detail) -> Vec<String> {
 fn nothing_of_a_roof_is_seen_from_behind_and_nothing_fights() {
     let paths: Vec<_> = ["examples", "grammar/roofs"]
         .into_iter()
-        .flat_map(texts)
+        .flat_map(|folder| texts_in_turn(folder, 1))
         .collect();
     let all = on_all_processors(paths.len(), |index| {
         let path = &paths[index];

@@ -15,19 +15,19 @@ pub(in crate::cli) mod town;
 mod variants;
 pub(in crate::cli) mod watch;
 
-use super::options::{DetailArgs, InputArgs, exit, report};
+use super::options::{DetailArgs, InputArgs, exit};
 use super::{Failure, Outcome};
 #[cfg(feature = "compress")]
 use crate::backend::gltf::{Glb, Ktx2};
 use crate::backend::images::Library;
 use crate::backend::spool::in_memory;
 use crate::cli::files::input::{Inputs, STDIN};
+use crate::cli::files::messages::{MessageArgs, Teller, Told};
 use crate::cli::files::output;
 use crate::cli::files::output::Model;
 use crate::cli::files::terminal::counted;
 use crate::diagnostic::{Diagnostic, Diagnostics, Language, Noun, Text, noun};
 use crate::driver::{self, Compiled};
-use crate::report::{Format, Report};
 use crate::scene::{Detail, Scene};
 use crate::source::Source;
 use crate::text;
@@ -105,6 +105,9 @@ pub(super) struct Build {
     #[command(flatten)]
     format_args: format::FormatArgs,
 
+    #[command(flatten)]
+    message_args: MessageArgs,
+
     /// Rebuild whenever a source file or an image changes, until interrupted.
     #[arg(long)]
     watch: bool,
@@ -142,6 +145,7 @@ impl Build {
             self.format_args.check(job)?;
             job.check_overwrite()?;
             job.check_terminal()?;
+            self.message_args.check(&job.output)?;
         }
         if self.watch {
             return watch::run(self, &jobs, language);
@@ -155,7 +159,8 @@ impl Build {
 
     /// Runs all jobs; a failed job does not stop the others.
     pub(super) fn all(&self, jobs: &[Job], language: Language) -> Outcome {
-        let progress = Progress::new(self.quiet, jobs.len(), language);
+        let teller = self.message_args.teller(language);
+        let progress = Progress::new(self.quiet, jobs.len(), teller);
         let (mut spoiled, mut failure) = (0, None);
         for job in jobs {
             match self.one(job, &progress) {
@@ -168,13 +173,13 @@ impl Build {
                 }
                 Err(stop) => return Err(stop),
             }
-            progress.advance();
+            progress.advance()?;
         }
         progress.finish();
         if let Some(stop) = failure {
             return Err(stop);
         }
-        if jobs.len() > 1 && !self.quiet {
+        if jobs.len() > 1 && !progress.quiet {
             let written = counted(jobs.len() - spoiled, MODEL);
             let unwritten = counted(spoiled, MODEL);
             progress.line(&match spoiled {
@@ -221,8 +226,9 @@ impl Build {
         let read = job.inputs.iter().cloned();
         let read: Vec<PathBuf> = read.chain(beside.map(PathBuf::from)).collect();
         let included = std::mem::take(&mut compiled.included);
-        progress.report(&inputs.and(included), &list)?;
+        let told = progress.report(&inputs.and(included), &list)?;
         if list.iter().any(|d| self.input_args.spoils(d.severity)) {
+            progress.teller.built(&told, None, &read)?;
             return Ok(true);
         }
         let mut times = std::mem::take(&mut compiled.times);
@@ -244,6 +250,7 @@ impl Build {
             let files = model.finish(made, &job.output, self.textures_beside)?;
             output::write_model(&job.output, files, &read)
         })?;
+        progress.teller.built(&told, Some(&job.output), &read)?;
         if progress.verbose || self.stats {
             let counts = (houses, scene.stats().triangles);
             progress.line(&summary(&job.output, counts, size, start.elapsed()))?;
@@ -386,7 +393,9 @@ fn compressed(_: &Scene, _: &Library, _: &Path) -> Result<u64, Failure> {
 
 /// Progress on standard error; with a progress bar if there are several jobs, they take long and it is a terminal.
 struct Progress {
-    language: Language,
+    teller: Teller,
+    /// True if only messages are told.
+    quiet: bool,
     /// True if a line is printed for each model.
     verbose: bool,
     start: Instant,
@@ -396,9 +405,11 @@ struct Progress {
 }
 
 impl Progress {
-    fn new(quiet: bool, jobs: usize, language: Language) -> Progress {
+    fn new(quiet: bool, jobs: usize, teller: Teller) -> Progress {
+        let quiet = quiet || teller.is_program();
         Progress {
-            language,
+            teller,
+            quiet,
             verbose: !quiet && jobs == 1,
             start: Instant::now(),
             jobs,
@@ -408,17 +419,13 @@ impl Progress {
     }
 
     fn line(&self, text: &Text) -> Result<(), Failure> {
-        let text = text.in_language(self.language);
+        let text = text.in_language(self.teller.language);
         self.above(|| writeln!(io::stderr(), "{text}"))?;
         Ok(())
     }
 
-    fn report(&self, sources: &[Source], list: &[Diagnostic]) -> Result<(), Failure> {
-        if list.is_empty() {
-            return Ok(());
-        }
-        let written = Report::new(sources, list).in_language(self.language);
-        self.above(|| report(&written, Format::Human, &mut io::stderr()))
+    fn report(&self, sources: &[Source], list: &[Diagnostic]) -> Result<Told, Failure> {
+        self.above(|| self.teller.report(sources, list))
     }
 
     /// Writes above the progress bar.
@@ -429,10 +436,13 @@ impl Progress {
         }
     }
 
-    fn advance(&self) {
+    fn advance(&self) -> Result<(), Failure> {
         self.done.set(self.done.get() + 1);
+        if self.jobs > 1 {
+            self.teller.progress(self.done.get() as usize, self.jobs)?;
+        }
         let long = self.start.elapsed() > Duration::from_secs(1);
-        if self.jobs > 1 && long && io::stderr().is_terminal() {
+        if self.jobs > 1 && long && !self.quiet && io::stderr().is_terminal() {
             let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {eta}");
             let bar = self.bar.get_or_init(|| {
                 let bar = ProgressBar::new(self.jobs as u64);
@@ -440,6 +450,7 @@ impl Progress {
             });
             bar.set_position(self.done.get());
         }
+        Ok(())
     }
 
     fn finish(&self) {

@@ -1,5 +1,7 @@
 //! `hsd completions`: writes completion scripts for shells.
 
+pub(super) mod man;
+
 use super::{Exit, Outcome, command};
 use crate::diagnostic::Language;
 use clap::Args;

@@ -2,6 +2,7 @@
 
 pub(in crate::cli) mod diff;
 pub(in crate::cli) mod input;
+pub(in crate::cli) mod messages;
 pub(in crate::cli) mod output;
 pub(in crate::cli) mod reason;
 pub(in crate::cli) mod temporary;

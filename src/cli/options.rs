@@ -2,17 +2,17 @@
 
 use super::{Exit, Failure};
 use crate::cli::files::input::{Inputs, STDIN};
+pub(super) use crate::cli::files::messages::report;
 use crate::diagnostic::{Diagnostics, Severity};
 use crate::driver;
 use crate::expand;
 use crate::fs::FolderWorld;
-use crate::report::{Format, Report};
+use crate::report::Format;
 use crate::scene::{Detail, Shown};
 use crate::source::Limits;
 use crate::text;
 use clap::{Args, ValueEnum};
 use serde::{Deserialize, Serialize};
-use std::io::{IsTerminal, Write};
 use std::num::NonZeroUsize;
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
@@ -320,19 +320,6 @@ impl From<FormatArg> for Format {
             FormatArg::Sarif => Format::Sarif,
         }
     }
-}
-
-/// Writes a report to a stream, styled for a terminal if it is one.
-pub(super) fn report(
-    report: &Report<'_>,
-    format: Format,
-    stream: &mut (impl Write + IsTerminal),
-) -> Result<(), Failure> {
-    let style = crate::cli::files::terminal::style(stream);
-    let mut text = vec![];
-    report.write(format, style, &mut text)?;
-    stream.write_all(&text)?;
-    Ok(stream.flush()?)
 }
 
 /// Returns exit status 1 if the input has errors, otherwise 0.

@@ -8,8 +8,9 @@ use serde::Serialize;
 use std::borrow::Cow;
 use std::io::{self, Write};
 
+/// A message as programs read it.
 #[derive(Serialize)]
-struct Message<'a> {
+pub(super) struct Message<'a> {
     code: String,
     severity: &'static str,
     message: Cow<'a, str>,
@@ -52,11 +53,16 @@ impl From<Span> for Bytes {
     }
 }
 
+/// Returns the messages of a report, in its order.
+pub(super) fn messages<'a>(report: &'a Report<'_>) -> impl Iterator<Item = Message<'a>> {
+    report.diagnostics.iter().map(|d| message(report, d))
+}
+
 pub(super) fn write(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> {
     write!(out, "[")?;
-    for (i, d) in report.diagnostics.iter().enumerate() {
+    for (i, message) in messages(report).enumerate() {
         write!(out, "{}", if i == 0 { "\n" } else { ",\n" })?;
-        serde_json::to_writer(&mut *out, &message(report, d))?;
+        serde_json::to_writer(&mut *out, &message)?;
     }
     writeln!(
         out,

@@ -79,6 +79,7 @@ fn help_has_no_english_line() {
         "fmt",
         "textures",
         "completions",
+        "man",
     ];
     for (name, flag) in commands.iter().flat_map(|c| [(c, "-h"), (c, "--help")]) {
         let mut arguments = vec!["--lang", "ja"];

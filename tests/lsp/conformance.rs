@@ -2,7 +2,7 @@
 
 use crate::lsp::client::{Client, position, range};
 use crate::support::Words;
-use crate::support::{Numbers, OPTIMISED, number, root, texts};
+use crate::support::{Numbers, OPTIMISED, number, root, texts, texts_in_turn};
 use hsd::diagnostic::{Diagnostics, Origin, Severity};
 use hsd::driver::{self, Options};
 use hsd::fs::FolderWorld;
@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use std::path::Path;
 
 /// Edits in all; a test that is not optimized is content with fewer.
-const EDITS: usize = if OPTIMISED { 1_500 } else { 800 };
+const EDITS: usize = if OPTIMISED { 1_000 } else { 800 };
 
 /// Edits after which a text is taken anew, since it has gone to pieces.
 const ROUND: usize = 40;
@@ -168,7 +168,7 @@ fn ask_everything(client: &mut Client, uri: &str, text: &str, random: &mut Numbe
 
 #[test]
 fn diagnostics_are_those_of_check_after_any_edit() {
-    let mut paths = texts("examples");
+    let mut paths = texts_in_turn("examples", 2);
     paths.extend(texts("library"));
     let (edits, mut random) = (
         number("HSD_EDITS", EDITS),

@@ -219,6 +219,27 @@ pub fn texts(folder: &str) -> Vec<PathBuf> {
     files
 }
 
+/// The examples with most triangles, three quarters of all, in the turns in which tests see them.
+const GREAT: [&[&str]; 3] = [
+    &["mino-kokubunji"],
+    &["pagoda", "suzakumon"],
+    &["ninomaru", "precinct", "street"],
+];
+
+/// The `.hsd` files of a folder for a test that looks long at each: all with `HSD_THOROUGH`, else of the great examples those of one
+/// turn. Those of the first are in the tests that take all, and in [`texts`].
+pub fn texts_in_turn(folder: &str, turn: usize) -> Vec<PathBuf> {
+    let mut files = texts(folder);
+    if std::env::var_os("HSD_THOROUGH").is_none() {
+        let others = GREAT.iter().enumerate().filter(|(k, _)| *k != turn);
+        let left_out: Vec<&str> = others
+            .flat_map(|(_, names)| names.iter().copied())
+            .collect();
+        files.retain(|path| !left_out.contains(&&*stem(path)));
+    }
+    files
+}
+
 /// A grey picture as a PNG file.
 pub fn png(width: u32, height: u32) -> Vec<u8> {
     let mut bytes = std::io::Cursor::new(vec![]);

@@ -49,38 +49,40 @@ class HSD_OT_import(bpy.types.Operator, ImportHelper):
         return tell(self, collection, source.build(collection))
 
 
-class HSD_OT_reload(bpy.types.Operator):
+class Rebuild:
+    """What operators have in common that build the current source file again."""
+
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return source.current(context) is not None
+
+    def prepare(self, collection):
+        """What is done before."""
+
+    def execute(self, context):
+        collection = source.current(context)
+        self.prepare(collection)
+        return tell(self, collection, source.build(collection))
+
+
+class HSD_OT_reload(Rebuild, bpy.types.Operator):
     """Build the text again and read the model; what you have moved, painted and noted stays"""
 
     bl_idname = "hsd.reload"
     bl_label = "Reload"
-    bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context):
-        return source.current(context) is not None
-
-    def execute(self, context):
-        collection = source.current(context)
-        return tell(self, collection, source.build(collection))
 
 
-class HSD_OT_reset(bpy.types.Operator):
+class HSD_OT_reset(Rebuild, bpy.types.Operator):
     """Leave all parameters to the text again"""
 
     bl_idname = "hsd.reset_parameters"
     bl_label = "Values of the Text"
-    bl_options = {"REGISTER", "UNDO"}
 
-    @classmethod
-    def poll(cls, context):
-        return source.current(context) is not None
-
-    def execute(self, context):
-        collection = source.current(context)
+    def prepare(self, collection):
         for parameter in collection.hsd.parameters:
             parameter.given = False
-        return tell(self, collection, source.build(collection))
 
 
 def open_text(context, path, line, column):

@@ -6,16 +6,11 @@ import json
 import os
 import pathlib
 import re
-import shutil
-import subprocess
-import sys
 
-NAME = "hsd.exe" if sys.platform == "win32" else "hsd"
+from . import executable
+from .executable import Failure
+
 IMAGES = {".png", ".jpg", ".jpeg", ".webp"}
-
-
-class Failure(Exception):
-    """hsd could not be run or did not answer as expected; the text is for the user."""
 
 
 @dataclasses.dataclass
@@ -60,29 +55,14 @@ def spell(value):
 
 def find(chosen=""):
     """The program: the chosen one, that on the path, or that of cargo."""
-    if chosen:
-        if pathlib.Path(chosen).is_file():
-            return chosen
-        raise Failure(f"there is no program {chosen}: choose hsd in the preferences of the add-on")
-    found = shutil.which(NAME) or shutil.which(NAME, path=str(pathlib.Path.home() / ".cargo" / "bin"))
-    if not found:
-        raise Failure("hsd is not on the path: install it, or choose it in the preferences of the add-on")
-    return found
-
-
-def plain():
-    """The environment for a program whose words are not for a terminal: without colours."""
-    return {**{k: v for k, v in os.environ.items() if k not in ("CLICOLOR_FORCE", "FORCE_COLOR")}, "NO_COLOR": "1"}
+    return executable.find(chosen, "the preferences of the add-on")
 
 
 def run(program, *words):
     """Runs hsd and returns exit status, standard output and standard error."""
-    hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if sys.platform == "win32" else {}
-    try:
-        done = subprocess.run([program, *map(str, words)], stdin=subprocess.DEVNULL, capture_output=True, env=plain(), **hidden)
-    except OSError as error:
-        raise Failure(f"{program} cannot be run: {error.strerror or error}") from error
-    return done.returncode, done.stdout.decode("utf-8", "replace"), done.stderr.decode("utf-8", "replace")
+    process = executable.start([program, *words])
+    out, errors = process.communicate()
+    return process.returncode, out, errors
 
 
 def answer(program, *words):
@@ -117,16 +97,18 @@ def failed(status, errors):
     return {"code": "", "severity": "error", "message": text, "file": "", "line": 0, "column": 0, "help": ""}
 
 
+def seen_from(folder, name):
+    """The name of a file as a model names it: from the folder of its source file."""
+    path = pathlib.Path(name)
+    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else path.as_posix()
+
+
 def build(program, source, out, options, tiles=False):
-    """Checks a source file, lists its parameters and builds it: `out` is a .glb, or a folder for the tiles of a town."""
+    """Builds a source file, tells what hsd says of it, and lists its parameters: `out` is a .glb, or a folder for the tiles of a town."""
     source = pathlib.Path(source)
-    messages = answer(program, "check", "--format", "json", *options.common(), source)
     parameters = answer(program, "params", "--format", "json", "--lang", options.language, source) or []
-    files = sorted({m["file"] for m in messages if m["file"]})
-    if any(m["severity"] == "error" for m in messages):
-        return Built(messages, None, files, parameters)
     town = is_town(source)
-    words = ["town" if town else "build", "--quiet", "--detail", options.detail, *options.common()]
+    words = ["town" if town else "build", "--messages", "json", "--detail", options.detail, *options.common()]
     if not town:
         # What stands above a storey is left out with its roofs, so the one goes before the other.
         if options.storey:
@@ -134,14 +116,18 @@ def build(program, source, out, options, tiles=False):
         elif options.cutaway:
             words.append("--cutaway")
     target = f"{out}{os.sep}" if tiles else str(out)
-    status, _, errors = run(program, *words, source, "-o", target)
+    status, said, errors = run(program, *words, source, "-o", target)
+    built = next((line for line in map(json.loads, said.splitlines()) if line["kind"] == "built"), None)
+    if built is None:
+        return Built([failed(status, errors)], None, [], parameters)
+    messages, files = built["messages"], [seen_from(source.parent, name) for name in built["files"]]
+    files += sorted({m["file"] for m in messages if m["file"]} - {*files})
     # A town with a feature that nothing was built of ends with 1, and is there.
-    made = pathlib.Path(out) / "tileset.json" if tiles else pathlib.Path(out)
-    if status not in (0, 1) or not made.exists():
-        return Built(messages + [failed(status, errors)], None, files, parameters)
-    if not tiles:
-        files = model_files(made)
-    return Built(messages, pathlib.Path(out), files, parameters)
+    if built["output"] is None or any(m["severity"] == "error" for m in messages):
+        return Built(messages, None, files, parameters)
+    # What stands in a model names its file by a number of this list.
+    numbered = [] if tiles else model_files(pathlib.Path(out))
+    return Built(messages, pathlib.Path(out), list(dict.fromkeys([*numbered, *files])), parameters)
 
 
 def stamp(source, files):

@@ -70,7 +70,7 @@ def run(words, text=None, folder=None):
 
 def version():
     """The version of the program, such as `hsd 0.1.0`."""
-    return run(["--version"])[1].decode().strip()
+    return run(["-V"])[1].decode().strip()
 
 
 def is_text(source):

@@ -98,27 +98,20 @@ class Base(QgsProcessingAlgorithm):
     def shortHelpString(self):
         return say(self.HELP)
 
-    def checked(self, source, feedback):
-        """Tells what hsd says of a text; errors end the algorithm."""
-        executable = program_path()
-        said = program.messages(executable, source, language())
-        errors = [m for m in said if m["severity"] == "error"]
-        for message in said:
-            line = program.line_of(message)
-            if message["severity"] == "error":
-                feedback.reportError(line)
-            else:
-                feedback.pushInfo(line)
-        if errors:
-            raise QgsProcessingException(program.line_of(errors[0]))
-        return executable
-
     def build(self, source, out, detail, feedback):
-        executable = self.checked(source, feedback)
-        feedback.setProgress(20)
-        made = program.build(executable, source, out, DETAILS[detail], language(), feedback.pushInfo, feedback.isCanceled)
-        feedback.setProgress(80)
-        return made
+        """Builds a town and tells what hsd says of it; errors end the algorithm."""
+        def progress(done, of):
+            feedback.setProgress(10 + 80 * done / max(of, 1))
+
+        said, tileset, table = program.build(program_path(), source, out, DETAILS[detail], language(), feedback.pushInfo, progress,
+                                             feedback.isCanceled)
+        for message in said:
+            tell = feedback.reportError if message["severity"] == "error" else feedback.pushInfo
+            tell(program.line_of(message))
+        if tileset is None:
+            errors = [m for m in said if m["severity"] == "error"]
+            raise QgsProcessingException(program.line_of((errors or said)[0]))
+        return tileset, table
 
     def show_tiles(self, tileset, name, context, feedback):
         layer = tiles_layer(tileset, name)
@@ -245,7 +238,7 @@ class FirstTown(Base):
                 file = maps / f"{plain}-{number + 1}.geojson"
             write_layer(layer, file, context)
             files.append(file)
-        status, _ = program.run([program_path(), "town", "init", "--lang", language(), *files, "-o", path], feedback.pushInfo, feedback.isCanceled)
+        status = program.run([program_path(), "town", "init", "--lang", language(), *files, "-o", path], feedback.pushInfo, feedback.isCanceled)
         if status != 0:
             raise QgsProcessingException(f"hsd town init: {status}")
         return {"TOWN": str(path)}

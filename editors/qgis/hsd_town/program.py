@@ -4,46 +4,28 @@
 import json
 import os
 import pathlib
-import shutil
 import subprocess
-import sys
 import threading
 
-NAME = "hsd.exe" if sys.platform == "win32" else "hsd"
-
-
-class Failure(Exception):
-    """hsd could not be run, or did not do what was asked; the text is for the user."""
+from . import executable
+from .executable import Failure
 
 
 def find(chosen=""):
     """The program: the chosen one, that on the path, or that of cargo."""
-    if chosen:
-        if pathlib.Path(chosen).is_file():
-            return chosen
-        raise Failure(f"there is no program {chosen}: choose hsd in Settings > Options > Processing > Providers > hsd")
-    found = shutil.which(NAME) or shutil.which(NAME, path=str(pathlib.Path.home() / ".cargo" / "bin"))
-    if not found:
-        raise Failure("hsd is not on the path: install it, or choose it in Settings > Options > Processing > Providers > hsd")
-    return found
+    return executable.find(chosen, "Settings > Options > Processing > Providers > hsd")
 
 
-def plain():
-    """The environment for a program whose words are not for a terminal: without colours."""
-    return {**{k: v for k, v in os.environ.items() if k not in ("CLICOLOR_FORCE", "FORCE_COLOR")}, "NO_COLOR": "1"}
+def run(words, tell=lambda line: None, stopped=lambda: False, heard=lambda line: None):
+    """Runs a command, hears each line of its standard output and tells each of its standard error; ends it when the user stops.
+    Returns its status."""
+    process = executable.start(words)
 
+    def read(stream, take):
+        for line in stream:
+            take(line.rstrip())
 
-def run(words, tell=lambda line: None, stopped=lambda: False):
-    """Runs a command and tells each line of its standard error; ends it when the user stops. Status and standard output."""
-    hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if sys.platform == "win32" else {}
-    try:
-        process = subprocess.Popen([str(w) for w in words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE, encoding="utf-8", errors="replace", env=plain(), **hidden)
-    except OSError as error:
-        raise Failure(f"{words[0]} cannot be run: {error.strerror or error}") from error
-    out = []
-    readers = [threading.Thread(target=lambda: out.append(process.stdout.read())),
-               threading.Thread(target=lambda: [tell(line.rstrip()) for line in process.stderr])]
+    readers = [threading.Thread(target=read, args=pair) for pair in ((process.stdout, heard), (process.stderr, tell))]
     for reader in readers:
         reader.start()
     while True:
@@ -57,17 +39,7 @@ def run(words, tell=lambda line: None, stopped=lambda: False):
         reader.join()
     process.stdout.close()
     process.stderr.close()
-    return process.returncode, "".join(out)
-
-
-def messages(program, source, language):
-    """What `hsd check` says of a source file."""
-    said = []
-    status, out = run([program, "check", "--lang", language, "--format", "json", source], said.append)
-    try:
-        return json.loads(out)
-    except ValueError as error:
-        raise Failure("\n".join(said) or f"hsd check ended with {status}") from error
+    return process.returncode
 
 
 def line_of(message):
@@ -77,16 +49,32 @@ def line_of(message):
     return f"{place}{message['severity']}[{message['code']}]: {message['message']}{fix}"
 
 
-def build(program, town, out, detail, language, tell, stopped):
-    """Builds a town in tiles into a folder and returns the path of its tileset and of its table of decisions."""
-    words = [program, "town", "--lang", language, town, "-o", f"{out}{os.sep}"]
+def build(program, town, out, detail, language, tell, progress, stopped):
+    """Builds a town in tiles into a folder; calls `progress` with the features that are done and all of them. Returns the messages and
+    the paths of its tileset and of its table of decisions, which are None after errors."""
+    words = [program, "town", "--messages", "json", "--lang", language, town, "-o", f"{out}{os.sep}"]
     if detail:
         words += ["--detail", detail]
-    status, _ = run(words, tell, stopped)
+    said, built = [], []
+
+    def heard(line):
+        one = json.loads(line)
+        if one["kind"] == "progress":
+            progress(one["done"], one["of"])
+        else:
+            built.append(one)
+
+    def kept(line):
+        said.append(line)
+        tell(line)
+
+    status = run(words, kept, stopped, heard)
     if stopped():
         raise Failure("stopped")
+    if not built:
+        raise Failure("\n".join(said) or f"hsd town ended with {status}")
+    messages = built[0]["messages"]
+    if built[0]["output"] is None or any(m["severity"] == "error" for m in messages):
+        return messages, None, None
     tileset = pathlib.Path(out) / "tileset.json"
-    # 1 is the status when a feature has no house that nobody asked to skip: the town is there.
-    if status not in (0, 1) or not tileset.exists():
-        raise Failure(f"hsd town ended with {status}")
-    return tileset, tileset.with_name("decisions.csv")
+    return messages, tileset, tileset.with_name("decisions.csv")

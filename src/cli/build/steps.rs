@@ -82,8 +82,8 @@ impl TownPlan {
         planned(
             &self.input_args,
             (Detail::ALL[usize::from(detail)], Some(lodging)),
-            language,
-            |input, read, plan, out| {
+            language.into(),
+            |input, read, plan, out, _| {
                 let made = self.plan(&folder, &asked, input, (&read, plan))?;
                 let mut sources = vec![input.source.clone()];
                 sources.extend(read.included);

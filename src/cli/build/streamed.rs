@@ -64,10 +64,9 @@ impl Build {
         let beside = beside.chain(town.pictures.iter().map(String::as_str));
         let read = job.inputs.iter().cloned();
         let read: Vec<PathBuf> = read.chain(beside.map(PathBuf::from)).collect();
-        if !list.is_empty() {
-            progress.report(&inputs.shown(included, &list)?, &list)?;
-        }
+        let told = progress.report(&inputs.shown(included, &list)?, &list)?;
         if list.iter().any(|d| self.input_args.spoils(d.severity)) {
+            progress.teller.built(&told, None, &read)?;
             return Ok(true);
         }
         let mut times = std::mem::take(&mut town.times);
@@ -79,6 +78,7 @@ impl Build {
             let size = output::write_model(&job.output, files, &read)?;
             Ok::<_, Failure>((size, sizes))
         })?;
+        progress.teller.built(&told, Some(&job.output), &read)?;
         if progress.verbose || self.stats {
             let counts = (town.houses, town.stats.triangles);
             progress.line(&summary(&job.output, counts, size, start.elapsed()))?;

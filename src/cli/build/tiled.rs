@@ -10,6 +10,7 @@ use crate::backend::images::Library;
 use crate::backend::spool::Spool;
 use crate::backend::{gltf, obj};
 use crate::cli::Failure;
+use crate::cli::files::messages::Teller;
 use crate::cli::files::output::{folder_of, write_all, write_poured};
 use crate::cli::files::terminal::{HOUSE, bytes, counted};
 use crate::diagnostic::{Diagnostics, Language, Noun, Text, noun};
@@ -25,6 +26,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::BTreeMap;
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 /// The noun for features of maps.
 pub(super) const FEATURE: Noun = noun("feature", "地物{}件");
@@ -96,7 +98,7 @@ pub(super) fn build(
     input: TownInput<'_>,
     (read, plan): (driver::Read, &Plan),
     mut out: Diagnostics,
-    language: Language,
+    teller: Teller,
 ) -> Result<(bool, Vec<Source>, Diagnostics), Failure> {
     let failed = |error| Failure::at(wish.output.display(), error);
     let folder = Folder::of_town(wish.output).map_err(failed)?;
@@ -114,11 +116,22 @@ pub(super) fn build(
         spool: plan.lodged.is_some().then_some(&spool),
         ..parts.job(input, plan, &read.catalog, &division)
     };
-    let bar = bar(plan.features(), wish.quiet, language);
-    let made = run::run(job, &folder, &|features| bar.inc(features as u64), &mut out);
+    let (of, done) = (plan.features(), Mutex::new(Ok(0)));
+    let bar = bar(of, wish.quiet, teller.language);
+    let progress = |features| {
+        bar.inc(features as u64);
+        // One line after another. Where nobody reads them any more, the run goes on and ends with that.
+        let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Ok(before) = *done {
+            let now = before + features;
+            *done = teller.progress(now, of).map(|()| now);
+        }
+    };
+    let made = run::run(job, &folder, &progress, &mut out);
     bar.finish_and_clear();
     let mut made = made.map_err(failed)?;
-    finish(wish, (&mut made, plan), &folder, language)?;
+    done.into_inner().unwrap_or_else(PoisonError::into_inner)?;
+    finish(wish, (&mut made, plan), &folder, teller.language)?;
     Ok((made.ledger.is_incomplete(), made.included, out))
 }
 

@@ -10,18 +10,19 @@ use super::tiled;
 use super::tiled::{FEATURE, Wish, tables};
 use crate::backend::gltf::Writer;
 use crate::cli::files::input::Inputs;
+use crate::cli::files::messages::{MessageArgs, Teller};
 use crate::cli::files::output::{self, Files};
 use crate::cli::files::terminal::counted;
-use crate::cli::options::{InputArgs, ReadArgs, exit, report};
+use crate::cli::options::{InputArgs, ReadArgs, exit};
 use crate::cli::{Exit, Failure, Outcome};
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
-use crate::report::{Format, Report};
 use crate::scene::Detail;
 use crate::source::Source;
 use crate::text;
 use crate::tiles::terrain;
 use crate::town::decision::problems;
+use crate::town::layer;
 use crate::town::plan::Lodging;
 use crate::town::stream::{Ledger, TownStream};
 use crate::town::{Plan, TownInput, run};
@@ -65,6 +66,9 @@ pub(in crate::cli) struct Town {
     #[arg(long)]
     compress: bool,
 
+    #[command(flatten)]
+    message_args: MessageArgs,
+
     /// Print triangles, bytes and an estimate of graphics memory of the tiles.
     #[arg(long)]
     stats: bool,
@@ -90,17 +94,21 @@ pub(in crate::cli) fn model(
         detail: vec![detail as u8],
         compress: false,
         stats: false,
+        message_args: MessageArgs::default(),
         quiet: true,
     }
 }
 
-/// Reads a town and its maps and hands them to `then`; prints what is wrong with one that cannot be read. The features of a
-/// town wait in spools, if there is a maker of these.
+/// What came of a town: whether something is missing that the author wanted, the files that were included, and what was found.
+type Built = (bool, Vec<Source>, Diagnostics);
+
+/// Reads a town and its maps and hands them to `then`, with the files of these; tells what is wrong with one that cannot be read.
+/// The features of a town wait in spools, if there is a maker of these.
 pub(super) fn planned(
     args: &InputArgs,
     (detail, lodging): (Detail, Option<Lodging<'_>>),
-    language: Language,
-    then: impl FnOnce(TownInput<'_>, driver::Read, &Plan, Diagnostics) -> Outcome,
+    teller: Teller,
+    then: impl FnOnce(TownInput<'_>, driver::Read, &Plan, Diagnostics, &[PathBuf]) -> Outcome,
 ) -> Outcome {
     args.check_folders()?;
     let [input] = &args.inputs[..] else {
@@ -127,8 +135,7 @@ pub(super) fn planned(
                 "町のファイルではありません。建物は `hsd build` で作ります"
             )));
         }
-        print(&inputs.and(read.included), out, language)?;
-        return Ok(Exit::Errors);
+        return unread(&inputs.and(read.included), out, teller);
     };
     let input = TownInput {
         source,
@@ -137,26 +144,32 @@ pub(super) fn planned(
         kept: None,
         texts: false,
     };
+    let layers = town.layers.iter().map(|layer| &layer.src);
+    let named = layers.chain(town.tables.iter().map(|table| &table.src));
+    let found = named.filter_map(|src| layer::files(input.world, source.name(), src).ok());
+    let maps: Vec<PathBuf> = found.flatten().map(|file| file.path.into()).collect();
     match run::plan_lodged(input, &town, lodging, &mut out)? {
-        Some(plan) if !out.has_errors() => then(input, read, &plan, out),
-        _ => {
-            print(&inputs.and(read.included), out, language)?;
-            Ok(Exit::Errors)
-        }
+        Some(plan) if !out.has_errors() => then(input, read, &plan, out, &maps),
+        _ => unread(&inputs.and(read.included), out, teller),
     }
 }
 
+/// Tells of a town that cannot be read.
+fn unread(sources: &[Source], out: Diagnostics, teller: Teller) -> Outcome {
+    let told = teller.report(sources, &out.into_sorted())?;
+    let files: Vec<PathBuf> = sources.iter().map(|s| s.name().into()).collect();
+    teller.built(&told, None, &files)?;
+    Ok(Exit::Errors)
+}
+
+/// Prints what was found.
 pub(super) fn print(
     sources: &[Source],
     out: Diagnostics,
     language: Language,
 ) -> Result<(), Failure> {
-    let list = out.into_sorted();
-    if list.is_empty() {
-        return Ok(());
-    }
-    let written = Report::new(sources, &list).in_language(language);
-    report(&written, Format::Human, &mut io::stderr())
+    let _ = Teller::from(language).report(sources, &out.into_sorted())?;
+    Ok(())
 }
 
 /// Fails if tiles are to be packed but this build cannot.
@@ -179,19 +192,40 @@ impl Town {
             new: &spool,
             from: LARGE,
         };
+        let teller = self.message_args.teller(language);
         planned(
             &self.input_args,
             (detail, by_tiles.then_some(lodging)),
-            language,
-            |input, read, plan, out| match CityForm::of(&self.output).filter(|_| !self.is_folder())
-            {
-                Some(form) => self.city(form, input, (read, plan), out, language),
-                None if self.is_obj() => self.objects(input, (read, plan), out, language),
-                None if self.is_text() => self.texts(input, (read, plan), out, language),
-                None if self.is_model()? => self.build(input, read, plan, out, language),
-                None => self.tiles(input, read, plan, out, language),
+            teller,
+            |input, read, plan, out, maps| {
+                let town = (read, plan);
+                let mut written = true;
+                let (incomplete, included, out) = match CityForm::of(&self.output) {
+                    Some(form) if !self.is_folder() => self.city(form, input, town, out, teller)?,
+                    _ if self.is_obj() => self.objects(input, town, out, teller)?,
+                    _ if self.is_text() => self.texts(input, town, out, teller)?,
+                    _ if self.is_model()? => {
+                        let (built, done) = self.build(input, town, out, teller)?;
+                        written = done;
+                        built
+                    }
+                    _ => self.tiles(input, town, out, teller)?,
+                };
+                let spoiled = out.has_errors();
+                let mut sources = vec![input.source.clone()];
+                sources.extend(included);
+                let told = teller.report(&sources, &out.into_sorted())?;
+                let files = sources.iter().map(|source| PathBuf::from(source.name()));
+                let files: Vec<PathBuf> = files.chain(maps.iter().cloned()).collect();
+                teller.built(&told, written.then_some(&*self.output), &files)?;
+                Ok(exit(incomplete || spoiled))
             },
         )
+    }
+
+    /// Returns true if nothing is said but messages.
+    fn is_quiet(&self, teller: Teller) -> bool {
+        self.quiet || teller.is_program()
     }
 
     /// Fails if `--compress` is given but the output is not in tiles, or this build cannot pack them.
@@ -215,16 +249,11 @@ impl Town {
         input: TownInput<'_>,
         town: (driver::Read, &Plan),
         out: Diagnostics,
-        language: Language,
-    ) -> Outcome {
+        teller: Teller,
+    ) -> Result<Built, Failure> {
         let openings = self.detail.iter().copied().max().unwrap_or(3) > 0;
-        let wish = (&*self.output, form, openings, self.quiet);
-        let (incomplete, included, out) = city::build(wish, input, town, out, language)?;
-        let spoiled = out.has_errors();
-        let mut sources = vec![input.source.clone()];
-        sources.extend(included);
-        print(&sources, out, language)?;
-        Ok(exit(incomplete || spoiled))
+        let wish = (&*self.output, form, openings, self.is_quiet(teller));
+        city::build(wish, input, town, out, teller.language)
     }
 
     /// Builds a town as a `.obj` a tile.
@@ -233,15 +262,10 @@ impl Town {
         input: TownInput<'_>,
         town: (driver::Read, &Plan),
         out: Diagnostics,
-        language: Language,
-    ) -> Outcome {
-        let wish = (&*self.output, input.options.detail, self.quiet);
-        let (incomplete, included, out) = obj::build(wish, input, town, out, language)?;
-        let spoiled = out.has_errors();
-        let mut sources = vec![input.source.clone()];
-        sources.extend(included);
-        print(&sources, out, language)?;
-        Ok(exit(incomplete || spoiled))
+        teller: Teller,
+    ) -> Result<Built, Failure> {
+        let wish = (&*self.output, input.options.detail, self.is_quiet(teller));
+        obj::build(wish, input, town, out, teller.language)
     }
 
     /// Writes the houses of a town as one source file.
@@ -250,8 +274,8 @@ impl Town {
         input: TownInput<'_>,
         town: (driver::Read, &Plan),
         out: Diagnostics,
-        language: Language,
-    ) -> Outcome {
+        teller: Teller,
+    ) -> Result<Built, Failure> {
         let same = |path: &Path| path.canonicalize().ok();
         if same(&self.output).is_some_and(|own| same(Path::new(input.source.name())) == Some(own)) {
             return Err(Failure::Usage(text!(
@@ -259,48 +283,36 @@ impl Town {
                 "出力先が町のファイルそのものです。別のファイルに書いてください"
             )));
         }
-        let wish = (&*self.output, self.quiet);
-        let (incomplete, included, out) = text::build(wish, input, town, out, language)?;
-        let spoiled = out.has_errors();
-        let mut sources = vec![input.source.clone()];
-        sources.extend(included);
-        print(&sources, out, language)?;
-        Ok(exit(incomplete || spoiled))
+        let wish = (&*self.output, self.is_quiet(teller));
+        text::build(wish, input, town, out, teller.language)
     }
 
     /// Builds a town in tiles.
     fn tiles(
         &self,
         input: TownInput<'_>,
-        read: driver::Read,
-        plan: &Plan,
+        town: (driver::Read, &Plan),
         out: Diagnostics,
-        language: Language,
-    ) -> Outcome {
+        teller: Teller,
+    ) -> Result<Built, Failure> {
         let wish = Wish {
             output: &self.output,
             levels: (!self.detail.is_empty()).then(|| self.detail.clone()),
             packed: self.compress,
             stats: self.stats,
-            quiet: self.quiet,
+            quiet: self.is_quiet(teller),
         };
-        let (incomplete, included, out) = tiled::build(&wish, input, (read, plan), out, language)?;
-        let spoiled = out.has_errors();
-        let mut sources = vec![input.source.clone()];
-        sources.extend(included);
-        print(&sources, out, language)?;
-        Ok(exit(incomplete || spoiled))
+        tiled::build(&wish, input, town, out, teller)
     }
 
-    /// Builds a town and writes its files.
+    /// Builds a town and writes its files; returns with it whether it did, since a town with errors is not written.
     fn build(
         &self,
         input: TownInput<'_>,
-        read: driver::Read,
-        plan: &Plan,
+        (read, plan): (driver::Read, &Plan),
         mut out: Diagnostics,
-        language: Language,
-    ) -> Outcome {
+        teller: Teller,
+    ) -> Result<(Built, bool), Failure> {
         let mut houses = TownStream::new(input, plan);
         let model = self.output.clone();
         let failed = |error| Failure::at(model.display(), error);
@@ -320,22 +332,15 @@ impl Town {
         let corrected = problems(&out);
         let (mut ledger, included) = houses.finish(&mut out);
         ledger.report.corrected.extend(corrected);
-        let spoiled = out.has_errors();
-        let mut sources = vec![input.source.clone()];
-        sources.extend(included);
-        print(&sources, out, language)?;
-        if spoiled {
-            return Ok(Exit::Errors);
+        if out.has_errors() {
+            return Ok(((true, included, out), false));
         }
         writer.made_from(&streamed.provenance);
         let glb = writer.glb(&streamed.materials, &streamed.library, &streamed.grown);
         let size = output::write(&model, Files::glb(glb.map_err(failed)?))?;
         tables(&model, &mut ledger)?;
-        self.summary(&model, size, &ledger, streamed.houses, language)?;
-        Ok(match ledger.is_incomplete() {
-            true => Exit::Errors,
-            false => Exit::Done,
-        })
+        self.summary(&model, size, &ledger, streamed.houses, teller)?;
+        Ok(((ledger.is_incomplete(), included, out), true))
     }
 
     /// Prints what was built.
@@ -345,9 +350,9 @@ impl Town {
         size: u64,
         ledger: &Ledger,
         houses: usize,
-        language: Language,
+        teller: Teller,
     ) -> Result<(), Failure> {
-        if self.quiet {
+        if self.is_quiet(teller) {
             return Ok(());
         }
         let (name, mib) = (model.display(), size.div_ceil(1 << 20));
@@ -358,7 +363,7 @@ impl Town {
             "{name}: {features}、うち {built} 件に建物 {houses} 棟、{mib} MiB"
         );
         for line in std::iter::once(line).chain(tiled::above(ledger)) {
-            writeln!(io::stderr(), "{}", line.in_language(language))?;
+            writeln!(io::stderr(), "{}", line.in_language(teller.language))?;
         }
         Ok(())
     }

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 fn all() -> Vec<Board> {
     let folders = ["examples", "library"].into_iter();
-    let texts = folders.flat_map(support::texts);
+    let texts = folders.flat_map(|folder| support::texts_in_turn(folder, 1));
     texts.map(|path| Board::open(&path)).collect()
 }
 

@@ -59,7 +59,7 @@ test('many quick saves end with the last town, and no texture of the ones before
   await atRest(page);
   const before = await page.evaluate(() => hsd.app.town.tiles!.textures);
   assert.ok(before > 3, `${before} textures`);
-  for (let round = 0; round < 3; round++) {
+  for (let round = 0; round < (process.env['HSD_THOROUGH'] ? 3 : 1); round++) {
     for (let n = 0; n < 12; n++) {
       preview.write(TOWN, n === 11 ? text : text.replace('seed="7"', `seed="${n}"`));
       await new Promise(done => setTimeout(done, [30, 90, 260, 700, 1500][(n * 7 + round) % 5]));

@@ -60,8 +60,8 @@ impl Candidates {
         planned(
             &self.input_args,
             (detail, None),
-            language,
-            |input, read, plan, out| {
+            language.into(),
+            |input, read, plan, out, _| {
                 let lot = self.lot(plan)?;
                 self.draw(input, &read, (plan, lot), out, language)
             },

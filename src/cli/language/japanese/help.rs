@@ -61,6 +61,11 @@ pub(super) static COMMON: &[(&str, &str, &str)] = &[
         "",
     ),
     ("seed", "すべての家の乱数の種をこの値に置き換える", ""),
+    (
+        "messages",
+        "指摘の形を指定する",
+        "`json` はほかに何も書きません。出力ごとに `{\"kind\":\"built\",\"output\",\"messages\",\"files\"}`: 指摘は `hsd check --format json` と同じ、書かなかった出力は `null`、もとになったファイルも付きます。時間のかかるものは、その前に `{\"kind\":\"progress\",\"done\",\"of\"}` を書きます。読み書きできないものは標準エラー出力に書きます。",
+    ),
     ("deny", "警告をエラーとして扱う", ""),
     ("max_bytes", "N バイトより大きいファイルを拒否する", ""),
     ("max_nesting", "N 段より深い要素の入れ子を拒否する", ""),
@@ -104,7 +109,7 @@ pub(super) static VALUES: &[(&str, &str)] = &[
     ("ja", "日本語"),
     ("human", "該当する行を添えた形式"),
     ("short", "1 件 1 行、エディター向け"),
-    ("json", "JSON の配列、プログラム向け"),
+    ("json", "JSON、プログラム向け"),
     ("sarif", "SARIF 2.1.0、コードスキャンサービス向け"),
 ];
 
@@ -476,6 +481,16 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
   hsd completions bash > ~/.local/share/bash-completion/completions/hsd   (bash の場合)
   hsd completions fish > ~/.config/fish/completions/hsd.fish              (fish の場合)",
         arguments: &[("shell", "対象のシェル", "")],
+        values: &[],
+    },
+    CommandHelp {
+        path: "man",
+        about: "`man` のページ (英語) をフォルダーに書く: hsd.1 と、コマンドごとに一つ",
+        more: "",
+        examples: "\
+例:
+  hsd man ~/.local/share/man/man1    hsd.1、hsd-build.1 などを書く。`man hsd-build` で読める",
+        arguments: &[("folder", "フォルダー。なければ作る", "")],
         values: &[],
     },
     CommandHelp {
