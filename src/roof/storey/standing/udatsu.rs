@@ -9,7 +9,7 @@ use crate::building::{Finish, Solid};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::roofs as say;
 use crate::roof::facet::Facet;
-use crate::roof::frame::{Frame, Plane, near_side};
+use crate::roof::frame::{Frame, Plane, Rect, near_side};
 use crate::roof::region::{Ridge, Side};
 use crate::roof::shape::form::{Form, RoofDraft};
 use crate::roof::shape::look::Look;
@@ -33,6 +33,9 @@ const SHORTEST: f64 = 0.6;
 /// How far its faces lie before the edges of the opening in the roof, and its foot below that, metres.
 const BEFORE: f64 = 0.004;
 const BELOW: f64 = 0.012;
+/// Distance from a wall's line to the face of its plaster, and how far beyond a side a roof is looked for, metres.
+const FACE: f64 = 0.09;
+const BEYOND: f64 = 0.15;
 
 /// Returns the wall of a line on the roofs planned so far; `None`, reported, if there is no roof under it.
 pub(in crate::roof) fn planned(
@@ -68,7 +71,11 @@ pub(in crate::roof) fn planned(
     };
     let host = &roofs[host];
     let look = look(one, host, context);
-    let wall = Wall { frame, line };
+    let rect = flush(&frame, &line, &slopes);
+    let wall = Wall {
+        frame: Frame::new(&rect, near),
+        line,
+    };
     let mut form = wall.form(host);
     let within = rect.corners();
     for facet in &mut form.facets {
@@ -80,6 +87,23 @@ pub(in crate::roof) fn planned(
     // Its two ridges meet in a point, which is no apex for a jewel.
     draft.roof.trim.crowned = true;
     Some(draft)
+}
+
+/// Returns the wall in plan: at an end of the roof it goes out to the face of plaster on the wall below, so that no ledge shows.
+fn flush(frame: &Frame, line: &[(f64, f64)], slopes: &Slopes) -> Rect {
+    let middle = f64::midpoint(line[0].0, line[line.len() - 1].0);
+    let by = |u: f64| match slopes.top(frame.at(u, middle)) {
+        Some(_) => 0.0,
+        None => FACE,
+    };
+    let (p, q) = (
+        frame.at(-by(-BEYOND), 0.0),
+        frame.at(frame.length + by(frame.length + BEYOND), frame.depth),
+    );
+    Rect {
+        min: p.min(q),
+        max: p.max(q),
+    }
 }
 
 /// Returns the look of its tiles.
