@@ -114,6 +114,13 @@ pub struct House {
     pub parts: Vec<WrittenPart>,
 }
 
+impl House {
+    /// Returns true if something stands outdoors beside it, or alone: parts, or covered ground.
+    pub fn stands_outdoors(&self) -> bool {
+        !self.fittings.puts.is_empty() || !self.fittings.grounds.is_empty()
+    }
+}
+
 /// Values that hold for a whole house; `None` means the default of docs/contract.md.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Settings {

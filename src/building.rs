@@ -14,7 +14,7 @@ mod trim;
 pub mod fittings;
 mod surface;
 
-pub use crate::building::trim::Trim;
+pub use crate::building::trim::{Arch, Trim};
 pub use attic::{Attic, Verge};
 pub use fixture::{Fixture, OUTWARD};
 pub use room::{Mat, Room};

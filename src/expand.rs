@@ -296,7 +296,9 @@ impl<'a, 'c> Pass<'a, 'c> {
                 }
             }
         }
-        if storeys.is_empty() && !self.over && house.fittings.outdoors.is_none() {
+        // A house of what stands outdoors alone is a plot, a gate or a garden.
+        let outdoors = house.fittings.outdoors.is_some() || house.stands_outdoors();
+        if storeys.is_empty() && !self.over && !outdoors {
             let span = house.name.as_ref().map(|name| name.span);
             let span = span.unwrap_or_else(|| self.head(house.span));
             self.out.push(say::empty_house(span));

@@ -187,3 +187,110 @@ fn a_stone_lies_before_doors_that_stand_on_the_ground() {
     );
     assert!(door_steps(&inner).is_empty());
 }
+
+#[test]
+fn what_stands_outdoors_needs_no_house() {
+    let text = r#"<Houses>
+  <Put code="OTO" at="2 0"/>
+  <House><repeat num="3"><Put code="OTB" at="0 0"/></repeat></House>
+  <House name="row"><repeat num="3" index="i"><Put code="OSE 2" at="{4 * i} -3"/></repeat></House>
+  <Group x="100" turn="90">
+    <repeat num="2" index="i"><Put code="OID 2" at="{-10 * i} 0"/></repeat>
+    <Ground surface="gravel" at="0 0" size="4"/>
+  </Group>
+</Houses>"#;
+    let run = compile("garden.hsd", text.as_bytes());
+    assert_none(&flaws(&run));
+    assert!(!run.has_errors(), "{}", run.short());
+    let count = |code: &str| {
+        let nodes = run.scene.nodes.iter();
+        nodes
+            .filter(|n| n.code.is_some_and(|c| c.as_str().trim() == code))
+            .count()
+    };
+    assert_eq!(["OTO", "OTB", "OSE 2", "OID 2"].map(count), [1, 3, 3, 2]);
+    let houses = &run.building.houses;
+    assert_eq!(houses.len(), 4);
+    assert!(houses.iter().all(|b| b.house.storeys.is_empty()));
+    // What stands directly in a group is turned and moved with it.
+    let last = houses.iter().find(|b| b.house.origin[0] == 100.0);
+    assert!((last.expect("is moved").house.azimuth - 270.0).abs() < 1e-9);
+    let empty = compile("empty.hsd", b"<House/>");
+    assert!(empty.short().contains("HSD0318"), "{}", empty.short());
+}
+
+#[test]
+fn a_storey_is_repeated_beside_what_stands_outdoors() {
+    let row = "<Row>KSK  KSK  KSK</Row>".repeat(4);
+    let text = format!(
+        "<House><repeat num=\"2\"><repeat num=\"2\"><Put code=\"OTB\" at=\"9 9\"/></repeat></repeat><repeat num=\"2\"><Storey height=\"9\">{row}</Storey></repeat></House>"
+    );
+    let run = compile("house.hsd", text.as_bytes());
+    assert!(!run.has_errors(), "{}", run.short());
+    let house = &run.building.houses[0].house;
+    assert_eq!((house.storeys.len(), house.puts.len()), (2, 4));
+}
+
+#[test]
+fn purlins_of_a_round_body_close_under_its_roof() {
+    let text = hsd::templates::Template::named("tahoto")
+        .expect("is a type")
+        .text();
+    let run = compile("tahoto.hsd", text.as_bytes());
+    assert!(!run.has_errors(), "{}", run.short());
+    let fittings = run.building.houses[0].fittings.iter();
+    let round = fittings
+        .filter_map(|f| match &f.what {
+            hsd::building::fittings::FittingKind::Brackets(it) => Some(it),
+            _ => None,
+        })
+        .next_back()
+        .expect("has brackets");
+    // Purlins come last, one for each of sixteen sides.
+    let purlins = &round.beams[round.beams.len() - 16..];
+    for (i, beam) in purlins.iter().enumerate() {
+        let next = &purlins[(i + 1) % 16];
+        let gap = beam.ends[1].distance(next.ends[0]);
+        assert!(
+            gap < 0.12,
+            "{gap} m between the purlins of sides {i} and the next"
+        );
+        assert!((beam.ends[0].z - purlins[0].ends[0].z).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn the_plan_of_the_page_shows_what_stands_outdoors() {
+    let text = "<House><Put code=\"OTO\" at=\"3 -4\"/><Ground surface=\"moss\" at=\"2 6\" size=\"4 2\"/></House>";
+    let a = crate::ide::analysis("plot.hsd", text, &[]);
+    let plan = hsd::ide::plan::Plan::of(&a, hsd::Language::English);
+    let json = serde_json::to_value(plan).expect("is JSON");
+    let found = &json["houses"][0]["outdoors"];
+    // Ground lies below the parts.
+    assert_eq!(
+        (&found[0]["code"], &found[1]["code"]),
+        (&"moss".into(), &"OTO".into())
+    );
+    let bounds = |n: usize| {
+        let corners = found[n]["outline"].as_array().expect("has corners");
+        let at = |k: usize| {
+            corners
+                .iter()
+                .map(move |c| c[k].as_f64().expect("is a number"))
+        };
+        [0, 1].map(|k| {
+            [
+                at(k).fold(f64::MAX, f64::min),
+                at(k).fold(f64::MIN, f64::max),
+            ]
+        })
+    };
+    let [[a0, a1], [b0, b1]] = bounds(0);
+    near(a0, 0.0);
+    near(a1, 4.0);
+    near(b0, 5.0);
+    near(b1, 7.0);
+    let [[a0, a1], [b0, b1]] = bounds(1);
+    near((a0 + a1) / 2.0, 3.0);
+    assert!(b0 < -4.0 && b1 > -4.0, "{b0} to {b1}");
+}

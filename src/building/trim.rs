@@ -27,6 +27,18 @@ pub struct Trim {
     pub timber: Option<SurfaceId>,
     /// Number of visible rows of rafters under the eaves: one on houses, two on temples.
     pub rafters: u8,
+    /// Bent rafters under an undulating gable.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub arch: Option<Arch>,
+}
+
+/// The room for bent rafters behind an undulating edge, metres.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Arch {
+    /// From the edge back to the wall.
+    pub depth: f64,
+    /// Rise of the slope beside it over a metre backwards: its own underside ends where that slope's is as high.
+    pub fall: f64,
 }
 
 impl Trim {

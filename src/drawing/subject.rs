@@ -32,6 +32,8 @@ pub struct Body {
     pub role: Role,
     /// The code of the part.
     pub code: Option<String>,
+    /// True for a part that stands outdoors by itself.
+    pub outdoors: bool,
     /// Its corners, each once.
     pub points: Vec<DVec3>,
     /// Corners of triangles, counter-clockwise seen from outside.
@@ -126,6 +128,7 @@ impl<'b> Subject<'b> {
             bodies.push(Body {
                 role: role(node, scene, catalog),
                 code: node.code.map(|c| c.as_str().to_owned()),
+                outdoors: stands_alone(node, scene),
                 points: shape.points.iter().map(|p| place.point(*p)).collect(),
                 triangles: shape.triangles.clone(),
                 materials: shape.materials.clone(),
@@ -180,6 +183,7 @@ impl Body {
         let mut body = Body {
             role: Role::Wall,
             code: None,
+            outdoors: false,
             points: vec![],
             triangles: vec![],
             materials: vec![],
@@ -215,6 +219,12 @@ impl Body {
         let [a, b, c] = self.triangles[triangle].map(|p| self.points[p as usize]);
         (b - a).cross(c - a).normalize_or_zero()
     }
+}
+
+/// True for a part in a house itself, not in one of its walls.
+fn stands_alone(node: &Node, scene: &Scene) -> bool {
+    let above = node.parent.map(|p| scene.nodes[p.0 as usize].kind);
+    node.kind == Kind::Part && above == Some(Kind::House)
 }
 
 /// The role of a node's body where it is cut.

@@ -1,6 +1,7 @@
 //! The views of a subject: plans of storeys, elevations, sections.
 
 mod bays;
+mod outdoors;
 mod rooms;
 mod stairs;
 
@@ -213,7 +214,7 @@ pub(super) fn roof_plan(subject: &Subject<'_>, settings: &Settings) -> View {
 pub(super) fn site_plan(subject: &Subject<'_>, settings: &Settings) -> View {
     let look = Look::down(settings.millimetres());
     let depths = Depths::new(subject, look);
-    let mut marks = vec![];
+    let mut marks = outdoors::outdoors(subject, settings);
     for built in &subject.houses {
         let rings = built.house.storeys.iter().take(1).flat_map(|s| &s.rings);
         let closed = rings.filter(|r| r.closed && !r.inner);

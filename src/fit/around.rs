@@ -22,7 +22,7 @@ pub(super) fn moved(points: &[DVec2], by: DVec2) -> Vec<DVec2> {
     let edge = |i: usize| (points[(i + 1) % n] - points[i % n]).normalize_or_zero();
     let shift = |way: DVec2| {
         let out = dvec2(way.y, -way.x);
-        out * (out.abs().dot(by))
+        out * (out * by).length()
     };
     let corner = |i: usize| {
         let (before, after) = (edge(i + n - 1), edge(i));

@@ -59,6 +59,7 @@ pub(super) fn brackets(
             let (before, after) = (&ring.walls[(i + n - 1) % n], &ring.walls[(i + 1) % n]);
             zone.wall(&[before, wall, after], &mut made);
         }
+        zone.purlins(&ring.walls, &mut made);
     }
     // The height left for the steps, however low the purlin lies.
     let room = height - LEAST;
@@ -95,9 +96,54 @@ impl Zone<'_> {
                 });
             }
         }
-        let turns = [bend(before, wall), bend(wall, after)];
         self.frieze(wall, made);
-        self.beams(wall, turns, made);
+        self.beams(wall, [bend(before, wall), bend(wall, after)], made);
+    }
+
+    /// Adds the purlins outside the walls of a ring. Those of a round or many-sided body are one ring at the height of the
+    /// lowest, as a square roof over it falls to the sides.
+    fn purlins(&self, walls: &[Wall], made: &mut Brackets) {
+        let n = walls.len();
+        let turns: Vec<Turn> = (0..n)
+            .map(|i| bend(&walls[i], &walls[(i + 1) % n]))
+            .collect();
+        let tops: Vec<f64> = walls.iter().map(|wall| self.top(wall)).collect();
+        let lowest = tops.iter().copied().fold(f64::INFINITY, f64::min);
+        for (i, wall) in walls.iter().enumerate() {
+            let ends = [turns[(i + n - 1) % n], turns[i]];
+            let top = match ends.iter().any(Turn::slants) {
+                true => lowest,
+                false => tops[i],
+            };
+            self.purlin(wall, ends, top, made);
+        }
+    }
+
+    /// Returns the height under the roof over the purlin of a wall.
+    fn top(&self, wall: &Wall) -> f64 {
+        let middle = metres(self.house, (wall.from + wall.to) / 2.0);
+        self.under(middle + outward(wall) * self.reach)
+            .unwrap_or(self.z.1)
+            - 0.01
+    }
+
+    /// Adds the purlin outside a wall.
+    fn purlin(&self, wall: &Wall, turns: [Turn; 2], top: f64, made: &mut Brackets) {
+        let deep = (self.post * 0.45).max(LEAST);
+        // They cross at right corners, and meet at others.
+        let beyond = turns.map(|t| self.reach * t.half() + deep * 1.6 * t.crossing());
+        let out = outward(wall);
+        let ends = [wall.from, wall.to].map(|p| metres(self.house, p) + out * self.reach);
+        let along = (ends[1] - ends[0]).normalize_or_zero();
+        made.beams.push(Beam {
+            ends: [
+                (ends[0] - along * beyond[0]).extend(top - deep),
+                (ends[1] + along * beyond[1]).extend(top - deep),
+            ],
+            width: deep * 0.9,
+            height: deep,
+        });
+        made.purlin = made.purlin.min(top - deep - self.z.0);
     }
 
     /// Adds the wall between the tops of the posts and the storey's.
@@ -111,37 +157,24 @@ impl Zone<'_> {
         });
     }
 
-    /// Adds head tie beam, plate and purlin.
-    fn beams(&self, wall: &Wall, turns: [f64; 2], made: &mut Brackets) {
+    /// Adds head tie beam and plate.
+    fn beams(&self, wall: &Wall, turns: [Turn; 2], made: &mut Brackets) {
         let (from, to) = (metres(self.house, wall.from), metres(self.house, wall.to));
-        let (along, out) = ((to - from).normalize_or_zero(), outward(wall));
+        let along = (to - from).normalize_or_zero();
         // Those along the front lie a little higher, so that crossing ones share no plane.
         let lift = 0.006 * wall.direction.x.abs();
-        let mut beam = |off: f64, ends: [f64; 2], foot: f64, width: f64, height: f64| {
-            let at = |p: DVec2, by: f64| (p + along * by + out * off).extend(foot + lift);
+        let noses = turns.map(|t| 0.9 * self.post * t.crossing());
+        let mut beam = |foot: f64, width: f64, height: f64| {
+            let at = |p: DVec2, by: f64| (p + along * by).extend(foot + lift);
             made.beams.push(Beam {
-                ends: [at(from, -ends[0]), at(to, ends[1])],
+                ends: [at(from, -noses[0]), at(to, noses[1])],
                 width,
                 height,
             });
         };
-        let convex = |turn: f64, by: f64| if turn > 0.05 { by } else { 0.0 };
-        let noses = turns.map(|t| convex(t, 0.9 * self.post));
         let tie = self.post * 0.8;
-        beam(0.0, noses, self.z.0 - tie, self.post * 0.6, tie - 0.01);
-        let flat = self.post * 0.28;
-        beam(0.0, noses, self.z.0 - 0.004, self.post * 1.1, flat);
-        let reach = self.reach;
-        let middle = (from + to) / 2.0 + out * reach;
-        let top = self.under(middle).unwrap_or(self.z.1) - 0.01;
-        let deep = (self.post * 0.45).max(LEAST);
-        let ends = turns.map(|t| match t {
-            t if t > 0.05 => reach + deep * 1.6,
-            t if t < -0.05 => -reach,
-            _ => 0.0,
-        });
-        beam(reach, ends, top - deep - lift, deep * 0.9, deep);
-        made.purlin = made.purlin.min(top - deep - self.z.0);
+        beam(self.z.0 - tie, self.post * 0.6, tie - 0.01);
+        beam(self.z.0 - 0.004, self.post * 1.1, self.post * 0.28);
     }
 
     /// Returns the lowest underside of a roof over a place, above the tops of the posts.
@@ -151,11 +184,45 @@ impl Zone<'_> {
     }
 }
 
-/// Returns the sine of the turn between two walls; positive = convex.
-fn bend(before: &Wall, wall: &Wall) -> f64 {
+/// The turn between two walls.
+#[derive(Clone, Copy)]
+struct Turn {
+    /// Its sine; positive = convex.
+    sin: f64,
+    cos: f64,
+}
+
+impl Turn {
+    /// Returns the tangent of half the turn: how far lines outside two walls reach past the corner, as a share of their distance.
+    fn half(&self) -> f64 {
+        match self.sin.abs() > 0.05 {
+            true => self.sin / (1.0 + self.cos),
+            false => 0.0,
+        }
+    }
+
+    /// Returns how far beams cross at the corner as a share of a right corner's: only at outer ones.
+    fn crossing(&self) -> f64 {
+        match self.sin > 0.05 {
+            true => self.sin * self.sin,
+            false => 0.0,
+        }
+    }
+
+    /// Returns true for a corner of a many-sided body.
+    fn slants(&self) -> bool {
+        (0.05..0.95).contains(&self.sin.abs())
+    }
+}
+
+/// Returns the turn between two walls; none where they do not meet.
+fn bend(before: &Wall, wall: &Wall) -> Turn {
     match before.to.distance(wall.from) < SAME {
-        true => before.direction.perp_dot(wall.direction),
-        false => 0.0,
+        true => Turn {
+            sin: before.direction.perp_dot(wall.direction),
+            cos: before.direction.dot(wall.direction),
+        },
+        false => Turn { sin: 0.0, cos: 1.0 },
     }
 }
 

@@ -16,7 +16,8 @@
 //!     "laid":[[0,4,2,5]],"file":0,"span":[330,371],"fixed":null}],
 //!    "fixtures":[{"kind":"tokonoma","at":[2,7],"size":[2,1],"faces":"F","built":true,"file":0,"span":[380,421],"fixed":null}],"regions":[]}],
 //!   "roofs":[{"shape":"KIR","kind":"K","storey":2,"file":0,"span":[700,740],"rect":[0,0,6,8],"z":4.24,
-//!     "ridge":[[6,4],[0,4]]}]}],
+//!     "ridge":[[6,4],[0,4]]}],
+//!   "outdoors":[{"kind":"put","code":"OTO","outline":[[5,-2],[6,-2],[6,-3],[5,-3]],"file":0,"span":[750,780]}]}],
 //!  "views":[{"name":"garden","from":[2,-5,1.6],"to":[-2,0,2],"fov":45,"date":null,"hour":null,"file":0,"span":[12,60]}],
 //!  "places":[{"kind":"Group","origin":[0,0],"turn":0,"at":[2,3],"heading":5,"houses":[0],"fixed":null,"turn_fixed":null}],
 //!  "outlines":[{"origin":[2,3],"turn":5,"corners":[[0,0],[6.2,-0.4],[6.8,8]],"fixed":null}],
@@ -29,13 +30,16 @@
 //! `outlines` the surveyed ones: `origin` and `turn` are those of the frame in the world, metres and degrees clockwise;
 //! `at`, `heading` (`turn` or `azimuth`) and `corners` count in it. The `part` of a unit is one of `wall`, `door`, `window`, `lattice`, `post`, `opening`, `modern`, `void`,
 //! `picture`, `split`. `regions` are those of `hsd dump --stage regions`. The `rect` of a roof are its bounds with its
-//! eaves, `ridge` the line of its highest points, null where that is a point, a surface or broken.
+//! eaves, `ridge` the line of its highest points, null where that is a point, a surface or broken. `outdoors` is left out where
+//! nothing stands there; its `kind` is `put` or `ground`, and `code` the part or the surface.
 
 mod doubts;
+mod outdoors;
 mod roofs;
 mod rooms;
 
 pub use doubts::{DoubtfulUnit, PlanDoubt};
+pub use outdoors::PlanOutdoor;
 pub use rooms::{PlanFixture, PlanRoom};
 
 use super::Analysis;
@@ -148,6 +152,9 @@ pub struct House {
     pub storeys: Vec<Storey>,
     /// Its roofs.
     pub roofs: Vec<Roof>,
+    /// What stands outdoors beside it: ground, then parts.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub outdoors: Vec<PlanOutdoor>,
 }
 
 /// A place in the source files.
@@ -374,6 +381,7 @@ impl PlanWriter<'_> {
                 .iter()
                 .map(|r| roofs::roof(r, house.unit))
                 .collect(),
+            outdoors: outdoors::outdoors(built, self.catalog),
         }
     }
 

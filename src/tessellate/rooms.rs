@@ -29,7 +29,7 @@ const WALL: f64 = 0.060;
 const LAP: f64 = 0.004;
 
 /// Top of a floor of earth (土間 doma) below the boards, metres: three sun above the ground.
-const DOMA: f64 = -0.190;
+pub(in crate::tessellate) const DOMA: f64 = -0.190;
 
 /// Width of the cloth along the long sides of a mat (縁), metres.
 const CLOTH: f64 = 0.030;

@@ -137,6 +137,7 @@ impl TrimContext<'_> {
                     true => crate::tessellate::trim::edge::plaster::bands(self, seam, bodies),
                     false => crate::tessellate::trim::edge::barge::boards(self, seam, bodies),
                 }
+                crate::tessellate::trim::edge::arched::rafters(self, seam, bodies);
                 if tiled {
                     tiles::verge(self, seam, bodies);
                 }

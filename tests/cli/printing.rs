@@ -36,6 +36,7 @@ fn options_belong_to_their_formats() {
         ("a.obj", &["--min-wall", "1"]),
         ("a.stl", &["--merge", "material"]),
         ("a.obj", &["--no-tangents"]),
+        ("a.stl", &["--quantize"]),
     ] {
         let all = [&["build", "sound.hsd", "-o", output][..], option].concat();
         let output = hsd(folder.path(), &all);
@@ -52,5 +53,38 @@ fn options_belong_to_their_formats() {
             "--no-tangents",
         ];
         assert_eq!(code(&hsd(folder.path(), &all)), 0);
+    }
+}
+
+#[test]
+fn quantized_models_have_directions_as_bytes() {
+    let folder = folder();
+    let build = |name: &str, more: &[&str]| {
+        let all = [&["build", "sound.hsd", "-o", name, "-q"][..], more].concat();
+        assert_eq!(code(&hsd(folder.path(), &all)), 0);
+        fs::read(folder.path().join(name)).unwrap()
+    };
+    let json = |glb: &[u8]| -> serde_json::Value {
+        let length = u32::from_le_bytes(glb[12..16].try_into().unwrap()) as usize;
+        serde_json::from_slice(&glb[20..20 + length]).unwrap()
+    };
+    let (plain, small) = (build("a.glb", &[]), build("b.glb", &["--quantize"]));
+    assert!(small.len() < plain.len());
+    let (plain, small) = (json(&plain), json(&small));
+    assert_eq!(
+        small["extensionsRequired"],
+        serde_json::json!(["KHR_mesh_quantization"])
+    );
+    assert!(plain["extensionsRequired"].is_null());
+    for mesh in small["meshes"].as_array().unwrap() {
+        for primitive in mesh["primitives"].as_array().unwrap() {
+            for (name, number) in primitive["attributes"].as_object().unwrap() {
+                let accessor = &small["accessors"][number.as_u64().unwrap() as usize];
+                let bytes = matches!(&**name, "NORMAL" | "TANGENT");
+                let kind = if bytes { 5120 } else { 5126 };
+                assert_eq!(accessor["componentType"], kind, "{name}");
+                assert_eq!(accessor["normalized"] == true, bytes, "{name}");
+            }
+        }
     }
 }

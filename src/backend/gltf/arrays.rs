@@ -79,6 +79,11 @@ impl Array {
         }
     }
 
+    /// Returns true for directions, which can be written as bytes (KHR_mesh_quantization).
+    pub(super) fn is_direction(self) -> bool {
+        matches!(self, Array::Normals | Array::Tangents)
+    }
+
     /// Returns the component type of its elements.
     pub(super) fn component(self, p: &Primitive) -> ComponentType {
         match self {
@@ -125,6 +130,20 @@ impl Array {
             Array::Houses => {}
             Array::Indices => write_indices(out, &p.indices, (0, p.positions.len())),
         }
+    }
+}
+
+/// Appends directions as signed bytes in fours: -127 to 127 for -1 to 1, at most 0.4 degrees off. `floats` are their bytes,
+/// `size` components each.
+pub(super) fn write_packed(out: &mut Vec<u8>, floats: &[u8], size: usize) {
+    let (numbers, _) = floats.as_chunks::<4>();
+    for direction in numbers.chunks(size) {
+        let byte = |n: &[u8; 4]| (f32::from_le_bytes(*n) * 127.0).round() as i8;
+        let mut four = [0; 4];
+        for (to, from) in four.iter_mut().zip(direction) {
+            *to = byte(from).to_le_bytes()[0];
+        }
+        out.extend(four);
     }
 }
 

@@ -1,7 +1,9 @@
 //! Meshes: their accessors and arrays are appended as they come. Each kind of array has a view of its own, so
 //! accessors differ by offset only.
 
-use super::arrays::{Array, MaterialRef, bounds, index_type, turned, write_floats, write_indices};
+use super::arrays::{
+    Array, MaterialRef, bounds, index_type, turned, write_floats, write_indices, write_packed,
+};
 use super::bare::Bare;
 use super::buffer::view;
 use super::materials::MaterialRefs;
@@ -22,6 +24,9 @@ use twox_hash::XxHash3_128;
 /// The most primitives of which it is known where they lie, so that a large town needs no more memory.
 const MOST_KNOWN: usize = 16_384;
 
+/// The extension for directions written as bytes.
+const QUANTIZED: &str = "KHR_mesh_quantization";
+
 /// The meshes written so far.
 pub(super) struct Shapes {
     pub(super) accessors: List,
@@ -35,6 +40,8 @@ pub(super) struct Shapes {
     on_pages: Vec<(u32, Range<u64>)>,
     /// The first accessors of primitives written lately, by their arrays: shades of a material share them. Never iterated.
     known: HashMap<u128, u32>,
+    /// True if directions are written as bytes.
+    pub(super) quantized: bool,
 }
 
 /// The arrays of one kind.
@@ -60,6 +67,7 @@ impl Shapes {
             views: vec![],
             on_pages: vec![],
             known: HashMap::new(),
+            quantized: false,
         })
     }
 
@@ -275,8 +283,23 @@ impl Shapes {
                 self.views.len() - 1
             }
         };
+        let packed = self.quantized && array.is_direction();
+        let accessor = match packed {
+            true => Accessor {
+                component_type: Valid(GenericComponentType(ComponentType::I8)),
+                normalized: true,
+                ..accessor
+            },
+            false => accessor,
+        };
         let place = self.views[number].section.append(|out| {
-            write(out);
+            if packed {
+                let mut floats = vec![];
+                write(&mut floats);
+                write_packed(out, &floats, array.elements().multiplicity());
+            } else {
+                write(out);
+            }
             Ok(())
         })?;
         self.accessors.push(&Accessor {
@@ -310,6 +333,11 @@ impl Shapes {
 
     /// Adds the views to the root; returns the sections in the order of the buffer, and their length.
     pub(super) fn into_views(self, root: &mut Root) -> (List, List, Vec<Section>, u64) {
+        let directions = self.views.iter().any(|view| view.array.is_direction());
+        if self.quantized && directions {
+            root.extensions_used.push(QUANTIZED.to_owned());
+            root.extensions_required.push(QUANTIZED.to_owned());
+        }
         let mut length = 0;
         let mut sections = vec![];
         for ArrayView { array, section } in self.views {
@@ -321,7 +349,12 @@ impl Shapes {
             root.push(gltf::json::buffer::View {
                 target: Some(Valid(target)),
                 // Many accessors share it.
-                byte_stride: vertices.then_some(Stride(4 * array.elements().multiplicity())),
+                byte_stride: vertices.then_some(Stride(
+                    match self.quantized && array.is_direction() {
+                        true => 4,
+                        false => 4 * array.elements().multiplicity(),
+                    },
+                )),
                 ..view(length as usize, section.length() as usize)
             });
             length += section.length();

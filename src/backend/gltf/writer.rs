@@ -74,6 +74,13 @@ impl<'n> Writer<'n> {
         self
     }
 
+    /// From now on, normals and tangents are written as bytes (KHR_mesh_quantization).
+    #[must_use]
+    pub fn quantizing(mut self, quantizes: bool) -> Writer<'n> {
+        self.shapes.quantized = quantizes;
+        self
+    }
+
     /// Tells what the model is made from.
     pub fn made_from(&mut self, provenance: &Provenance) {
         self.provenance = provenance.clone();

@@ -28,6 +28,13 @@ pub(super) struct FormatArgs {
     #[arg(long, conflicts_with_all = ["compress", "join"])]
     pub(super) no_tangents: bool,
 
+    /// Write normals and tangents of a .glb or .gltf as bytes (KHR_mesh_quantization): their vertices take about 40 % less.
+    ///
+    /// Directions are at most 0.4 degrees off. Positions stay exact. Programs must know the extension; Blender, three.js,
+    /// Babylon.js and CesiumJS do.
+    #[arg(long, conflicts_with_all = ["compress", "join"])]
+    pub(super) quantize: bool,
+
     /// Print an .stl to this scale, as 1:100 or 1/100.
     #[arg(long, value_name = "1:N", value_parser = scale)]
     scale: Option<f64>,
@@ -51,10 +58,10 @@ impl FormatArgs {
     /// Fails if an option is given that the format of a model does not have.
     pub(super) fn check(&self, job: &Job) -> Result<(), Failure> {
         let nodes = matches!(job.model, Model::Glb | Model::Gltf);
-        if (self.merge.is_some() || self.no_tangents) && !nodes {
+        if (self.merge.is_some() || self.no_tangents || self.quantize) && !nodes {
             return Err(Failure::Usage(text!(
-                "--merge and --no-tangents are for .glb and .gltf",
-                "--merge と --no-tangents は .glb と .gltf のためのものです"
+                "--merge, --no-tangents and --quantize are for .glb and .gltf",
+                "--merge、--no-tangents、--quantize は .glb と .gltf のためのものです"
             )));
         }
         if (self.scale.is_some() || self.min_wall.is_some()) && job.model != Model::Stl {

@@ -136,6 +136,7 @@ impl<'n> Started<'n> {
         let nodes = || {
             let writer = gltf::Writer::new(new)?.joining(build.join);
             let writer = writer.merging(format.merge.is_some());
+            let writer = writer.quantizing(format.quantize);
             Ok::<_, io::Error>(writer.without_tangents(format.no_tangents))
         };
         Ok(match model {

@@ -99,6 +99,8 @@ pub(in crate::parse) static HOUSES: Content = content(
         Tag::Group,
         Tag::Place,
         Tag::View,
+        Tag::Put,
+        Tag::Ground,
         Tag::Repeat,
         Tag::Random,
         Tag::PartDef,
@@ -114,12 +116,14 @@ pub(in crate::parse) static PLACED: Content = content(
         Tag::Group,
         Tag::Place,
         Tag::View,
+        Tag::Put,
+        Tag::Ground,
         Tag::PartDef,
         Tag::Outline,
     ],
 );
 pub(in crate::parse) static HOUSE: Content = repeating(
-    &STOREYS,
+    &REPEATED_IN_HOUSE,
     "house",
     &[
         Tag::Outline,
@@ -141,6 +145,17 @@ pub(in crate::parse) static HOUSE: Content = repeating(
         Tag::Hall,
         Tag::Shrine,
         Tag::PartDef,
+    ],
+);
+static REPEATED_IN_HOUSE: Content = content(
+    "house_repeated",
+    &[
+        Tag::Storey,
+        Tag::Repeat,
+        Tag::Random,
+        Tag::Replace,
+        Tag::Put,
+        Tag::Ground,
     ],
 );
 pub(in crate::parse) static STOREYS: Content = content(

@@ -190,6 +190,7 @@ impl Look {
             } else {
                 1
             },
+            arch: None,
         }
     }
 

@@ -46,7 +46,9 @@ pub(super) fn chigi(bodies: &mut Bodies, it: &Finial, detail: Detail) {
     }
     let n = sides(detail);
     let r = h * 0.1;
-    let (first, last) = (inset + 2.5 * r, length - inset - 2.5 * r);
+    // Clear of the crossed boards, which are two thick.
+    let clear = inset + thick + 1.6 * r + r;
+    let (first, last) = (clear, length - clear);
     for k in 0..it.count {
         let share = match it.count {
             1 => 0.5,

@@ -177,14 +177,13 @@ fn railing(
     detail: Detail,
 ) {
     let (along, out) = ways(side);
-    let convex = [
-        ways(before).0.perp_dot(along) > 0.05,
-        along.perp_dot(ways(after).0) > 0.05,
-    ];
-    let start =
-        side.outer[0] - out * SET_BACK + along * (if convex[0] { SET_BACK } else { -SET_BACK });
-    let end =
-        side.outer[1] - out * SET_BACK - along * (if convex[1] { SET_BACK } else { -SET_BACK });
+    let turns = [(ways(before).0, along), (along, ways(after).0)];
+    let sines = turns.map(|(p, q)| p.perp_dot(q));
+    let convex = sines.map(|sin| sin > 0.05);
+    // Half of each turn: lines at one distance before two sides meet there.
+    let set = [0, 1].map(|k| SET_BACK * sines[k] / (1.0 + turns[k].0.dot(turns[k].1)).max(0.1));
+    let start = side.outer[0] - out * SET_BACK + along * set[0];
+    let end = side.outer[1] - out * SET_BACK - along * set[1];
     let length = (end - start).dot(along);
     if length < 0.3 {
         return;
@@ -200,7 +199,7 @@ fn railing(
             start: start + along * from,
             along,
             length: to - from,
-            corner,
+            beyond: [0, 1].map(|k| if corner[k] { sines[k] * sines[k] } else { 0.0 }),
             gate: [from > 1e-6, to < length - 1e-6],
         };
         stretch.draw(bodies, it, detail);
@@ -212,8 +211,8 @@ struct Stretch {
     start: DVec2,
     along: DVec2,
     length: f64,
-    /// For each end, true if it is at an outer corner.
-    corner: [bool; 2],
+    /// For each end, how far crossing rails extend past an outer corner, as a share of a right one's.
+    beyond: [f64; 2],
     /// For each end, true if it is at stairs.
     gate: [bool; 2],
 }
@@ -222,7 +221,9 @@ impl Stretch {
     fn draw(&self, bodies: &mut Bodies, it: &Veranda, detail: Detail) {
         let z = it.top - UNDER;
         let crossed = it.rail == Rail::Crossed;
-        let beyond = self.corner.map(|c| if crossed && c { BEYOND } else { 0.0 });
+        let beyond = self
+            .beyond
+            .map(|share| if crossed { BEYOND * share } else { 0.0 });
         // Rails of sides across each other lie a little apart.
         let lift = 0.004 * self.along.x.abs();
         let mut rail = |foot: f64, height: f64, width: f64, share: f64| {

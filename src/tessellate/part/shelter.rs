@@ -141,6 +141,14 @@ struct Gable {
 const COURSE: f64 = 0.035;
 const CAP: f64 = 0.060;
 
+/// Half the width from which a small roof has boards under its tiles, metres; and the upright thickness of those at the ridge.
+const WIDE: f64 = 0.45;
+const UPRIGHT: f64 = 0.05;
+/// How far its boards lie within the tiles at the eaves and at the gables, and the height of barge boards, metres.
+const RIM: f64 = 0.04;
+const GABLE: f64 = 0.12;
+const BARGE: f64 = 0.13;
+
 /// Radius of a roll, metres.
 const ROLL: f64 = 0.042;
 
@@ -164,6 +172,33 @@ impl Gable {
         (eaves, top)
     }
 
+    /// Adds what is under the tiles of a wide roof: boards that fill its gables and its underside, and barge boards.
+    fn boards(&self, bodies: &mut Bodies, (eaves, top): (f64, f64)) {
+        let wood = SurfaceId::named("boards");
+        let (from, to) = self.ends;
+        // Into the tiles above it; its foot a little over their edge.
+        let under = |v: f64| top - UPRIGHT - (top - UPRIGHT - eaves + SLAB) * v.abs() / self.half;
+        let mut body = |u: f64, long: f64, profile: &[(f64, f64)]| {
+            let ring: Vec<DVec3> = profile.iter().map(|(v, z)| self.at(u, *v, *z)).collect();
+            bodies.slide(wood, &ring, self.along * long, false);
+        };
+        let wide = self.half - RIM;
+        let foot = eaves - SLAB + 0.003;
+        let fill = [(wide, foot), (0.0, under(0.0) + 0.012), (-wide, foot)];
+        body(from + GABLE, to - from - 2.0 * GABLE, &fill);
+        let out = self.half - 0.02;
+        let barge = [
+            (out, under(out) + 0.008),
+            (0.0, under(0.0) + 0.008),
+            (-out, under(out) + 0.008),
+            (-out, under(out) - BARGE),
+            (0.0, under(0.0) - BARGE),
+            (out, under(out) - BARGE),
+        ];
+        body(from + 0.02, 0.03, &barge);
+        body(to - 0.05, 0.03, &barge);
+    }
+
     fn draw(&self, bodies: &mut Bodies) {
         let (from, to) = self.ends;
         let way = self.along * (to - from);
@@ -174,13 +209,17 @@ impl Gable {
         let ring = |points: &[(f64, f64)]| -> Vec<DVec3> {
             points.iter().map(|(v, z)| self.at(from, *v, *z)).collect()
         };
-        let slab = [
+        let mut slab = vec![
             (self.half, eaves - SLAB),
             (self.half, eaves),
             (0.0, top),
             (-self.half, eaves),
             (-self.half, eaves - SLAB),
         ];
+        if self.half >= WIDE {
+            slab.push((0.0, top - UPRIGHT));
+            self.boards(bodies, (eaves, top));
+        }
         bodies.slide(self.finish, &ring(&slab), way, false);
         if self.rolls > 0.0 {
             self.rolls(bodies, (eaves, top));

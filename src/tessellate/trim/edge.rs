@@ -1,5 +1,6 @@
 //! Trim along eaves and verges: barge boards, edge tiles, rafters, plaster bands, flashing.
 
+pub(in crate::tessellate::trim) mod arched;
 pub(in crate::tessellate::trim) mod barge;
 pub(in crate::tessellate::trim) mod flashing;
 pub(in crate::tessellate::trim) mod gegyo;

@@ -52,14 +52,15 @@ pub(super) fn battens(field: &Field, bodies: &mut Vec<Body>) {
 
 /// Builds a flat round stone on a point.
 fn stone(at: DVec3, size: f64, turn: f64) -> Option<Body> {
-    const SIDES: u32 = 6;
+    const SIDES: u32 = 8;
+    // Of its corners, as it lay in a river.
+    const LONG: [f64; 8] = [1.0, 0.88, 0.97, 1.06, 0.9, 0.95, 1.08, 0.92];
     // Shares of its size: how wide and how high each ring lies.
-    let rings = [(0.55, -0.35), (1.0, 0.10), (0.62, 0.62)];
+    let rings = [(0.70, -0.35), (1.0, 0.04), (0.74, 0.42)];
     let ring = |(wide, up): (f64, f64)| -> Vec<DVec3> {
         let corner = |i: u32| {
             let angle = turn + std::f64::consts::TAU * f64::from(i) / f64::from(SIDES);
-            let long = if i.is_multiple_of(2) { 1.0 } else { 0.86 };
-            let radius = size * wide * long;
+            let radius = size * wide * LONG[i as usize];
             at + DVec3::new(
                 1.2 * radius * libm::cos(angle),
                 radius * libm::sin(angle),

@@ -151,6 +151,7 @@ fn roof(kind: RoofKind, solids: Vec<Solid>) -> Roof {
             lattice: true,
             timber: None,
             rafters: 2,
+            arch: None,
         },
         attic: Attic::default(),
         surface: RoofSurface::of(&solids),

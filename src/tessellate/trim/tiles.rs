@@ -20,10 +20,18 @@ const THICK: f64 = 0.024;
 const OUT: f64 = 0.012;
 /// The disc at the end of a roll: radius, metres.
 const DISC: f64 = 0.040;
+/// Half the width of the joint between two straight fronts, metres.
+const JOINT: f64 = 0.002;
 /// How far verge tiles project over the eaves, beyond the fronts there, metres.
 const OVER: f64 = 0.028;
 /// Verge tiles: how far they lap over the slope and down its edge, and their thickness, metres.
 const LAP: (f64, f64, f64) = (0.10, 0.09, 0.022);
+/// The length of a verge tile that shows, how much of it reaches under the next one, and how much higher its foot lies, metres.
+const LENGTH: f64 = 0.235;
+const UNDER_NEXT: f64 = 0.1;
+const RISE: f64 = 0.014;
+/// Shorter edges have one tile, metres.
+const SHORTEST: f64 = 0.6;
 
 /// Direction of the street, in front of the first line: fronts that face it are flat (docs/evidence.md 4.4, S34).
 const STREET: DVec2 = DVec2::NEG_Y;
@@ -45,13 +53,19 @@ pub(super) fn eaves(
         let field = &fields[span.left as usize];
         let out = -level_left(ends[1] - ends[0]);
         let wavy = great && out.dot(STREET) < 0.9;
-        if !wavy {
-            plain(finish, ends, out, bodies);
-            continue;
-        }
         let (s0, s1) = (field.s(ends[0]), field.s(ends[1]));
         let at = |s: f64| ends[0].lerp(ends[1], (s - s0) / (s1 - s0));
         let (lo, hi) = (s0.min(s1), s0.max(s1));
+        if !wavy {
+            let mut cuts = vec![lo, hi];
+            if context.detail == Detail::Everything {
+                let crests = places(lo, hi, WIDTH, CREST);
+                cuts.extend(crests.filter(|s| *s > lo + 0.05 && *s < hi - 0.05));
+                cuts.sort_by(f64::total_cmp);
+            }
+            plain(finish, &cuts, at, out, bodies);
+            continue;
+        }
         // From crest to crest the foot of the front sags as the pan does.
         let mut cuts = vec![lo, hi];
         for crest in places(lo - WIDTH, hi, WIDTH, CREST) {
@@ -88,10 +102,22 @@ fn front(at: DVec3, out: DVec2, hang: f64) -> Vec<DVec3> {
     ]
 }
 
-/// Adds straight fronts, one per span.
-fn plain(finish: SurfaceId, ends: &[DVec3], out: DVec2, bodies: &mut Vec<Body>) {
-    let sections = [front(ends[0], out, HANG), front(ends[1], out, HANG)];
-    bodies.extend(Body::loft(finish, &sections));
+/// Adds straight fronts from cut to cut, with joints between them.
+fn plain(
+    finish: SurfaceId,
+    cuts: &[f64],
+    at: impl Fn(f64) -> DVec3,
+    out: DVec2,
+    bodies: &mut Vec<Body>,
+) {
+    let last = cuts.len() - 2;
+    for (i, cut) in cuts.windows(2).enumerate() {
+        let from = if i > 0 { JOINT } else { 0.0 };
+        let to = if i < last { JOINT } else { 0.0 };
+        let sections = [cut[0] + from, cut[1] - to].map(|s| front(at(s), out, HANG));
+        let body = Body::loft(finish, &sections);
+        bodies.extend(body.map(|body| body.in_row("eaves tiles", out)));
+    }
 }
 
 /// Adds a round plate facing out over the eaves; `from` and `up` give its start outside the edge and the height of its
@@ -119,7 +145,6 @@ pub(super) fn verge(context: &TrimContext<'_>, seam: &Seam, bodies: &mut Vec<Bod
     if context.detail < Detail::Openings {
         return;
     }
-    let (lap, down, thick) = LAP;
     let last = seam.points.len() - 1;
     let mut points = seam.points.clone();
     for (end, at, back) in [(0, 0, 1), (1, last, last - 1)] {
@@ -128,23 +153,59 @@ pub(super) fn verge(context: &TrimContext<'_>, seam: &Seam, bodies: &mut Vec<Bod
             points[at] += way * (OVER / way.truncate().length().max(OVER));
         }
     }
+    let straight = last <= 2 && context.detail == Detail::Everything;
+    if straight && points.windows(2).all(|w| w[0].distance(w[1]) > SHORTEST) {
+        for ends in points.windows(2) {
+            one_by_one(ends, bodies);
+        }
+        return;
+    }
     let section = |i: usize| -> Vec<DVec3> {
         let way = seam.points[(i + 1).min(last)] - seam.points[i.max(1) - 1];
-        let out = -level_left(way);
-        let place = |(w, z): (f64, f64)| points[i] + (out * w).extend(z);
-        let profile = [
-            (-lap, -0.02),
-            (0.0, -0.02),
-            (0.0, -down),
-            (thick, -down),
-            (thick, 0.012),
-            (0.0, 0.034),
-            (-lap + 0.02, 0.034),
-            (-lap, 0.018),
-        ];
-        profile.into_iter().map(place).collect()
+        lapped(points[i], -level_left(way), 0.0)
     };
     let sections: Vec<Vec<DVec3>> = (0..=last).map(section).collect();
     let tiles = Body::loft(SurfaceId::named("ibushi"), &sections);
     bodies.extend(tiles.map(Body::smooth));
+}
+
+/// Adds the verge tiles of a straight edge, each with its foot on the head of the one below.
+fn one_by_one(ends: &[DVec3], bodies: &mut Vec<Body>) {
+    let out = -level_left(ends[1] - ends[0]);
+    let (low, high) = match ends[0].z < ends[1].z {
+        true => (ends[0], ends[1]),
+        false => (ends[1], ends[0]),
+    };
+    let count = ((high - low).length() / LENGTH).round().clamp(2.0, 400.0);
+    let at = |n: f64| low.lerp(high, n / count);
+    for n in 0..count as u32 {
+        let n = f64::from(n);
+        // Each reaches under the next one, the last one under the ridge.
+        let head = (n + 1.0 + UNDER_NEXT).min(count);
+        let mut sections = [lapped(at(n), out, RISE), lapped(at(head), out, 0.0)];
+        if ends[0].z >= ends[1].z {
+            sections.reverse();
+        }
+        let tile = Body::loft(SurfaceId::named("ibushi"), &sections);
+        bodies.extend(tile.map(|tile| tile.smooth().in_row("verge tiles", out)));
+    }
+}
+
+/// Returns the cut across a verge tile at a point of the edge, raised by some metres.
+fn lapped(at: DVec3, out: DVec2, rise: f64) -> Vec<DVec3> {
+    let (lap, down, thick) = LAP;
+    let profile = [
+        (-lap, -0.02),
+        (0.0, -0.02),
+        (0.0, -down),
+        (thick, -down),
+        (thick, 0.014 + rise),
+        (0.0, 0.032 + rise),
+        (-lap, 0.026 + rise),
+    ];
+    // Its side stands a little out with its head.
+    let aside = |w: f64| if w > 0.0 { w + rise * 0.6 } else { w };
+    profile
+        .map(|(w, z)| at + (out * aside(w)).extend(z))
+        .to_vec()
 }

@@ -1,6 +1,7 @@
 //! Stones before doors (踏石 fumi-ishi): the floor of a house on foundation stones lies 28 cm above the ground, so a
 //! slab half as high lies before every door and open bay that leads outdoors.
 
+use crate::catalog::Stance;
 use crate::geometry::FOUNDATION;
 use crate::material::SurfaceId;
 use crate::program::Content;
@@ -37,7 +38,8 @@ impl Walker<'_> {
         }
         let catalog = self.catalog;
         let leads_out = |s: &PlacedUnit<'_>| match &s.unit.content {
-            Content::Part(id) => catalog.part(*id).leads_through(),
+            // What stands on no stones reaches the ground itself.
+            Content::Part(id) => s.stance != Stance::Free && catalog.part(*id).leads_through(),
             _ => false,
         };
         let mut open: Option<f64> = None;

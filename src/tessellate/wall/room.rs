@@ -8,6 +8,7 @@ use crate::material::SurfaceId;
 use crate::program::{Content, Unit};
 use crate::scene::{Detail, Kind, MeshId};
 use crate::tessellate::mesh::{Axis, Bodies};
+use crate::tessellate::rooms::DOMA;
 use crate::tessellate::store::look::Share;
 use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::weather::Weather;
@@ -68,8 +69,13 @@ impl Walker<'_> {
             Some(mesh) => *mesh,
             None => {
                 let mut bodies = Bodies::default();
+                // Earth lies lower than boards: one walks in from the ground.
+                let top = match level.grounded() && floor == SurfaceId::named("earth") {
+                    true => DOMA,
+                    false => UNDER,
+                };
                 for outline in &outlines {
-                    bodies.prism(floor, outline, Axis::Z, foot, UNDER);
+                    bodies.prism(floor, outline, Axis::Z, foot, top);
                     if covered {
                         let (lo, hi) = (height + CEILING.0, height + CEILING.1);
                         bodies.prism(SurfaceId::named("soffit"), outline, Axis::Z, lo, hi);

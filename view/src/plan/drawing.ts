@@ -45,14 +45,18 @@ const REGIONS = 8; // Number of region colours.
 /** Longer walls are labelled with their length, units. */
 const MEASURED = 1.5;
 
+/** The storey that stands on the ground. */
+const GROUND = 1;
+
 /** The storey numbers of all houses. */
 export const storeysOf = ({ plan }: State) =>
-  [...new Set(plan.houses.flatMap(house => house.storeys.map(storey => storey.storey)))].sort((a, b) => a - b);
+  [...new Set(plan.houses.flatMap(house => [...(house.outdoors ? [GROUND] : []), ...house.storeys.map(storey => storey.storey)]))].sort((a, b) => a - b);
 
-/** The bounding rectangle of all walls and eaves. */
+/** The bounding rectangle of all walls, eaves and what stands outdoors. */
 export const extent = ({ plan }: State) => bounds(plan.houses.flatMap(house => [
   ...house.storeys.flatMap(storey => storey.rings.flatMap(ring => ring.walls.flatMap(wall => [wall.from, wall.to]))),
   ...house.roofs.flatMap(({ rect }) => cornersOf(rect)),
+  ...(house.outdoors ?? []).flatMap(({ outline }) => outline),
 ].map(point => toPlan(house, point))));
 
 const cornersOf = ([a0, b0, a1, b1]: [number, number, number, number]): Point[] => [[a0, b0], [a1, b0], [a1, b1], [a0, b1]];
@@ -64,10 +68,14 @@ export function drawStorey(state: State, number: number): PlanDrawing {
     drawn.layers.push(group);
     return group;
   };
+  const outdoors = layer('outdoors');
   const floors = layer('floors'), regions = layer('regions'), roofs = layer('roofs'), below = layer('below');
   // Above the roofs, so that rooms can be clicked.
   const rooms = layer('rooms'), fixtures = layer('fixtures'), walls = layer('walls');
   for (const [houseIndex, house] of state.plan.houses.entries()) {
+    for (const { kind, code, outline } of number === GROUND ? house.outdoors ?? [] : []) {
+      outdoors.append(s('path', { class: `${kind} ${kind === 'ground' ? code : ''}`, d: path(outline.map(p => toPlan(house, p))) }, s('title', {}, code)));
+    }
     for (const [storeyIndex, storey] of house.storeys.entries()) {
       if (storey.storey === number - 1 && storey.kind === 'storey') outlines(house, storey, below);
       if (storey.storey !== number) continue;

@@ -170,6 +170,15 @@ export interface Roof {
   ridge: [Point, Point] | null;
 }
 
+/** What stands outdoors: a part, or covered ground with its surface as `code`. */
+export interface Outdoor {
+  kind: 'put' | 'ground';
+  code: string;
+  outline: Point[];
+  file: number;
+  span: ByteRange;
+}
+
 export interface House {
   name: string;
   file: number;
@@ -181,6 +190,8 @@ export interface House {
   origin: [east: number, north: number, up: number];
   unit_m: number;
   storeys: Storey[];
+  /** Ground, then parts; left out where nothing stands outdoors. */
+  outdoors?: Outdoor[];
 }
 
 /** A frame of metres east and north, turned clockwise, degrees. */

@@ -193,6 +193,11 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
                 ".glb か .gltf に接線を書かない: 凹凸のある面の頂点データの三分の一",
                 "凹凸を表示するプログラムは、接線を自分で計算します。",
             ),
+            (
+                "quantize",
+                ".glb か .gltf の法線と接線をバイトで書く (KHR_mesh_quantization): その頂点データは約 40 % 小さくなる",
+                "方向の誤差は 0.4 度以下、位置は正確なままです。読むプログラムは拡張に対応している必要があります。Blender、three.js、Babylon.js、CesiumJS は対応しています。",
+            ),
             ("scale", ".stl を 1:100 や 1/100 のような縮尺で書く", ""),
             (
                 "min_wall",

@@ -17,18 +17,36 @@ pub(super) fn is_written_out(
     parent: &ElementRef<'_, '_>,
 ) -> bool {
     let numbered = element_ref.element().has_attribute("index");
-    let holds = |child: &Child<'_>| match child {
-        Child::Element(index) => matches!(
-            element_ref.child(*index).tag(),
-            Some(Tag::House | Tag::Group | Tag::Place | Tag::Loop | Tag::Room | Tag::Fixture)
-        ),
-        Child::Text(_) => false,
-    };
-    let of_houses = || {
-        matches!(parent.tag(), Some(Tag::Houses | Tag::Group))
-            || element_ref.element().children.iter().any(holds)
-    };
+    let of_houses = || matches!(parent.tag(), Some(Tag::Houses | Tag::Group)) || holds(element_ref);
     numbered || of_houses()
+}
+
+/// Returns true if an element, or a repetition in it, holds what cannot be repeated later.
+fn holds(element_ref: &ElementRef<'_, '_>) -> bool {
+    element_ref
+        .element()
+        .children
+        .iter()
+        .any(|child| match child {
+            Child::Element(index) => {
+                let inner = element_ref.child(*index);
+                match inner.tag() {
+                    Some(Tag::Repeat) => holds(&inner),
+                    Some(
+                        Tag::House
+                        | Tag::Group
+                        | Tag::Place
+                        | Tag::Loop
+                        | Tag::Room
+                        | Tag::Fixture
+                        | Tag::Put
+                        | Tag::Ground,
+                    ) => true,
+                    _ => false,
+                }
+            }
+            Child::Text(_) => false,
+        })
 }
 
 impl<'a> Expander<'a, '_> {

@@ -65,7 +65,7 @@ impl<'t> Reader<'t, '_> {
                 }
                 _ if self.fitting(schema, child, &mut house) => {}
                 _ => {
-                    let item = self.item(schema, child, schema::HOUSE.repeated(), Self::storey);
+                    let item = self.item(schema, child, &schema::STOREYS, Self::storey);
                     house.storeys.extend(item);
                 }
             }

@@ -71,6 +71,8 @@ impl<'t> Reader<'t, '_> {
         houses: &mut Vec<House>,
         parts: &mut Vec<WrittenPart>,
     ) {
+        // What stands outdoors beside the houses is a house without storeys.
+        let mut outdoors = House::default();
         for node in self.children(element, content) {
             let AllowedChild::Element(schema, child) = node else {
                 continue;
@@ -97,6 +99,12 @@ impl<'t> Reader<'t, '_> {
                 // That of a house that is placed has been read with its place.
                 Tag::Outline => {}
                 Tag::View => self.view(schema, child, around.frame),
+                Tag::Put | Tag::Ground => {
+                    if !outdoors.stands_outdoors() {
+                        outdoors.span = self.whole(child);
+                    }
+                    self.fitting(schema, child, &mut outdoors);
+                }
                 // Repetitions and choices are written out already; what is left draws codes.
                 _ => {
                     let home = "`Storey`, `Row`, `Facade` or `Floor`";
@@ -105,6 +113,9 @@ impl<'t> Reader<'t, '_> {
                     });
                 }
             }
+        }
+        if outdoors.stands_outdoors() {
+            houses.push(around.put(outdoors));
         }
     }
 

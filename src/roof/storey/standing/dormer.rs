@@ -6,7 +6,8 @@
 //! the walls or before them stands in the eaves: their edge itself swells, level at both feet.
 
 use crate::ast::{RoofShape, RoofStyle};
-use crate::building::{Finish, Solid};
+
+use crate::building::{Arch, Finish, Solid};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::roofs as say;
 use crate::geometry::SHAKU;
@@ -309,6 +310,7 @@ impl<'a, 'h> Dormer<'a, 'h> {
         trim.lattice = look.lattice && !self.in_eaves;
         // The boards of a karahafu in the eaves stand before its rafters.
         trim.verge = if self.in_eaves { IN_EAVES } else { look.verge };
+        trim.arch = (self.one.shape == RoofShape::EavesKarahafu).then(|| self.arch(&look));
         trim.noshi = self
             .one
             .line
@@ -317,6 +319,20 @@ impl<'a, 'h> Dormer<'a, 'h> {
             .map_or(look.noshi.min(3), |n| n.value);
         draft.roof.span = Some(self.one.line.span);
         draft
+    }
+
+    /// Returns the room for the bent rafters of a karahafu.
+    fn arch(&self, look: &Look) -> Arch {
+        match self.in_eaves {
+            true => Arch {
+                depth: self.host.roof.trim.eaves,
+                fall: self.host.look.pitch,
+            },
+            false => Arch {
+                depth: look.verge,
+                fall: 0.0,
+            },
+        }
     }
 
     /// Returns its rectangle from the gable back over `depth` metres.

@@ -9,7 +9,7 @@ use crate::building::{Finish, Solid};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::roofs as say;
 use crate::roof::facet::Facet;
-use crate::roof::frame::{Frame, Plane, near_side};
+use crate::roof::frame::{Frame, Plane, Rect, near_side};
 use crate::roof::region::{Ridge, Side};
 use crate::roof::shape::form::{Form, RoofDraft};
 use crate::roof::shape::look::Look;
@@ -33,6 +33,9 @@ const SHORTEST: f64 = 0.6;
 /// How far its faces lie before the edges of the opening in the roof, and its foot below that, metres.
 const BEFORE: f64 = 0.004;
 const BELOW: f64 = 0.012;
+/// Distance from a wall's line to the face of its plaster, and how far beyond a side a roof is looked for, metres.
+const FACE: f64 = 0.09;
+const BEYOND: f64 = 0.15;
 
 /// Returns the wall of a line on the roofs planned so far; `None`, reported, if there is no roof under it.
 pub(in crate::roof) fn planned(
@@ -52,8 +55,8 @@ pub(in crate::roof) fn planned(
         Side::Front => Side::Right,
         _ => Side::Front,
     };
-    let rect = context.rect(&one.cell);
-    let frame = Frame::new(&rect, near);
+    let own = context.rect(&one.cell);
+    let frame = Frame::new(&own, near);
     let found = line(&frame, &slopes).and_then(|line| {
         let middle = frame.at(
             frame.length / 2.0,
@@ -68,7 +71,13 @@ pub(in crate::roof) fn planned(
     };
     let host = &roofs[host];
     let look = look(one, host, context);
-    let wall = Wall { frame, line };
+    let rect = flush(&frame, &line, &slopes);
+    let at_end = rect.max - rect.min != own.max - own.min;
+    let wall = Wall {
+        foot: at_end.then_some(host.base - SUNK),
+        frame: Frame::new(&rect, near),
+        line,
+    };
     let mut form = wall.form(host);
     let within = rect.corners();
     for facet in &mut form.facets {
@@ -80,6 +89,23 @@ pub(in crate::roof) fn planned(
     // Its two ridges meet in a point, which is no apex for a jewel.
     draft.roof.trim.crowned = true;
     Some(draft)
+}
+
+/// Returns the wall in plan: at an end of the roof it goes out to the face of plaster on the wall below, so that no ledge shows.
+fn flush(frame: &Frame, line: &[(f64, f64)], slopes: &Slopes) -> Rect {
+    let middle = f64::midpoint(line[0].0, line[line.len() - 1].0);
+    let by = |u: f64| match slopes.top(frame.at(u, middle)) {
+        Some(_) => 0.0,
+        None => FACE,
+    };
+    let (p, q) = (
+        frame.at(-by(-BEYOND), 0.0),
+        frame.at(frame.length + by(frame.length + BEYOND), frame.depth),
+    );
+    Rect {
+        min: p.min(q),
+        max: p.max(q),
+    }
 }
 
 /// Returns the look of its tiles.
@@ -135,6 +161,8 @@ fn line(frame: &Frame, slopes: &Slopes) -> Option<Vec<(f64, f64)>> {
 struct Wall {
     frame: Frame,
     line: Vec<(f64, f64)>,
+    /// The height that its foot at least reaches down to at an end of the roof: that of the wall below.
+    foot: Option<f64>,
 }
 
 impl Wall {
@@ -198,7 +226,8 @@ impl Wall {
             .iter()
             .map(|(v, z)| frame.point(-BEFORE, *v, z + HEIGHT))
             .collect();
-        let lower: Vec<f64> = self.line.iter().map(|(_, z)| z - through - BELOW).collect();
+        let low = |z: f64| (z - through - BELOW).min(self.foot.unwrap_or(f64::MAX));
+        let lower: Vec<f64> = self.line.iter().map(|(_, z)| low(*z)).collect();
         let by = (frame.along() * (frame.length + 2.0 * BEFORE)).extend(0.0);
         band(&upper, &lower, by, Finish::Gable)
     }

@@ -1,6 +1,7 @@
 //! Barge boards (hafu): boards under the edge of a verge that follow its curve, deeper at the apex and at the foot
 //! (docs/evidence.md 4.4: 0.18-0.24 m deep on houses, 0.03 m thick), and the pendant (gegyo) where they meet.
 
+use crate::ast::RoofKind;
 use crate::scene::Detail;
 use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
@@ -14,6 +15,8 @@ const DEEP: (f64, f64) = (0.18, 0.45);
 const DEEPEST: f64 = 0.06;
 /// Additional depth at apex and foot, as a share of the height.
 const SWELL: f64 = 0.25;
+/// Height of plain boards, metres: that of the tiles' edge over them.
+const PLAIN: f64 = 0.12;
 /// Thickness, metres.
 const THICK: f64 = 0.03;
 /// Setback from the verge, and from the eaves, metres.
@@ -33,6 +36,8 @@ struct Verge<'a> {
     out: DVec2,
     /// Height of the boards at mid-length, metres.
     deep: f64,
+    /// Additional height at apex and foot, as a share.
+    swell: f64,
 }
 
 /// Adds the boards along a verge.
@@ -49,13 +54,20 @@ pub(in crate::tessellate::trim) fn boards(
         return;
     }
     let along = run.normalize_or_zero();
+    // Those of houses are plain boards below the edge of the tiles.
+    let tiled = matches!(context.roof.kind, RoofKind::Tiles | RoofKind::CoverTiles);
+    let plain = tiled && !trim.pendant && trim.rafters < 2;
     let verge = Verge {
         seam,
         along,
         out: -along.perp(),
-        deep: (run.length() * 0.032)
-            .clamp(DEEP.0, DEEP.1)
-            .min(run.length() * DEEPEST),
+        deep: match plain {
+            true => PLAIN.min(run.length() * DEEPEST),
+            false => (run.length() * 0.032)
+                .clamp(DEEP.0, DEEP.1)
+                .min(run.length() * DEEPEST),
+        },
+        swell: if plain { 0.0 } else { SWELL },
     };
     let stations = verge.stations(context.detail >= Detail::Openings);
     let sections: Vec<Vec<DVec3>> = stations
@@ -162,7 +174,7 @@ impl Verge<'_> {
     /// Returns the depth of the boards at a share of the way up.
     fn depth(&self, share: f64) -> f64 {
         let swell = (2.0 * share - 1.0) * (2.0 * share - 1.0);
-        self.deep * (1.0 + SWELL * swell)
+        self.deep * (1.0 + self.swell * swell)
     }
 
     /// Returns the cut through the boards at a station: upright, at a free end square to the slope, so that it ends in no tip.
