@@ -77,6 +77,11 @@ const SLIM: f64 = 0.3;
 const ON_LINE: f64 = 0.06;
 /// The least agreement of walls with a legend.
 const LEAST_LIKENESS: f64 = 0.4;
+/// How far strokes sway within a unit that are drawn along a ruler, and by hand, units: 0.0013 at most and 0.0020 at least.
+const STRAIGHT: f64 = 0.001;
+const SWAYS: f64 = 0.0018;
+/// The share by which legends of strokes by hand agree the less with strokes along a ruler. Blur makes all legends agree alike.
+const RULED: f64 = 0.1;
 /// The ink of a wall beside that of the walls of the outline: edges of mats reach 0.57 on blurred sheets, walls have 0.6 and more.
 const THIN: f64 = 0.58;
 /// The same for windows and lattices between rooms: on scans of survey drawings most such edges have less, and hardly any true
@@ -252,8 +257,13 @@ fn by_best_legend<'l>(
     let lines = strokes::Lines::of(&walls, ink, grid);
     let look = |legend| (strokes::Look::of(&lines, legend, pen), legend);
     let looks: Vec<(strokes::Look, &Legend)> = legends.par_iter().map(look).collect();
+    let ruled = RULED * (1.0 - ((lines.sway() - STRAIGHT) / (SWAYS - STRAIGHT)).clamp(0.0, 1.0));
+    let agreement = |(look, legend): &(strokes::Look, &Legend)| {
+        let doubt = if legend.is_by_hand { ruled } else { 0.0 };
+        look.likeness * (1.0 - doubt)
+    };
     let better = |a: (strokes::Look, &'l Legend), b: (strokes::Look, &'l Legend)| {
-        if b.0.likeness > a.0.likeness { b } else { a }
+        if agreement(&b) > agreement(&a) { b } else { a }
     };
     let (best, legend) = looks.into_iter().reduce(better)?;
     Some((best.units(grid).with_cells(straight, grid), legend))

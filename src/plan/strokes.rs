@@ -191,6 +191,15 @@ impl Lines {
         }
     }
 
+    /// How far strokes sway within a unit, at the quarter of all from the straightest on, units: leaves that change sides seem to
+    /// sway most, strokes by hand all do, those along a ruler hardly.
+    pub fn sway(&self) -> f64 {
+        let units = self.sides.iter().flatten().flat_map(|strip| &strip.units);
+        let mut all: Vec<f64> = units.filter_map(Raw::sway).collect();
+        all.sort_by(f64::total_cmp);
+        all.get(all.len() / 4).copied().unwrap_or(0.0)
+    }
+
     fn strips(&self, is_by_hand: bool) -> [Vec<Strip>; 2] {
         self.sides.each_ref().map(|side| {
             let strip = |raw: &RawStrip| Strip {
@@ -302,7 +311,9 @@ impl Look {
         let mut lines = [level, upright];
         settle(&mut lines);
         let posts = self.strips[..self.rows].iter().map(|s| s.posts.clone());
-        loose::remove(&mut lines, &posts.collect::<Vec<_>>());
+        let posts: Vec<Vec<f64>> = posts.collect();
+        loose::remove(&mut lines, &posts);
+        loose::remove_chains(&mut lines);
         let [level, upright] = lines;
         Units {
             across: grid.across,

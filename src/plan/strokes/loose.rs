@@ -2,11 +2,15 @@
 
 use super::Read;
 use crate::plan::legend::Role;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// How clearly a post has to stand so that it holds the end of a wall.
 const LEAST_POST: f64 = 0.7;
 /// The longest stroke of writing, units.
 const LONGEST: usize = 2;
+
+/// The most ink of a chain of dimensions beside that of walls.
+const THIN: f64 = 0.7;
 
 /// Level lines from above, upright lines from the left.
 type Sides = [Vec<Vec<Read>>; 2];
@@ -36,6 +40,80 @@ pub(super) fn remove(sides: &mut Sides, posts: &[Vec<f64>]) {
             sides[side][line][run].fill(Read::EMPTY);
         }
     }
+}
+
+/// Removes straight rows of thin strokes that stand apart from the house, beyond all of it: chains of dimensions, which may lie a
+/// unit from a wall.
+pub(super) fn remove_chains(sides: &mut Sides) {
+    let groups = connected(sides);
+    let Some(house) = groups.iter().max_by_key(|g| g.len()) else {
+        return;
+    };
+    let reach = |place: fn((usize, usize)) -> usize| {
+        let all = house.iter().flat_map(|unit| crossings(*unit).map(place));
+        all.fold((usize::MAX, 0), |(low, high), at| {
+            (low.min(at), high.max(at))
+        })
+    };
+    let (across, down) = (reach(|at| at.0), reach(|at| at.1));
+    let read = |&(side, line, at): &Place| sides[side][line][at];
+    let walls = house.iter().map(read).filter(|r| r.role == Role::Wall);
+    let least = THIN * middle(walls.map(|r| r.ink).collect());
+    let is_chain = |group: &&Vec<Place>| {
+        let (side, line, _) = group[0];
+        let is_straight = group.iter().all(|unit| (unit.0, unit.1) == (side, line));
+        let (low, high) = if side == 0 { down } else { across };
+        let ink = || middle(group.iter().map(|unit| read(unit).ink).collect());
+        is_straight && (line < low || line > high) && ink() < least
+    };
+    let chains: Vec<Place> = groups.iter().filter(is_chain).flatten().copied().collect();
+    for (side, line, at) in chains {
+        sides[side][line][at] = Read::EMPTY;
+    }
+}
+
+/// The middle one of some values; 0 of none.
+fn middle(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// A unit: level or upright, its line, its place on it.
+type Place = (usize, usize, usize);
+
+/// The crossings at the ends of a unit: to the right and down.
+fn crossings((side, line, at): Place) -> [(usize, usize); 2] {
+    match side {
+        0 => [(at, line), (at + 1, line)],
+        _ => [(line, at), (line, at + 1)],
+    }
+}
+
+/// The groups of units of wall that hold on to each other.
+fn connected(sides: &Sides) -> Vec<Vec<Place>> {
+    let mut at_crossings: BTreeMap<(usize, usize), Vec<Place>> = BTreeMap::new();
+    for (side, lines) in sides.iter().enumerate() {
+        for (line, reads) in lines.iter().enumerate() {
+            for (at, _) in reads.iter().enumerate().filter(|r| r.1.role.parts()) {
+                let unit = (side, line, at);
+                for crossing in crossings(unit) {
+                    at_crossings.entry(crossing).or_default().push(unit);
+                }
+            }
+        }
+    }
+    let mut groups = Vec::new();
+    while let Some((_, mut open)) = at_crossings.pop_first() {
+        let mut group = BTreeSet::new();
+        while let Some(unit) = open.pop() {
+            if group.insert(unit) {
+                let beside = crossings(unit).into_iter();
+                open.extend(beside.filter_map(|c| at_crossings.remove(&c)).flatten());
+            }
+        }
+        groups.push(group.into_iter().collect());
+    }
+    groups
 }
 
 /// Stretches of a line that are meant, no longer than that; leaves stand each for itself.

@@ -14,6 +14,8 @@ pub(super) const REACH: f64 = 0.3;
 pub(super) const END: f64 = 0.14;
 /// Samples to each side over which ink is spread, so that strokes a hair beside each other still agree.
 const SOFT: usize = 1;
+/// How far from the line of the grid a stroke may lie whose sway is measured, units.
+const NEAR: f64 = 0.2;
 /// How far from the line of the grid a wall drawn by hand may run, units.
 const SWAY: f64 = 0.06;
 
@@ -60,6 +62,24 @@ impl Raw {
             arc: arc(all, &place),
             leaf: leaf(all, &place),
         }
+    }
+}
+
+impl Raw {
+    /// How far the middle of its ink moves from one half of the unit to the other, units; none without a stroke through both.
+    pub(super) fn sway(&self) -> Option<f64> {
+        let middle = |columns: std::ops::Range<usize>| {
+            let (mut sum, mut moment) = (0.0, 0.0);
+            for j in (0..ACROSS).filter(|j| across(*j).abs() < NEAR) {
+                for k in columns.clone().map(|i| j * ALONG + i) {
+                    let ink = f64::from(self.black[k] + self.red[k]);
+                    (sum, moment) = (sum + ink, moment + ink * across(j));
+                }
+            }
+            (sum > columns.len() as f64).then(|| moment / sum)
+        };
+        let (skip, half) = (skip() + 1, ALONG / 2);
+        Some((middle(skip..half)? - middle(half..ALONG - skip)?).abs())
     }
 }
 
