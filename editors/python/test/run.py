@@ -6,7 +6,9 @@ The wheel is installed. OUT gets a page for each model of the notebooks.
 """
 
 import importlib.util
+import json
 import pathlib
+import subprocess
 import sys
 import tempfile
 import time
@@ -41,6 +43,34 @@ class Module(unittest.TestCase):
         self.assertEqual((message.code, message.line, message.column), ("HSD0301", 5, 6))
         self.assertIn("MRE", message.fix)
         self.assertIn("KSK  MRX  KSK", str(raised.exception))
+
+    def test_bytes_of_a_model(self):
+        self.assertEqual(hsd.compile(TEXT, detail=1), hsd.build(TEXT, detail=1).glb)
+
+    def test_a_town_in_steps_is_the_town_at_once(self):
+        squares = [{"type": "Feature", "properties": {"key": str(x)}, "geometry": {"type": "Polygon", "coordinates": [
+            [[x, 0], [x + 6, 0], [x + 6, 9], [x, 9], [x, 0]]]}} for x in (0, 300, 600)]
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            (folder / "houses.geojson").write_text(json.dumps({"type": "FeatureCollection", "features": squares}))
+            town = folder / "t.hsd"
+            town.write_text('<Town name="t" origin="0 0"><Layer name="houses" src="houses.geojson" crs="local" key="key"/>\n'
+                            '<for each="houses"><Place type="hiraya"/></for></Town>\n')
+            tiles = hsd.town.plan(town, folder / "work", detail=[0])
+            self.assertEqual([t.features for t in tiles], [1, 1, 1])
+            with self.assertRaises(hsd.StepError) as raised:
+                hsd.town.seal(folder / "work", folder / "out")
+            self.assertEqual((raised.exception.status, raised.exception.may_pass), (2, False))
+            for one in tiles:
+                hsd.town.tile(folder / "work", one.key)
+            sealed = hsd.town.seal(folder / "work", folder / "out")
+            self.assertTrue(sealed.complete)
+            self.assertEqual(sealed.report()["built"], 3)
+            subprocess.run([hsd.program(), "town", town, "-o", f"{folder}/once/", "--detail", "0", "--quiet"], check=True)
+            files = lambda of: {p.relative_to(of): p.read_bytes() for p in of.rglob("*") if p.is_file()}
+            self.assertEqual(files(folder / "out"), files(folder / "once"))
+            with self.assertRaises(hsd.StepError):
+                hsd.town.planned(folder)
 
     def test_parameters(self):
         text = '<Houses>\n<Param name="wide" default="no" choices="yes no"/>\n<Place type="hiraya"/></Houses>\n'
