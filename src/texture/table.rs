@@ -124,7 +124,7 @@ pub static SURFACES: &[Surface] = &[
         name: "clay",
         metres: clay::CLAY,
         gloss: [0.95, 0.0],
-        looks: &[toned("clay", 0xB0_9B77), toned("clay_washed", 0xA2_9072)],
+        looks: &[toned("clay", 0xB5_9A6A), toned("clay_washed", 0xA6_9068)],
         paint: clay::clay,
     },
     Surface {

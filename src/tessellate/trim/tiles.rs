@@ -199,10 +199,9 @@ fn lapped(at: DVec3, out: DVec2, rise: f64) -> Vec<DVec3> {
         (0.0, -0.02),
         (0.0, -down),
         (thick, -down),
-        (thick, 0.012 + rise),
-        (0.0, 0.034 + rise),
-        (-lap + 0.02, 0.034 + rise),
-        (-lap, 0.018 + rise),
+        (thick, 0.014 + rise),
+        (0.0, 0.032 + rise),
+        (-lap, 0.026 + rise),
     ];
     // Its side stands a little out with its head.
     let aside = |w: f64| if w > 0.0 { w + rise * 0.6 } else { w };

@@ -19,7 +19,7 @@ pub(in crate::texture) fn clay(size: u32) -> Maps {
 
 /// One spot of [`clay`].
 fn clay_at(spot: Spot) -> Texel<2> {
-    let tones = [hex(0x92_7D5C), hex(0xAC_9672), hex(0xBF_AB87)];
+    let tones = [hex(0x97_7B4E), hex(0xB1_9563), hex(0xC4_AA7A)];
     let wide = fbm(spot.u, spot.v, (3, 3), 5, 111);
     let sand = noise(spot.u, spot.v, (210, 210), 112);
     let lumps = fbm(spot.u, spot.v, (40, 40), 2, 113);
@@ -27,7 +27,7 @@ fn clay_at(spot: Spot) -> Texel<2> {
     let washed = runs(spot, 120);
     let mut colors = [
         ground,
-        scale(mix(ground, hex(0x8A_7A62), 0.55 * washed), 0.96),
+        scale(mix(ground, hex(0x8E_7A5A), 0.55 * washed), 0.96),
     ];
     let mut height = 0.0014 * wide + 0.0007 * lumps + 0.000_25 * sand - 0.0006 * washed;
     for (seed, cells, reach) in [(114, 14, 0.030), (115, 18, 0.022), (116, 24, 0.016)] {
@@ -39,7 +39,7 @@ fn clay_at(spot: Spot) -> Texel<2> {
         {
             *color = mix(
                 *color,
-                mix(hex(0xD6_C598), hex(0x88_704A), dark),
+                mix(hex(0xDE_C88E), hex(0x8E_7040), dark),
                 straw.cover * share * 0.85,
             );
         }

@@ -55,8 +55,8 @@ pub(in crate::roof) fn planned(
         Side::Front => Side::Right,
         _ => Side::Front,
     };
-    let rect = context.rect(&one.cell);
-    let frame = Frame::new(&rect, near);
+    let own = context.rect(&one.cell);
+    let frame = Frame::new(&own, near);
     let found = line(&frame, &slopes).and_then(|line| {
         let middle = frame.at(
             frame.length / 2.0,
@@ -72,7 +72,9 @@ pub(in crate::roof) fn planned(
     let host = &roofs[host];
     let look = look(one, host, context);
     let rect = flush(&frame, &line, &slopes);
+    let at_end = rect.max - rect.min != own.max - own.min;
     let wall = Wall {
+        foot: at_end.then_some(host.base - SUNK),
         frame: Frame::new(&rect, near),
         line,
     };
@@ -159,6 +161,8 @@ fn line(frame: &Frame, slopes: &Slopes) -> Option<Vec<(f64, f64)>> {
 struct Wall {
     frame: Frame,
     line: Vec<(f64, f64)>,
+    /// The height that its foot at least reaches down to at an end of the roof: that of the wall below.
+    foot: Option<f64>,
 }
 
 impl Wall {
@@ -222,7 +226,8 @@ impl Wall {
             .iter()
             .map(|(v, z)| frame.point(-BEFORE, *v, z + HEIGHT))
             .collect();
-        let lower: Vec<f64> = self.line.iter().map(|(_, z)| z - through - BELOW).collect();
+        let low = |z: f64| (z - through - BELOW).min(self.foot.unwrap_or(f64::MAX));
+        let lower: Vec<f64> = self.line.iter().map(|(_, z)| low(*z)).collect();
         let by = (frame.along() * (frame.length + 2.0 * BEFORE)).extend(0.0);
         band(&upper, &lower, by, Finish::Gable)
     }
