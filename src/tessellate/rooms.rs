@@ -10,7 +10,7 @@ use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, MeshId, NodeId};
 use crate::tessellate::mesh::Bodies;
 use crate::tessellate::store::look::Share;
-use crate::tessellate::wall::room::{BOARDS, CEILING, GROUND, UNDER};
+use crate::tessellate::wall::room::{BOARDS, CEILING, DOMA, GROUND, UNDER};
 use crate::tessellate::weather::Weather;
 use crate::tessellate::{Level, Walker};
 use compact_str::format_compact;
@@ -27,9 +27,6 @@ const WALL: f64 = 0.060;
 
 /// How far battens reach into the walls, metres.
 const LAP: f64 = 0.004;
-
-/// Top of a floor of earth (土間 doma) below the boards, metres: three sun above the ground.
-pub(in crate::tessellate) const DOMA: f64 = -0.190;
 
 /// Width of the cloth along the long sides of a mat (縁), metres.
 const CLOTH: f64 = 0.030;

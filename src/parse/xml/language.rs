@@ -124,11 +124,15 @@ fn is_plain(tree: &Tree<'_>, reporter: &Reporter<'_>) -> bool {
         "Param", "let", "define", "use", "if", "else", "include", "choice", "Place", "for",
     ];
     let of_houses = |e: &Element<'_>| {
-        let inner = e.children.iter().filter_map(|child| match child {
+        let mut inner = e.children.iter().filter_map(|child| match child {
             Child::Element(index) => Some(tree.elements[*index].name),
             Child::Text(_) => None,
         });
-        matches!(e.name, "Houses" | "Group") && inner.into_iter().any(|name| name == "repeat")
+        match e.name {
+            "Houses" | "Group" => inner.any(|name| name == "repeat"),
+            "repeat" => inner.any(|name| matches!(name, "Put" | "Ground")),
+            _ => false,
+        }
     };
     let computes = |e: &Element<'_>| {
         NAMES.contains(&e.name) || of_houses(e) || e.name == "repeat" && e.has_attribute("index")

@@ -146,7 +146,7 @@ const WIDE: f64 = 0.45;
 const UPRIGHT: f64 = 0.05;
 /// How far its boards lie within the tiles at the eaves and at the gables, and the height of barge boards, metres.
 const RIM: f64 = 0.04;
-const GABLE: f64 = 0.12;
+const GABLE: f64 = 0.113;
 const BARGE: f64 = 0.13;
 
 /// Radius of a roll, metres.

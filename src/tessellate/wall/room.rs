@@ -8,7 +8,6 @@ use crate::material::SurfaceId;
 use crate::program::{Content, Unit};
 use crate::scene::{Detail, Kind, MeshId};
 use crate::tessellate::mesh::{Axis, Bodies};
-use crate::tessellate::rooms::DOMA;
 use crate::tessellate::store::look::Share;
 use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::weather::Weather;
@@ -18,6 +17,9 @@ use std::collections::HashMap;
 
 /// Top of a floor relative to the storey's zero, so that it is not coplanar with sills, metres.
 pub(in crate::tessellate) const UNDER: f64 = -0.004;
+
+/// Top of a floor of earth (土間 doma) below the boards, metres: three sun above the ground.
+pub(in crate::tessellate) const DOMA: f64 = -0.190;
 
 /// Foot of a floor: that of the foundation on the ground, otherwise the depth of boards and joists; metres.
 pub(in crate::tessellate) const GROUND: f64 = -0.280;
