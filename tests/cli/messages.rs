@@ -29,8 +29,13 @@ fn a_build_says_all_in_one_call() {
         fs::copy(root().join("examples").join(name), to).unwrap();
     };
     fs::create_dir(folder.path().join("tea-shop")).unwrap();
+    fs::create_dir(folder.path().join("textures")).unwrap();
     example("tea-shop.hsd", "shop.hsd");
     example("tea-shop/parts.hsd", "tea-shop/parts.hsd");
+    let signs = [1, 2, 3].map(|n| format!("textures/SIGN.{n}.png"));
+    for sign in &signs {
+        example(sign, sign);
+    }
     for options in [&[][..], &["--bake"]] {
         let arguments = ["build", "--messages", "json", "shop.hsd", "-o", "shop.glb"];
         let run = hsd(folder.path(), &[&arguments[..], options].concat());
@@ -42,7 +47,9 @@ fn a_build_says_all_in_one_call() {
             (&"built".into(), &"shop.glb".into())
         );
         assert_eq!(lines[0]["messages"], Value::Array(vec![]));
-        assert_eq!(files(&lines[0]), ["shop.hsd", "tea-shop/parts.hsd"]);
+        let mut read = vec!["shop.hsd", "tea-shop/parts.hsd"];
+        read.extend(signs.iter().map(String::as_str));
+        assert_eq!(files(&lines[0]), read);
     }
 }
 
