@@ -15,7 +15,7 @@ use std::path::Path;
 const OFF: f64 = 2.0;
 
 /// Parts of an author's own are not in a drawing.
-const OWN_PARTS: [&str; 2] = ["shoro", "tea-shop"];
+const OWN_PARTS: [&str; 4] = ["mon", "shoro", "tahoto", "tea-shop"];
 
 fn drawing_of(run: &Run, wanted: &[Wanted], scale: u32) -> Option<String> {
     let subject = Subject::new(&run.building, |_| true, &run.scene, &run.catalog);

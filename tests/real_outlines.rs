@@ -198,8 +198,9 @@ fn shared_data_outlines_are_squared_and_get_whole_roofs() {
     let [outlines, refused, square, ..] = sum;
     let [.., narrow, against, open, double, through] = sum;
     assert!(outlines > 7900 / step(), "{outlines}");
+    // Of all 0.12 %; a sample has more or less of so few.
     assert!(
-        600 * refused <= outlines,
+        300 * refused <= outlines,
         "{refused} of {outlines} are refused"
     );
     assert!(

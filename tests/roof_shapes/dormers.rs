@@ -249,10 +249,14 @@ fn a_roof_ends_in_the_fire_wall_at_its_gable() {
         vec![wall([0.0, -1.0, 0.25, 6.0]), wall([8.8, -1.0, 9.2, 6.0])],
     ));
     assert_sound(&building);
-    // The verges of the bare roof reach 0.16 units beyond its gables; the tiles of the walls 0.11.
+    // The verges of the bare roof reach 0.16 units beyond its gables: there are the tiles of the wall now, above them, or nothing.
     for (a, b) in [(-0.14, 1.2), (-0.14, 3.6)] {
-        assert!(top_at(&bare, a, b).is_some(), "{a} {b}");
-        assert!(top_at(&building, a, b).is_none(), "{a} {b}");
+        let verge = top_at(&bare, a, b).expect("a verge");
+        let top = top_at(&building, a, b);
+        assert!(
+            top.is_none_or(|top| top > verge + 0.3),
+            "{a} {b}: {top:?} {verge}"
+        );
     }
     // Far from it the other end of a roof keeps its verge.
     let one = quiet(under(RoofShape::Gable, vec![wall([0.0, -1.0, 0.25, 6.0])]));

@@ -14,6 +14,7 @@ use clap::{Arg, Command};
 use help::draw::DRAW;
 use help::facade::FACADE;
 use help::plan::PLAN;
+use help::render::RENDER;
 use help::town::TOWN;
 use help::{COMMANDS, COMMON, CommandHelp};
 
@@ -40,6 +41,7 @@ fn translated(mut command: Command, path: &str) -> Command {
         .iter()
         .chain(TOWN)
         .chain(DRAW)
+        .chain(RENDER)
         .chain(PLAN)
         .chain(FACADE)
         .find(|w| w.path == path);
@@ -214,7 +216,13 @@ mod tests {
     fn every_entry_of_the_table_has_a_command() {
         let mut english = Cli::command();
         english.build();
-        for entry in COMMANDS.iter().chain(TOWN).chain(DRAW).chain(PLAN) {
+        for entry in COMMANDS
+            .iter()
+            .chain(TOWN)
+            .chain(DRAW)
+            .chain(PLAN)
+            .chain(RENDER)
+        {
             let mut command = &english;
             for name in entry.path.split_whitespace() {
                 let found = command.find_subcommand(name);

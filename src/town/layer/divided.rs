@@ -30,7 +30,7 @@ impl Lots {
             return;
         };
         let areas = std::mem::take(&mut self.lots);
-        let about: f64 = areas.iter().map(|lot| extent(lot)).sum();
+        let about: f64 = areas.iter().map(extent).sum();
         let limit = MOST as f64;
         if about / (division.frontage * division.depth.min(division.frontage)) > limit {
             let what = Kind::TooLarge {
