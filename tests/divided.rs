@@ -227,6 +227,19 @@ fn what_is_wrong_with_a_division_is_told() {
 }
 
 #[test]
+fn an_area_of_too_many_plots_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let square = r#"{"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[0,0],[6000,0],[6000,6000],[0,6000],[0,0]]]}}"#;
+    fs::write(folder.path().join("wide.geojsonl"), square).expect("is written");
+    let town = r#"<Town seed="1"><Layer name="wide" src="wide.geojsonl" crs="local"/><Divide layer="wide" frontage="2" depth="2"/>
+        <for each="plots"><Skip because="counted"/></for></Town>"#;
+    let built = in_folder(town, folder.path(), |_| {});
+    let told = built.told.iter().find(|[code, ..]| code == "HSD1013");
+    let [_, _, message] = told.expect("is told");
+    assert!(message.contains("more than 2000000 plots"), "{message}");
+}
+
+#[test]
 #[cfg_attr(not(shared_data), ignore = "reads ../shared/data, which is not here")]
 fn all_quarters_of_edo_become_plots() {
     let data = std::env::var_os("HSD_DATA").map(std::path::PathBuf::from);

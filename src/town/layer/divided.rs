@@ -34,7 +34,7 @@ impl Lots {
         let limit = MOST as f64;
         if about / (division.frontage * division.depth.min(division.frontage)) > limit {
             let what = Kind::TooLarge {
-                what: "the number of plots of all areas",
+                what: "plots",
                 limit: MOST as u64,
             };
             let fault = Fault::of_file(&self.file, what);
