@@ -280,7 +280,7 @@ mod tests {
         ("土塀 築地 dobei どべい", "buke-bei"),
         ("塀 hei へい", "hei-tsuki buke-bei taka-bei"),
         ("板塀 itabei", "taka-bei"),
-        ("寺 寺院 tera お寺", "hondo temple pagoda"),
+        ("寺 寺院 tera お寺", "hondo tahoto temple pagoda"),
         ("寺院建築 temple", "temple"),
         ("学校 gakko school", "school"),
         ("神社 jinja じんじゃ shrine", "shrine"),

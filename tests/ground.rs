@@ -78,13 +78,7 @@ fn stand<T>(text: &str, folder: &Path, look: impl FnOnce(&Plan) -> T) -> (Standi
         .into_iter()
         .find_map(|d| d.town)
         .expect("is a town");
-    let input = TownInput {
-        source: &source,
-        world: &world,
-        options: &options,
-        kept: None,
-        texts: false,
-    };
+    let input = TownInput::new(&source, &world, &options);
     let plan = run::plan(input, &town, &mut out)
         .unwrap_or_else(|| panic!("{:?}", out.iter().collect::<Vec<_>>()));
     let standing = TownStream::new(input, &plan).map(|made| {

@@ -100,13 +100,7 @@ fn build_within(
     let mut read = hsd::driver::documents(&[&source], &world, &options, &mut out);
     let written = read.documents.iter_mut().find_map(|d| d.town.take());
     let written = written.expect("is a town");
-    let input = TownInput {
-        source: &source,
-        world: &world,
-        options: &options,
-        kept: None,
-        texts: false,
-    };
+    let input = TownInput::new(&source, &world, &options);
     let lodging = spooled.then_some(Lodging {
         new: &spool::in_memory,
         from: 0,

@@ -20,13 +20,7 @@ fn built(text: &str, folder: &Path) -> (Ledger, Vec<String>) {
     let (options, mut out) = (Options::default(), Diagnostics::new());
     let read = hsd::driver::documents(&[&source], &world, &options, &mut out);
     let town = read.documents.into_iter().find_map(|d| d.town);
-    let input = TownInput {
-        source: &source,
-        world: &world,
-        options: &options,
-        kept: None,
-        texts: false,
-    };
+    let input = TownInput::new(&source, &world, &options);
     let plan = run::plan(input, &town.expect("is a town"), &mut out);
     let plan = plan.unwrap_or_else(|| panic!("{:?}", out.iter().collect::<Vec<_>>()));
     let mut stream = TownStream::new(input, &plan);

@@ -70,13 +70,7 @@ fn made(text: &str, folder: &Path) -> Vec<House> {
         .into_iter()
         .find_map(|d| d.town)
         .expect("is a town");
-    let input = TownInput {
-        source: &source,
-        world: &world,
-        options: &options,
-        kept: None,
-        texts: false,
-    };
+    let input = TownInput::new(&source, &world, &options);
     let plan = run::plan(input, &town, &mut out);
     let plan = plan.unwrap_or_else(|| panic!("{:?}", out.iter().collect::<Vec<_>>()));
     TownStream::new(input, &plan)

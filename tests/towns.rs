@@ -42,13 +42,7 @@ pub(crate) fn in_folder(text: &str, folder: &Path, look: impl FnOnce(&Plan)) -> 
     let (options, mut out) = (Options::default(), Diagnostics::new());
     let read = hsd::driver::documents(&[&source], &world, &options, &mut out);
     let written = read.documents.into_iter().find_map(|d| d.town);
-    let input = TownInput {
-        source: &source,
-        world: &world,
-        options: &options,
-        kept: None,
-        texts: false,
-    };
+    let input = TownInput::new(&source, &world, &options);
     let plan = written.and_then(|town| run::plan(input, &town, &mut out));
     let mut built = Built {
         rows: vec![],
@@ -344,13 +338,7 @@ fn a_misspelt_field_of_a_where_names_the_nearest_one() {
     let source = Source::new(FileId(0), name.to_string_lossy(), text.as_bytes());
     let world = FolderWorld::new(vec![], 1 << 20).with_roots(vec![folder.path().to_owned()]);
     let (options, mut out) = (Options::default(), Diagnostics::new());
-    let input = TownInput {
-        source: &source,
-        world: &world,
-        options: &options,
-        kept: None,
-        texts: false,
-    };
+    let input = TownInput::new(&source, &world, &options);
     hsd::town::check(input, &mut vec![], &|| true, &mut out);
     let list = out.into_sorted();
     let wrong = list.iter().find(|d| d.code.to_string() == "HSD1141");

@@ -50,13 +50,7 @@ impl Check {
         })?;
         let mut houses = checked.houses;
         for source in &sources {
-            let input = TownInput {
-                source,
-                world: &world,
-                options: &options,
-                kept: None,
-                texts: false,
-            };
+            let input = TownInput::new(source, &world, &options);
             let town = town::check(input, &mut checked.included, &|| true, &mut out);
             houses += town.map_or(0, |town| town.houses);
         }

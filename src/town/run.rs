@@ -44,6 +44,19 @@ pub struct TownInput<'a> {
     pub texts: bool,
 }
 
+impl<'a> TownInput<'a> {
+    /// Creates the input of a town that is read once, from whose houses no texts are made.
+    pub fn new(source: &'a Source, world: &'a dyn World, options: &'a Options) -> TownInput<'a> {
+        TownInput {
+            source,
+            world,
+            options,
+            kept: None,
+            texts: false,
+        }
+    }
+}
+
 /// What is made of a chunk of features.
 pub struct Chunk {
     /// The houses, in the order of the features.

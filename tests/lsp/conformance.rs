@@ -38,13 +38,7 @@ fn checked(path: &Path, text: &str, encoding: &str) -> Vec<Value> {
     let mut out = Diagnostics::new();
     let options = Options::default();
     let mut checked = driver::check(&[&source], &world, &options, &mut out);
-    let input = TownInput {
-        source: &source,
-        world: &world,
-        options: &options,
-        kept: None,
-        texts: false,
-    };
+    let input = TownInput::new(&source, &world, &options);
     town::check(input, &mut checked.included, &|| true, &mut out);
     let mark = if text.starts_with('\u{feff}') { 3 } else { 0 };
     let own = out.into_sorted().into_iter();

@@ -137,13 +137,7 @@ pub(super) fn planned(
         }
         return unread(&inputs.and(read.included), out, teller);
     };
-    let input = TownInput {
-        source,
-        world: &world,
-        options: &options,
-        kept: None,
-        texts: false,
-    };
+    let input = TownInput::new(source, &world, &options);
     let layers = town.layers.iter().map(|layer| &layer.src);
     let named = layers.chain(town.tables.iter().map(|table| &table.src));
     let found = named.filter_map(|src| layer::files(input.world, source.name(), src).ok());

@@ -133,13 +133,7 @@ pub(super) fn opened(
         print(&inputs.and(read.included), out, language)?;
         return Ok(Exit::Errors);
     };
-    let input = TownInput {
-        source,
-        world: &world,
-        options: &options,
-        kept: None,
-        texts: false,
-    };
+    let input = TownInput::new(source, &world, &options);
     let division = Tiles {
         detail: match asked.detail.is_empty() {
             true => town.tiles.detail.clone(),
