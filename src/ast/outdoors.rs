@@ -20,7 +20,7 @@ pub enum Outdoor {
     Fence(Fence),
     /// The terms of building law over an area.
     Zone(Box<Zone>),
-    /// What the law lets stand on an area.
+    /// The largest solid that building law allows on an area.
     Envelope(Box<EnvelopeWish>),
 }
 
@@ -90,7 +90,7 @@ pub struct Fence {
     pub span: Span,
     /// The height, shaku; without, that of the part.
     pub height: Option<f64>,
-    /// What is left open in the middle of the front of an area, metres; 0 for nothing.
+    /// The width of the opening for a gate in the middle of an area's front, metres; 0 for none.
     pub gate: f64,
 }
 

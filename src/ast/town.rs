@@ -69,11 +69,11 @@ pub struct Layer {
     pub fields: Vec<Field>,
     /// Layers of points whose fields its outlines take.
     pub joins: Vec<Join>,
-    /// What it has of the areas of its map, if they are divided.
+    /// How the areas of its map are divided, and which of the resulting parts are its features.
     pub divided: Option<Divided>,
 }
 
-/// What a layer has of divided areas.
+/// A layer whose features are parts of divided areas.
 #[derive(Clone, Debug, Serialize)]
 pub struct Divided {
     /// The part that is its features.
@@ -87,11 +87,11 @@ pub struct Divided {
 pub enum DividedPart {
     /// The plots along the sides of blocks.
     Plots,
-    /// What lies between streets.
+    /// The blocks between the streets.
     Blocks,
     /// The streets by which deep areas are cut.
     Streets,
-    /// What no plot takes.
+    /// The ground that belongs to no plot.
     Yards,
 }
 

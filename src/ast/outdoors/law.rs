@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-/// The terms of a zone; what is not given is left to what stands around it, and at last to [`Terms::default`]. Heights and lengths
-/// in metres.
+/// The terms of a zone. A missing term is taken from the enclosing zone, and in the end from [`Terms::default`]. Heights and
+/// lengths in metres.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Zone {
     /// Rise of the road slant line per metre.
@@ -143,7 +143,7 @@ impl Zone {
 /// The envelope that a rule asks for.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EnvelopeWish {
-    /// What it gives itself; the zone that the lot lies in gives the rest.
+    /// The terms written on the element itself. The zone of the lot supplies the others.
     pub own: Zone,
     /// The name of the set of rules, to compare several.
     pub scenario: String,

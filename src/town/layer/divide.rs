@@ -16,13 +16,13 @@ use crate::ast::town::Division;
 /// What an area has been divided into.
 #[derive(Clone, Debug, Default)]
 pub struct Divided {
-    /// What lies between streets.
+    /// The blocks between the streets.
     pub blocks: Vec<Piece>,
     /// The streets between the blocks.
     pub streets: Vec<Piece>,
     /// The plots. The ring of each begins with its front.
     pub plots: Vec<Piece>,
-    /// What no plot takes.
+    /// The ground that belongs to no plot.
     pub yards: Vec<Piece>,
 }
 
