@@ -29,10 +29,10 @@ pub use fittings::{
 pub use fixtures::{Fixture, FixtureKind};
 pub use frame::{Anchor, Frame, PlacedBy, Placement};
 pub use monuments::{Gate, Given, Hall, Measures, Monument, Pagoda, Pair};
-pub use outdoors::law;
 pub use outdoors::{
     Fence, Outdoor, Outdoors, Railway, Road, Sheet, Species, Surface, Tree, TreeWish,
 };
+pub use outdoors::{land, law, street};
 pub use outline::{Hole, On, Outline, OutlinePart, Points, SidePart, SideWall, Stand, Walls};
 pub use parts::{WrittenAttribute, WrittenBody, WrittenPart, attribute_value};
 pub use pieces::{CodeText, Half, Part, Piece, Split};

@@ -92,6 +92,7 @@ mod town_types;
 mod town_texts;
 mod town_law;
 mod town_streets;
+mod town_works;
 mod towns;
 mod tutorial;
 mod twins;

@@ -14,7 +14,7 @@ use std::fs;
 use std::path::Path;
 
 /// A folder with layers of these names and features.
-fn folder(layers: &[(&str, &[String])]) -> tempfile::TempDir {
+pub(crate) fn folder(layers: &[(&str, &[String])]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     for (name, features) in layers {
         let list = features.join(",");
@@ -24,22 +24,22 @@ fn folder(layers: &[(&str, &[String])]) -> tempfile::TempDir {
     folder
 }
 
-fn feature(fields: &str, kind: &str, coordinates: &str) -> String {
+pub(crate) fn feature(fields: &str, kind: &str, coordinates: &str) -> String {
     format!(
         r#"{{"type":"Feature","properties":{{{fields}}},"geometry":{{"type":"{kind}","coordinates":{coordinates}}}}}"#
     )
 }
 
-fn line(fields: &str, points: &[(f64, f64)]) -> String {
+pub(crate) fn line(fields: &str, points: &[(f64, f64)]) -> String {
     let points: Vec<String> = points.iter().map(|(x, y)| format!("[{x},{y}]")).collect();
     feature(fields, "LineString", &format!("[{}]", points.join(",")))
 }
 
-fn point(fields: &str, (x, y): (f64, f64)) -> String {
+pub(crate) fn point(fields: &str, (x, y): (f64, f64)) -> String {
     feature(fields, "Point", &format!("[{x},{y}]"))
 }
 
-fn square(fields: &str, (x, y): (f64, f64), side: f64) -> String {
+pub(crate) fn square(fields: &str, (x, y): (f64, f64), side: f64) -> String {
     let (e, n) = (x + side, y + side);
     feature(
         fields,
@@ -48,7 +48,7 @@ fn square(fields: &str, (x, y): (f64, f64), side: f64) -> String {
     )
 }
 
-fn text(layers: &[&str], rules: &str) -> String {
+pub(crate) fn text(layers: &[&str], rules: &str) -> String {
     let layer =
         |name: &&str| format!("<Layer name=\"{name}\" src=\"{name}.geojson\" crs=\"local\"/>");
     let layers: Vec<String> = layers.iter().map(layer).collect();
@@ -59,7 +59,7 @@ fn text(layers: &[&str], rules: &str) -> String {
 }
 
 /// Returns what a town makes.
-fn made(text: &str, folder: &Path) -> Vec<House> {
+pub(crate) fn made(text: &str, folder: &Path) -> Vec<House> {
     let name = folder.join("town.hsd");
     let source = Source::new(FileId(0), name.to_string_lossy(), text.as_bytes());
     let world = FolderWorld::new(vec![], 1 << 20).with_roots(vec![folder.to_owned()]);
@@ -79,7 +79,7 @@ fn made(text: &str, folder: &Path) -> Vec<House> {
 }
 
 /// Returns the upper faces of a surface, in the frame of the town, and the height of each.
-fn tops(houses: &[House], wanted: impl Fn(&Sheet) -> bool) -> Vec<Vec<DVec3>> {
+pub(crate) fn tops(houses: &[House], wanted: impl Fn(&Sheet) -> bool) -> Vec<Vec<DVec3>> {
     let mut found = vec![];
     for house in houses {
         let of = |v: &Option<hsd::source::Spanned<f64>>| v.as_ref().map_or(0.0, |v| v.value);
@@ -99,14 +99,14 @@ fn tops(houses: &[House], wanted: impl Fn(&Sheet) -> bool) -> Vec<Vec<DVec3>> {
     found
 }
 
-fn holds(face: &[DVec3], p: DVec2) -> bool {
+pub(crate) fn holds(face: &[DVec3], p: DVec2) -> bool {
     (0..face.len()).all(|i| {
         let (a, b) = (face[i].truncate(), face[(i + 1) % face.len()].truncate());
         (b - a).perp_dot(p - a) > 1e-6
     })
 }
 
-fn area(face: &[DVec3]) -> f64 {
+pub(crate) fn area(face: &[DVec3]) -> f64 {
     let cross = |i: usize| {
         face[i]
             .truncate()

@@ -1,11 +1,15 @@
 //! What a town has outside its houses (docs/contract.md 10): the wishes that its rules write, and the shapes that become of them.
 
+pub mod land;
 pub mod law;
+pub mod street;
 
 use crate::source::Span;
 use glam::{DVec2, DVec3};
+use land::{Farmland, Water};
 use law::{EnvelopeWish, Zone};
 use serde::Serialize;
+use street::{Arcade, Poles, Signal, WireLine};
 
 /// The outdoor object that a rule asks for.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,6 +22,18 @@ pub enum Outdoor {
     Tree(TreeWish),
     /// A fence, a hedge or a wall along a line or round an area.
     Fence(Fence),
+    /// A pole at a point, poles along a line, or a network along streets.
+    Poles(Poles),
+    /// Wires along a line.
+    Wire(WireLine),
+    /// Signals of a crossing.
+    Signal(Signal),
+    /// A roof over a pavement along a line.
+    Arcade(Arcade),
+    /// A river, a moat or a pond.
+    Water(Water),
+    /// Fields over an area.
+    Farmland(Farmland),
     /// The terms of building law over an area.
     Zone(Box<Zone>),
     /// The largest solid that building law allows on an area.
@@ -32,6 +48,13 @@ impl Outdoor {
             Outdoor::Rail(_) => "rail",
             Outdoor::Tree(_) => "tree",
             Outdoor::Fence(fence) => fence.word,
+            Outdoor::Poles(poles) if poles.reach.is_some() => "network",
+            Outdoor::Poles(_) => "pole",
+            Outdoor::Wire(_) => "wire",
+            Outdoor::Signal(_) => "signal",
+            Outdoor::Arcade(_) => "arcade",
+            Outdoor::Water(_) => "water",
+            Outdoor::Farmland(_) => "farmland",
             Outdoor::Zone(_) => "zone",
             Outdoor::Envelope(_) => "envelope",
         }
@@ -75,11 +98,13 @@ pub struct TreeWish {
     pub offset: f64,
 }
 
-/// A fence, a hedge or a wall: units along a line, whose left side is outside.
+/// A fence, a hedge or a wall: units along a line, whose left side is outside. A torii or a lantern is one unit as long as its line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fence {
-    /// The element: `fence`, `hedge` or `wall`.
+    /// The element: `fence`, `hedge`, `wall`, `torii` or `lantern`.
     pub word: &'static str,
+    /// True if it is one unit, as long as its line and as high as that makes it (000-77).
+    pub is_one: bool,
     /// The part that is repeated.
     pub code: crate::ast::CodeText,
     /// The part at the beginning of the line, if it is another.
@@ -190,10 +215,23 @@ pub struct Sheet {
     pub finish: &'static str,
     /// The least level of detail that shows it.
     pub least: u8,
+    /// The greatest that does.
+    pub most: u8,
     /// True if it lies on a ground that is coarser from afar.
     pub on_ground: bool,
     /// Convex faces, counter-clockwise seen from outside: metres from the place of the house, not turned.
     pub faces: Vec<Vec<DVec3>>,
+}
+
+impl Sheet {
+    /// The highest level of detail.
+    pub const MOST: u8 = 3;
+
+    /// Returns the sheet, shown up to a level of detail.
+    #[must_use]
+    pub fn until(self, most: u8) -> Sheet {
+        Sheet { most, ..self }
+    }
 }
 
 /// A tree.

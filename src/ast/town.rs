@@ -34,6 +34,8 @@ pub struct Town {
     pub housed: Vec<String>,
     /// The layers of which a rule may make roads.
     pub roads: Vec<String>,
+    /// The layers of which a rule may make networks of poles.
+    pub networks: Vec<String>,
     /// The layers of which a rule may make zones.
     pub zones: Vec<String>,
     /// How its model is divided.
@@ -207,6 +209,8 @@ pub struct RuleFacts {
     pub housed: Vec<String>,
     /// The layers of which they may make roads.
     pub roads: Vec<String>,
+    /// The layers of which they may make networks of poles.
+    pub networks: Vec<String>,
     /// The layers of which they may make zones.
     pub zones: Vec<String>,
 }

@@ -63,6 +63,23 @@ pub fn outside(ring: &[DVec2], cutter: &[DVec2]) -> Vec<Vec<DVec2>> {
     found
 }
 
+/// Returns what a convex ring shares with another; none if that is a sliver.
+pub fn inside(ring: &[DVec2], other: &[DVec2]) -> Option<Vec<DVec2>> {
+    let ([a, b], [c, d]) = (bounds(ring), bounds(other));
+    if !(a.cmplt(d).all() && c.cmplt(b).all()) {
+        return None;
+    }
+    let mut rest = ring.to_vec();
+    for (i, p) in other.iter().enumerate() {
+        let q = other[(i + 1) % other.len()];
+        [rest, _] = divided(&rest, *p, (q - *p).normalize_or_zero());
+        if is_sliver(&rest) {
+            return None;
+        }
+    }
+    Some(rest)
+}
+
 /// Returns convex rings without what several convex rings cover.
 pub fn without(rings: Vec<Vec<DVec2>>, cutters: &[Vec<DVec2>]) -> Vec<Vec<DVec2>> {
     cutters.iter().fold(rings, |rings, cutter| {

@@ -192,6 +192,8 @@ materials! {
     GRAVEL = even Ground [at(0, "gravel")];
     // Plants.
     FOLIAGE = even Ground [at(0, "foliage")];
+    ROWS = even Ground [at(0, "rows")];
+    WATER = even Ground [at(0, "water")];
     EARTH = even Ground [at(0, "earth")];
     DOMA = even Ground [at(0, "doma"), at(20, "doma_old")];
 }

@@ -149,6 +149,12 @@ pub(super) static TABLE: &[Surface] = &[
     tinted(worn("leaves_cherry", &FOLIAGE, 0), [0.95, 0.86, 0.7]),
     tinted(worn("leaves_cedar", &FOLIAGE, 0), [0.45, 0.52, 0.38]),
     tinted(worn("leaves_plane", &FOLIAGE, 0), [0.82, 0.95, 0.6]),
+    worn("water", &WATER, 0),
+    tinted(worn("paddy", &WATER, 0), [1.0, 0.93, 0.72]),
+    tinted(worn("crop_rice", &ROWS, 0), [0.36, 0.56, 0.16]),
+    tinted(worn("crop_ripe", &ROWS, 0), [0.83, 0.62, 0.22]),
+    tinted(worn("crop_vegetables", &ROWS, 0), [0.42, 0.6, 0.26]),
+    tinted(worn("grass", &FOLIAGE, 0), [0.85, 0.86, 0.55]),
     worn("stone", &STONE, 0),
     worn("stone_mossy", &STONE, 1),
     // Tiles.
@@ -234,6 +240,9 @@ pub(super) static TABLE: &[Surface] = &[
     tinted(worn("sign", &SHEET, 0), [0.95, 0.91, 0.78]),
     tinted(worn("sign_rusty", &SHEET, 1), [0.95, 0.91, 0.78]),
     plain("iron", [0.03, 0.03, 0.032], 0.6),
+    plain("lamp_green", [0.02, 0.62, 0.42], 0.35),
+    plain("lamp_yellow", [0.9, 0.55, 0.02], 0.35),
+    plain("lamp_red", [0.8, 0.015, 0.01], 0.35),
     plain("bronze", [0.11, 0.14, 0.115], 0.55),
     // Envelopes of building law: what a road, adjacent land, a level or a border binds.
     veil("envelope_road", [0.8, 0.22, 0.1]),

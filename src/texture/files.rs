@@ -125,6 +125,8 @@ static EMBEDDED: &[(&str, &[u8])] = embed! {
     "stone": "stone" "stone_mossy";
     "gravel": "gravel";
     "foliage": "foliage";
+    "rows": "rows";
+    "water": "water";
     "earth": "earth";
     "doma": "doma" "doma_old";
 };

@@ -344,4 +344,18 @@ pub static SURFACES: &[Surface] = &[
         looks: &[mixed("foliage")],
         paint: plants::foliage,
     },
+    Surface {
+        name: "rows",
+        metres: plants::ROWS,
+        gloss: [0.70, 0.0],
+        looks: &[mixed("rows")],
+        paint: plants::rows,
+    },
+    Surface {
+        name: "water",
+        metres: ground::WATER,
+        gloss: [0.12, 0.0],
+        looks: &[mixed("water")],
+        paint: ground::water,
+    },
 ];

@@ -123,7 +123,10 @@ fn object(kind: &str) -> Option<&'static str> {
         "rail" => "Railway",
         "tree" => "SolitaryVegetationObject",
         "hedge" => "PlantCover",
-        "fence" | "wall" => "CityFurniture",
+        "water" => "WaterBody",
+        "farmland" => "LandUse",
+        "fence" | "wall" | "pole" | "network" | "wire" | "signal" | "arcade" | "torii"
+        | "lantern" => "CityFurniture",
         "envelope" => "OtherConstruction",
         _ => return None,
     })

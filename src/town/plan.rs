@@ -4,6 +4,7 @@ mod blocks;
 mod key;
 mod lodged;
 mod packed;
+mod poles;
 mod roads;
 mod shelves;
 mod zones;
@@ -12,6 +13,7 @@ pub use key::TileKey;
 pub(in crate::town) use lodged::Lodger;
 pub use lodged::{Lodged, LodgedTile, Lodging};
 pub use packed::PartReader;
+pub use poles::{KnownPole, KnownPoles};
 pub use roads::{BORDERS, RoadPiece, Roads};
 pub(in crate::town) use shelves::Shelves;
 pub use zones::{ZoneArea, Zones};
@@ -32,6 +34,8 @@ use std::sync::Arc;
 
 /// How far the houses are looked at that stand between a house and its street, metres.
 const AROUND: f64 = 40.0;
+/// How far from its pole a house may be that a network serves, metres.
+pub const SERVED: f64 = 100.0;
 
 /// A town with its maps.
 #[derive(Debug)]
@@ -53,6 +57,8 @@ pub struct Plan {
     blocks: Arc<Blocks>,
     /// The roads that its rules make; none if they make none, or by a definition that they use.
     pub roads: Arc<Roads>,
+    /// The poles of the networks that its rules make.
+    pub poles: Arc<KnownPoles>,
     /// The zones that its rules make.
     pub zones: Arc<Zones>,
     /// Its features, if they wait in a spool: then no layer has any.
@@ -106,6 +112,7 @@ impl Plan {
             unjoined: vec![],
             streets: Arc::new(streets),
             roads: Arc::default(),
+            poles: Arc::default(),
             zones: Arc::default(),
             lodged: None,
             outlines: vec![],
@@ -138,6 +145,7 @@ impl Plan {
             streets: self.streets.clone(),
             blocks: self.blocks.clone(),
             roads: self.roads.clone(),
+            poles: self.poles.clone(),
             zones: self.zones.clone(),
             lodged: None,
             outlines,
@@ -226,6 +234,14 @@ impl Plan {
         let found = self.index.near(bounds).into_iter();
         let found = found.map(|n| self.outlines[n as usize]);
         found.filter(|other| *other != id).collect()
+    }
+
+    /// Returns how far others may be on which a feature depends, metres.
+    fn beside(&self) -> f64 {
+        match self.town.networks.is_empty() {
+            true => AROUND,
+            false => SERVED,
+        }
     }
 
     /// Returns the neighbours of a feature, as far as they may stand before its street.

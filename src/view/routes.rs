@@ -61,6 +61,8 @@ pub(super) fn routes(
         .route("/api/town/{id}/feature", get(towns::feature))
         .route("/api/town/{id}/skipped", get(towns::skipped))
         .route("/api/town/{id}/place", get(towns::place))
+        .route("/api/town/{id}/keep", post(towns::keep))
+        .route("/api/town/{id}/difference", get(towns::difference))
         .route("/api/events", get(events))
         .route("/api/parts", get(parts))
         .route("/api/part", get(part))

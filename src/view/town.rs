@@ -4,12 +4,15 @@
 //!
 //! | file | purpose |
 //! |---|---|
+//! | `difference` | what differs between two editions of a town |
 //! | `scratch` | the temporary folder of a town |
 //! | `tables` | what the tables of decisions and the report of a town in tiles tell of a feature |
 
+mod difference;
 mod scratch;
 mod tables;
 
+pub(super) use difference::Difference;
 pub(super) use tables::{SkippedList, TownTables};
 
 use super::fingerprint::fingerprint;
@@ -102,6 +105,12 @@ impl BuiltTown {
         self.shown.tileset.as_deref() != Some(TILESET)
     }
 
+    /// Returns the names of its root and of its table of decisions; `None` before there are any.
+    fn files(&self) -> Option<[String; 2]> {
+        let table = self.tables.decisions.file_name()?.to_str()?;
+        Some([self.shown.tileset.clone()?, table.to_owned()])
+    }
+
     /// Returns when the root of its tiles was written.
     pub(super) fn changed(&self) -> Option<SystemTime> {
         let root = self.tables.folder.join(self.shown.tileset.as_ref()?);
@@ -162,6 +171,8 @@ impl TownProgress {
 #[derive(Default)]
 pub(super) struct TownSlot {
     pub(super) built: Mutex<Option<Arc<BuiltTown>>>,
+    /// The edition that others are compared with.
+    pub(super) kept: Mutex<Option<Arc<BuiltTown>>>,
     /// Stops the build that is under way.
     stops: Mutex<Arc<AtomicBool>>,
     /// Held while building.
@@ -186,6 +197,31 @@ impl TownSlot {
         let before = std::mem::replace(&mut *lock(&self.stops), next.clone());
         before.store(true, Ordering::Relaxed);
         next
+    }
+
+    /// Keeps what is built now, to compare what is built later with it, or forgets what was kept.
+    pub(super) fn keep(&self, keep: bool) {
+        let mut scratch = lock(&self.scratch);
+        let built = lock(&self.built).clone().filter(|_| keep);
+        if let Some(scratch) = &mut *scratch {
+            match built.as_ref().and_then(|built| built.files()) {
+                Some([tileset, decisions]) => scratch.keep(&[&tileset, &decisions]),
+                None => scratch.forget(),
+            }
+        }
+        *lock(&self.kept) = built;
+    }
+
+    /// Returns what differs between what was kept and what is built now; `None` if nothing was kept.
+    ///
+    /// # Errors
+    /// If a table cannot be read.
+    pub(super) fn difference(&self) -> io::Result<Option<Difference>> {
+        let (kept, built) = (lock(&self.kept).clone(), lock(&self.built).clone());
+        match (kept, built) {
+            (Some(kept), Some(built)) => Difference::between(&kept.tables, &built.tables).map(Some),
+            _ => Ok(None),
+        }
     }
 
     /// Builds a town in two passes; `folder` returns a new folder for its tiles. Nothing is built from a text with errors,

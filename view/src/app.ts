@@ -16,6 +16,7 @@ import type { ByteRange, Cursor, Diagnostic, NamedView, ServerInfo, State } from
 import { fetchPalette, fetchServerInfo, fetchState, listen, openInEditor, sourceOf } from './server/api.ts';
 import { Viewport } from './scene/viewport.ts';
 import { EYE_HEIGHT, frameBox, type View } from './scene/views.ts';
+import { Comparison } from './town/comparison.ts';
 import { Town } from './town/town.ts';
 import { Walk } from './walk/walk.ts';
 import { translations, strings } from './ui/strings.ts';
@@ -70,6 +71,7 @@ export class App {
   readonly selected: Highlight;
   readonly pointed: Highlight;
   readonly town: Town;
+  readonly comparison: Comparison;
   readonly walk: Walk;
   /** Announces a text in the live region. */
   announce: (text: string) => void = () => {};
@@ -92,6 +94,7 @@ export class App {
     this.pointed = new Highlight(this.viewport, 'cursor', 0x2f6f9f);
     this.selected = new Highlight(this.viewport, 'selection', 0xc8431f);
     this.town = new Town(this);
+    this.comparison = new Comparison(this);
     this.walk = new Walk(this);
     this.viewport.controls.addEventListener('change', () => { if (!this.movingToView) { this.#framed = null; this.#visits(null); } });
     // A preset view still shows all of it when the panel opens or the window turns.

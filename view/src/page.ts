@@ -16,6 +16,7 @@ import { featureCard } from './panel/feature-card.ts';
 import { townPanel, townProgress } from './panel/town.ts';
 import { diagnosticList } from './panel/diagnostics.ts';
 import { layerPanel } from './panel/layers.ts';
+import { comparisonPanel } from './panel/comparison.ts';
 import { parameterPanel } from './panel/parameters.ts';
 import { sunPanel } from './panel/sun.ts';
 import { statisticsPanel } from './panel/statistics.ts';
@@ -50,7 +51,7 @@ export function page(): Page {
   main.prepend(text.element);
   main.append(plan.element);
   const panel = h('aside', { class: 'panel', 'aria-label': strings.panel },
-    townProgress(app), featureCard(app), partCard(app), townPanel(app), review.element, fileList(app), parameterPanel(app), namedViewList(app), diagnosticList(app), layerPanel(app), partTree(app), sectionPanel(app), sunPanel(app), measuringPanel(app), reflectionPanel(app), statisticsPanel(app));
+    townProgress(app), featureCard(app), partCard(app), townPanel(app), review.element, fileList(app), parameterPanel(app), comparisonPanel(app), namedViewList(app), diagnosticList(app), layerPanel(app), partTree(app), sectionPanel(app), sunPanel(app), measuringPanel(app), reflectionPanel(app), statisticsPanel(app));
   const narrow = matchMedia('(max-width: 720px)').matches;
   panel.hidden = narrow;
   const panes = [

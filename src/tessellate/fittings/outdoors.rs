@@ -27,7 +27,8 @@ impl Walker<'_> {
     pub(in crate::tessellate) fn outdoors(&mut self, root: NodeId, it: &Outdoors) {
         let detail = self.detail;
         let mut bodies = Bodies::default();
-        for sheet in it.sheets.iter().filter(|sheet| sheet.least <= detail as u8) {
+        let shown = |sheet: &&Sheet| (sheet.least..=sheet.most).contains(&(detail as u8));
+        for sheet in it.sheets.iter().filter(shown) {
             let lift = match sheet.on_ground {
                 true => detail.ground_tolerance(),
                 false => lift(detail),

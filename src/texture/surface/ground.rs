@@ -206,3 +206,24 @@ fn gravel_at(spot: Spot) -> Texel<1> {
         metal: 0.0,
     }
 }
+
+/// Two bays.
+pub(in crate::texture) const WATER: f64 = 3.636;
+
+/// Water of a river or a pond under an even breeze: what one sees is the sky in its ripples, so its own colour is dark.
+pub(in crate::texture) fn water(size: u32) -> Maps {
+    paint(size, WATER, Hollows::new(0.2, 0.0), water_at)
+}
+
+/// One spot of [`water`].
+fn water_at(spot: Spot) -> Texel<1> {
+    let swell = fbm(spot.u, spot.v, (5, 3), 2, 981);
+    let ripple = noise(spot.u + 0.03 * swell, spot.v, (14, 9), 983);
+    let deep = fbm(spot.u, spot.v, (2, 2), 3, 985);
+    Texel {
+        height: 0.035 * swell + 0.010 * ripple,
+        colors: [mix(hex(0x2B_3A36), hex(0x46_554A), 0.5 + 0.5 * deep)],
+        rough: 0.12,
+        metal: 0.0,
+    }
+}

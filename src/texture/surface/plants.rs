@@ -46,3 +46,38 @@ fn foliage_at(spot: Spot) -> Texel<1> {
         metal: 0.0,
     }
 }
+
+/// Six rows of plants, a foot apart.
+pub(in crate::texture) const ROWS: f64 = 1.818;
+/// The number of rows, and of plants in a row.
+const PLANTS: (u32, u32) = (6, 8);
+
+/// Rows of young plants on wet earth, paler than any leaf: their colour is that of the crop.
+pub(in crate::texture) fn rows(size: u32) -> Maps {
+    paint(size, ROWS, Hollows::new(0.05, 12.0), rows_at)
+}
+
+/// One spot of [`rows`].
+fn rows_at(spot: Spot) -> Texel<1> {
+    let (across, along) = PLANTS;
+    let bend = 0.012 * noise(spot.u, spot.v, (across * 2, along * 2), 1_001);
+    let at = |t: f64, n: u32| (t * f64::from(n)).rem_euclid(1.0) - 0.5;
+    let (x, y) = (at(spot.u + bend, across), at(spot.v + bend, along));
+    // A tuft is a star of blades.
+    let angle = libm::atan2(y, x * 1.2);
+    let blades = 0.5 + 0.5 * libm::cos(angle * 7.0 + 9.0 * noise(spot.u, spot.v, PLANTS, 1_003));
+    let reach = 0.30 + 0.14 * blades + 0.10 * noise(spot.u, spot.v, (across * 3, along * 3), 1_005);
+    let far = libm::hypot(x * 1.2, y);
+    let leaf = 1.0 - smooth(reach * 0.7, reach, far);
+    let soil = fbm(spot.u, spot.v, (8, 8), 3, 1_007);
+    let tone = 0.72 + 0.20 * blades - 0.35 * (far / reach.max(0.05)).min(1.0);
+    let plant = mix(hex(0x8E_927C), hex(0xFA_FCE8), tone.clamp(0.0, 1.0));
+    let ground = mix(hex(0x4A_4238), hex(0x7C_7262), 0.5 + 0.4 * soil);
+    Texel {
+        // Its light is in its colours, as that of leaves is.
+        height: 0.02 * smooth(0.45, 0.0, far),
+        colors: [mix(ground, plant, leaf)],
+        rough: 0.7,
+        metal: 0.0,
+    }
+}

@@ -3,7 +3,7 @@
 
 use super::key::TileKey;
 use super::shelves::Shelves;
-use super::{AROUND, LotId, Plan};
+use super::{LotId, Plan};
 use crate::ast::town::Tiles;
 use crate::backend::spool::NewSpool;
 use crate::town::grid::{Bounds, meet, wider};
@@ -169,7 +169,8 @@ impl Lodged {
         let mut bounds = self.tiles[number].bounds;
         let mut others: BTreeMap<usize, Vec<(usize, Lot)>> = BTreeMap::new();
         // What touches a house has a front, which depends on the houses before it.
-        for far in [TOUCHING, AROUND] {
+        let wide = plan.beside();
+        for far in [TOUCHING, wide] {
             let reach = wider(bounds, far);
             for (n, tile) in self.tiles.iter().enumerate() {
                 if n != number && meet(tile.bounds, reach) && !others.contains_key(&n) {
@@ -179,7 +180,7 @@ impl Lodged {
             let lots = others.values().flatten();
             let near = lots.map(|(_, lot)| lot.shape.bounds());
             let near = near.filter(|own| meet(*own, reach));
-            bounds = match far < AROUND {
+            bounds = match far < wide {
                 true => near.fold(bounds, around),
                 false => reach,
             };

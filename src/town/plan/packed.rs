@@ -2,7 +2,7 @@
 //! streets, blocks and heights round them. Whoever has these bytes and the town file needs no map.
 
 use super::blocks::Blocks;
-use super::{LotId, Plan, Roads, Zones};
+use super::{KnownPoles, LotId, Plan, Roads, Zones};
 use crate::ast::town::{Layer, Town};
 use crate::map::pack::{Packer, Unpacker};
 use crate::town::grid::{Bounds, Grid};
@@ -55,6 +55,7 @@ impl Plan {
         self.blocks.pack(bounds, &mut out);
         self.ground.pack(bounds, &mut out);
         self.roads.pack(bounds, &mut out);
+        self.poles.pack(bounds, &mut out);
         self.zones.pack(bounds, &mut out);
         bytes
     }
@@ -103,6 +104,7 @@ impl PartReader {
             streets: Arc::default(),
             blocks: Arc::default(),
             roads: Arc::default(),
+            poles: Arc::default(),
             zones: Arc::default(),
             lodged: None,
             outlines: vec![],
@@ -137,6 +139,7 @@ impl PartReader {
         let blocks = Blocks::unpack(&mut from)?;
         let ground = Ground::unpack(&mut from, &self.head.frame, &self.written)?;
         let roads = Roads::unpack(&mut from)?;
+        let poles = KnownPoles::unpack(&mut from)?;
         let zones = Zones::unpack(&mut from)?;
         if !from.rest().is_empty() {
             return Err(wrong());
@@ -146,6 +149,7 @@ impl PartReader {
             blocks: Arc::new(blocks),
             ground: Arc::new(ground),
             roads: Arc::new(roads),
+            poles: Arc::new(poles),
             zones: Arc::new(zones),
             ..self.head.with_layers(layers)
         };

@@ -77,8 +77,8 @@ pub fn plan_lodged(
     let mut plan = Plan::new(town.clone(), frame, layers, tables);
     plan.unjoined = unjoined;
     plan.ground = Arc::new(ground);
-    let (roads, zones) = super::outdoors::laid_first(input, &plan);
-    (plan.roads, plan.zones) = (Arc::new(roads), Arc::new(zones));
+    let (roads, poles, zones) = super::outdoors::laid_first(input, &plan);
+    (plan.roads, plan.poles, plan.zones) = (Arc::new(roads), Arc::new(poles), Arc::new(zones));
     if let Some(lodger) = lodger {
         plan.lodge(lodger)?;
     }
@@ -129,8 +129,8 @@ fn layers(
     Ok(Some(layers).filter(|layers| layers.len() == town.layers.len()))
 }
 
-/// Returns true if the features of a layer can be put into a spool one after another: nothing is joined to them, and no
-/// street is made of them.
+/// Returns true if the features of a layer can be put into a spool one after another: nothing is joined to them, no street is made
+/// of them, and no network has to keep its poles out of their walls.
 fn passes_by(town: &Town, layer: &Layer, sheets: &[Sheet]) -> bool {
     let name = &layer.name.value;
     let has_rules = town.rules.iter().any(|rule| rule.each.value == *name);
@@ -140,7 +140,8 @@ fn passes_by(town: &Town, layer: &Layer, sheets: &[Sheet]) -> bool {
     // Zones are looked at before the lots in them.
     let is_first = has_lines || town.zones.contains(name);
     let is_made = layer.outline.is_some() || layer.divided.is_some();
-    has_rules && !is_joined && !is_made && !is_first && has_no_streets(town, name)
+    let is_alone = town.networks.is_empty() && has_no_streets(town, name);
+    has_rules && !is_joined && !is_made && !is_first && is_alone
 }
 
 /// Reads the files of a layer, in their order; `None` if one of them cannot be read.

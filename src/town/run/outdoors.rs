@@ -11,19 +11,23 @@ use crate::parse::xml::{self, FeatureOf, RuleMade, Trees};
 use crate::rng::Place;
 use crate::source::Span;
 use crate::town::decision::{Outcome, Record};
-use crate::town::plan::{LotId, RoadPiece, Roads, ZoneArea, Zones};
+use crate::town::plan::{KnownPoles, LotId, RoadPiece, Roads, ZoneArea, Zones};
 use crate::town::site::LotSite;
 use crate::town::text;
 use crate::town::{Plan, TownInput};
+use glam::DVec2;
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Finds the roads that rules make of lines, so that each knows those that it meets, and the zones that lots lie in. What is
-/// wrong with a rule is told when its features are evaluated.
-pub(super) fn laid_first(input: TownInput<'_>, plan: &Plan) -> (Roads, Zones) {
+/// Finds the roads that rules make of lines, so that each knows those that it meets, the poles of networks, and the zones that
+/// lots lie in. What is wrong with a rule is told when its features are evaluated.
+pub(super) fn laid_first(input: TownInput<'_>, plan: &Plan) -> (Roads, KnownPoles, Zones) {
     let makes = |layer: &usize| {
         let name = &plan.layers[*layer].layer.name.value;
-        plan.town.roads.contains(name) || plan.town.zones.contains(name)
+        let town = &plan.town;
+        [&town.roads, &town.networks, &town.zones]
+            .iter()
+            .any(|makers| makers.contains(name))
     };
     let layers = (0..plan.layers.len()).filter(makes);
     let lots = layers.flat_map(|layer| (0..plan.layers[layer].lots.len()).map(move |n| (layer, n)));
@@ -45,31 +49,36 @@ pub(super) fn laid_first(input: TownInput<'_>, plan: &Plan) -> (Roads, Zones) {
                 Made::Outdoor { wish, .. } => Some(wish),
                 Made::Skip { .. } | Made::Houses { .. } => None,
             });
-            wishes.map(move |wish| first(site, wish))
+            wishes.filter_map(move |wish| first(site, wish))
         });
         wishes.collect::<Vec<First>>()
     });
-    let (mut roads, mut zones) = (vec![], vec![]);
+    let (mut roads, mut poles, mut zones) = (vec![], vec![], vec![]);
     for first in pieces.collect::<Vec<First>>() {
         match first {
             First::Road(pieces) => roads.extend(pieces),
-            First::Zone(zone) => zones.extend(zone),
+            First::Poles(lines) => poles.extend(lines),
+            First::Zone(zone) => zones.push(zone),
         }
     }
-    (Roads::new(roads), Zones::new(zones))
+    (Roads::new(roads), KnownPoles::new(poles), Zones::new(zones))
 }
 
 /// What others look at before they are made.
 enum First {
     Road(Vec<RoadPiece>),
-    Zone(Option<ZoneArea>),
+    Poles(Vec<Vec<DVec2>>),
+    Zone(ZoneArea),
 }
 
-fn first(site: &LotSite<'_>, wish: Outdoor) -> First {
+fn first(site: &LotSite<'_>, wish: Outdoor) -> Option<First> {
     match wish {
-        Outdoor::Road(road) => First::Road(site.road_pieces(&road)),
-        Outdoor::Zone(terms) => First::Zone(site.zone_area(*terms)),
-        _ => First::Zone(None),
+        Outdoor::Road(road) => Some(First::Road(site.road_pieces(&road))),
+        Outdoor::Poles(poles) if poles.reach.is_some() => {
+            Some(First::Poles(site.pole_places(&poles)))
+        }
+        Outdoor::Zone(terms) => site.zone_area(*terms).map(First::Zone),
+        _ => None,
     }
 }
 

@@ -1,11 +1,16 @@
 //! Outdoor objects of a town (docs/contract.md 10.4): a rule turns a feature into shapes on the ground, or a fence as runs of parts.
 
+mod arcades;
 mod bands;
+mod basins;
 mod envelopes;
 mod fences;
 mod lines;
+mod poles;
 mod rails;
 mod roads;
+mod signals;
+mod solids;
 mod trees;
 
 use super::law::EnvelopeRow;
@@ -25,7 +30,7 @@ use std::collections::BTreeSet;
 const TURN: f64 = 1024.0;
 /// Ground under roads is looked at in steps of this, metres.
 const STEP: f64 = 4.0;
-/// How far outside a street its pieces are looked for, metres.
+/// The name of the layer of all streets.
 const NO_LAYER: &str = "";
 
 /// What became of a wish.
@@ -51,6 +56,12 @@ impl LotSite<'_> {
             Outdoor::Rail(rail) => self.rail(rail, span),
             Outdoor::Tree(tree) => self.trees(tree, span, draws),
             Outdoor::Fence(fence) => self.fence(fence, span),
+            Outdoor::Poles(poles) => self.poles(poles, span),
+            Outdoor::Wire(wire) => self.wires(wire, span),
+            Outdoor::Signal(signal) => self.signal(signal, span, draws),
+            Outdoor::Arcade(arcade) => self.arcade(arcade, span),
+            Outdoor::Water(water) => self.water(water, span),
+            Outdoor::Farmland(farmland) => self.farmland(farmland, span),
             Outdoor::Zone(zone) => self.zone(zone),
             Outdoor::Envelope(wish) => self.envelope(wish, span),
         }
@@ -129,6 +140,17 @@ impl LotSite<'_> {
             faces.extend((1..laid.len() - 1).map(|i| vec![laid[0], laid[i], laid[i + 1]]));
         }
         faces
+    }
+
+    /// Returns faces of a surface, shown from a level of detail on.
+    fn sheet(&self, finish: &'static str, least: u8, faces: Vec<Vec<DVec3>>) -> Sheet {
+        Sheet {
+            finish,
+            least,
+            most: Sheet::MOST,
+            on_ground: self.has_ground(),
+            faces,
+        }
     }
 
     /// Returns a house of shapes on the ground.

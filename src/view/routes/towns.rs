@@ -3,7 +3,7 @@
 use super::{ApiError, ApiResult, Shared, work};
 use crate::map::{Crs, Datums, Transform};
 use crate::view::model_file;
-use crate::view::town::SkippedList;
+use crate::view::town::{Difference, SkippedList};
 use axum::extract::{Path, Query, State};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Json, Response};
@@ -93,6 +93,38 @@ pub(super) async fn skipped(
     let found = work(&workspace, move |workspace| {
         let town = workspace.town(id).ok_or_else(missing)?;
         Ok(town.tables.skipped()?)
+    });
+    found.await.map(Json)
+}
+
+/// Whether what is built now is kept.
+#[derive(Deserialize)]
+pub(super) struct KeepRequest {
+    keep: bool,
+}
+
+/// Keeps a town as it is, so that the page compares with it what is built later.
+pub(super) async fn keep(
+    State(workspace): Shared,
+    Path(id): Path<u64>,
+    Json(KeepRequest { keep }): Json<KeepRequest>,
+) -> ApiResult<Json<Value>> {
+    let kept = work(&workspace, move |workspace| {
+        workspace.numbered(id).ok_or_else(missing)?.town.keep(keep);
+        Ok(())
+    });
+    kept.await?;
+    Ok(Json(Value::Object(serde_json::Map::new())))
+}
+
+/// Returns what differs from the town that is kept; `null` if none is.
+pub(super) async fn difference(
+    State(workspace): Shared,
+    Path(id): Path<u64>,
+) -> ApiResult<Json<Option<Difference>>> {
+    let found = work(&workspace, move |workspace| {
+        let document = workspace.numbered(id).ok_or_else(missing)?;
+        Ok(document.town.difference()?)
     });
     found.await.map(Json)
 }

@@ -24,6 +24,8 @@ pub(super) struct Scratch {
     edition: u64,
     /// The files of that town, and of those before, which a page may still be loading.
     own: [BTreeSet<String>; EDITIONS],
+    /// The files of an edition that is kept beside the others.
+    kept: BTreeSet<String>,
     /// The name and the bytes of the root of that town.
     root: (String, Vec<u8>),
 }
@@ -39,6 +41,7 @@ impl Scratch {
             next: AtomicU64::new(0),
             edition: 0,
             own: Default::default(),
+            kept: BTreeSet::new(),
             root: Default::default(),
         })
     }
@@ -90,6 +93,17 @@ impl Scratch {
         Ok(names)
     }
 
+    /// Keeps the files of an edition with these among them, in place of the edition kept before.
+    pub(super) fn keep(&mut self, files: &[&str]) {
+        let has = |own: &&BTreeSet<String>| files.iter().all(|name| own.contains(*name));
+        self.kept = self.own.iter().find(has).cloned().unwrap_or_default();
+    }
+
+    /// Keeps no edition any more.
+    pub(super) fn forget(&mut self) {
+        self.kept.clear();
+    }
+
     fn sweep(&self) -> io::Result<()> {
         for below in ["", FOLDERS[0], FOLDERS[1]] {
             for entry in fs::read_dir(self.folder.join(below))?.flatten() {
@@ -99,7 +113,8 @@ impl Scratch {
                     below => format!("{below}/{file}"),
                 };
                 let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
-                if is_file && !self.own.iter().any(|own| own.contains(&name)) {
+                let mut editions = self.own.iter().chain([&self.kept]);
+                if is_file && !editions.any(|own| own.contains(&name)) {
                     fs::remove_file(entry.path())?;
                 }
             }

@@ -15,7 +15,7 @@ const LISTED: usize = 500;
 #[derive(Clone, Debug)]
 pub(in crate::view) struct TownTables {
     pub(in crate::view) folder: PathBuf,
-    decisions: PathBuf,
+    pub(super) decisions: PathBuf,
     report: PathBuf,
 }
 
@@ -126,20 +126,21 @@ impl TownTables {
 }
 
 /// A line of a table.
-struct Row<'r> {
+pub(super) struct Row<'r> {
     head: &'r [String],
     cells: Vec<String>,
 }
 
 impl Row<'_> {
-    fn cell(&self, name: &str) -> &str {
+    /// Returns the cell of a column; empty if there is none.
+    pub(super) fn cell(&self, name: &str) -> &str {
         let at = self.head.iter().position(|own| own == name);
         at.and_then(|at| self.cells.get(at)).map_or("", |c| c)
     }
 }
 
 /// Calls `then` with each line of a table until it returns false. A missing table has none.
-fn each(path: &Path, then: &mut dyn FnMut(&Row<'_>) -> bool) -> io::Result<()> {
+pub(super) fn each(path: &Path, then: &mut dyn FnMut(&Row<'_>) -> bool) -> io::Result<()> {
     let file = match File::open(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
         file => file?,

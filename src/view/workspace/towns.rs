@@ -11,11 +11,15 @@ use std::thread;
 const STACK: usize = 8 << 20;
 
 impl Workspace {
+    /// Returns the document of a number.
+    pub(in crate::view) fn numbered(&self, id: u64) -> Option<Arc<Document>> {
+        let documents = lock(&self.documents);
+        documents.values().find(|d| d.id == id).cloned()
+    }
+
     /// Returns what is built under a number.
     pub(in crate::view) fn town(&self, id: u64) -> Option<Arc<BuiltTown>> {
-        let documents = lock(&self.documents);
-        let own = documents.values().find(|d| d.id == id)?.clone();
-        drop(documents);
+        let own = self.numbered(id)?;
         lock(&own.town.built).clone()
     }
 

@@ -16,6 +16,14 @@ export interface FrameStats {
   frames: number;
 }
 
+/** Two scenes in one view. */
+export interface Split {
+  /** The share of the view to the left of the line. */
+  at: number;
+  /** Prepares what is seen on the left side, or on the right. */
+  show: (left: boolean) => void;
+}
+
 /** Vertical field of view, degrees. */
 const FOV = 36;
 
@@ -58,6 +66,8 @@ export class Viewport {
   readonly onFrame: (() => void)[] = [];
   /** Draws the scene; replaced by extensions such as reflections. */
   paint = () => this.renderer.render(this.scene, this.camera);
+  /** Null if one scene fills the view. */
+  split: Split | null = null;
   /** Duration of the last full frame including the GPU, milliseconds. */
   frameTime = 0;
   /** True if the last frame had low resolution. */
@@ -198,7 +208,7 @@ export class Viewport {
     const { shadowMap } = this.renderer;
     clearTimeout(this.#sharpen);
     this.#shadowsPending ||= shadowMap.needsUpdate;
-    const coarse = this.coarse = quick && this.frameTime > SLOW_FRAME_MS;
+    const coarse = this.coarse = quick && this.frameTime > SLOW_FRAME_MS && !this.split;
     if (coarse) this.#sharpen = window.setTimeout(() => this.frame(), 140);
     shadowMap.needsUpdate = this.#shadowsPending && !coarse;
     this.#shadowsPending &&= coarse;
@@ -209,7 +219,7 @@ export class Viewport {
     this.#fitNear();
     if (coarse) this.#lowResolution.begin(SLOW_FRAME_MS / this.frameTime);
     try {
-      this.paint();
+      if (this.split) this.#paintBoth(this.split); else this.paint();
       stats.calls = info.render.calls;
       stats.triangles = info.render.triangles;
     } finally {
@@ -220,6 +230,20 @@ export class Viewport {
     for (const material of this.#disposable.splice(0)) disposeMaterial(material);
     for (const then of this.#afterFrame.splice(0)) then();
     for (const then of this.onFrame) then();
+  }
+
+  /** Paints both sides, each with shadows of its own. */
+  #paintBoth({ at, show }: Split) {
+    const { renderer, canvas: { clientWidth: width, clientHeight: height } } = this, line = Math.round(width * at);
+    renderer.setScissorTest(true);
+    for (const [left, from, to] of [[true, 0, line], [false, line, width]] as const) {
+      if (from === to) continue;
+      show(left);
+      renderer.shadowMap.needsUpdate = true;
+      renderer.setScissor(from, 0, to - from, height);
+      this.paint();
+    }
+    renderer.setScissorTest(false);
   }
 
   /** Waits until the GPU has finished. */

@@ -342,6 +342,23 @@ export interface Skipped {
   at: [east: number, north: number] | null;
 }
 
+/** What differs between the town that is kept and the one that is built now. */
+export interface Difference {
+  same: number;
+  total: number;
+  /** The first ones. */
+  list: Changed[];
+}
+
+/** A feature that differs; what stands on it is empty for nothing. */
+export interface Changed {
+  layer: string;
+  key: string;
+  at: [east: number, north: number];
+  before: string;
+  after: string;
+}
+
 /** A view that the author has named; places are metres east, north and up, `fov` the vertical angle in degrees. */
 export interface NamedView {
   name: string;
@@ -389,11 +406,17 @@ export const fetchPlace = async (id: number, east: number, north: number) =>
 /** Fetches the first of the features on which nothing stands. */
 export const fetchSkipped = async (id: number) => answer<{ total: number; list: Skipped[] }>(await fetch(`/api/town/${id}/skipped`));
 
+/** Fetches what differs from the town that is kept; null if none is. */
+export const fetchDifference = async (id: number) => answer<Difference | null>(await fetch(`/api/town/${id}/difference`));
+
 /** Content type of a complete model. */
 export const GLB_TYPE = 'model/gltf-binary';
 
 const send = (path: string, body: unknown) =>
   fetch(path, { method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify(body) });
+
+/** Keeps the town that is built now, to compare later ones with it, or forgets it. */
+export const keepTown = async (id: number, keep: boolean) => { await answer(await send(`/api/town/${id}/keep`, { keep })); };
 
 /** Fetches the houses of a revision that the page does not have, or the complete model. */
 export const fetchHouses = (file: string, revision: number, had: string[]) => send('/api/houses', { file, revision, had });

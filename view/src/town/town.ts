@@ -92,6 +92,7 @@ export class Town {
   }
 
   #clear() {
+    this.#app.comparison.clear();
     this.tiles?.dispose();
     this.#next?.dispose();
     this.tiles = this.#next = this.#box = null;

@@ -1,8 +1,12 @@
 //! The attributes of the elements of towns (docs/contract.md 10).
 
 mod law;
+mod outdoors;
 
 pub(in crate::parse::schema) use law::{ENVELOPE, ZONE};
+pub(in crate::parse::schema) use outdoors::{
+    ARCADE, FARMLAND, LANTERN, NETWORK, POLE, SIGNAL, TORII, WATER, WIRE,
+};
 
 use super::{FAR, LENGTH, TRUTH};
 use crate::ast::town::{FieldType, GapAt, PlaceOn};

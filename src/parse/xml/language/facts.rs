@@ -51,7 +51,22 @@ pub(super) fn is_outdoors(rule: &ElementRef<'_, '_>) -> bool {
             });
         inner.into_iter().all(|child| match child.tag() {
             Some(
-                Tag::Road | Tag::Rail | Tag::Tree | Tag::Fence | Tag::Hedge | Tag::Wall | Tag::Zone,
+                Tag::Road
+                | Tag::Rail
+                | Tag::Tree
+                | Tag::Fence
+                | Tag::Hedge
+                | Tag::Wall
+                | Tag::Pole
+                | Tag::Network
+                | Tag::Wire
+                | Tag::Signal
+                | Tag::Arcade
+                | Tag::Torii
+                | Tag::Lantern
+                | Tag::Water
+                | Tag::Farmland
+                | Tag::Zone,
             ) => {
                 *something = true;
                 true

@@ -207,6 +207,9 @@ impl<'a, 'f> Expander<'a, 'f> {
             if has(element_ref, Tag::Road) {
                 facts.roads.push(name.clone());
             }
+            if has(element_ref, Tag::Network) {
+                facts.networks.push(name.clone());
+            }
             if has(element_ref, Tag::Zone) {
                 facts.zones.push(name);
             }

@@ -1,6 +1,8 @@
-//! What a rule of a town makes beside houses: `Road`, `Rail`, `Tree`, `Fence`, `Hedge`, `Wall`, `Zone`, `Envelope`.
+//! What a rule of a town makes beside houses: `Road`, `Rail`, `Tree`, `Fence`, `Water` and their kin, `Zone`, `Envelope`.
 
+use crate::ast::land::{Bank, Crop, Farmland, Water};
 use crate::ast::law::{DistrictPlan, EnvelopeWish, Zone};
+use crate::ast::street::{Arcade, PoleMade, Poles, Signal, WireLine, Wires};
 use crate::ast::{CodeText, Fence, Outdoor, Railway, Road, Species, Surface, TreeWish};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::schema::{Schema, Tag};
@@ -31,6 +33,45 @@ impl<'t> Reader<'t, '_> {
                 spacing: self.usual(&of, "spacing"),
                 offset: self.usual(&of, "offset"),
             }),
+            Tag::Pole | Tag::Network => Outdoor::Poles(Poles {
+                height: self.usual(&of, "height"),
+                spacing: self.usual(&of, "spacing"),
+                wires: self.wires(&of),
+                made: self
+                    .choice(&of, "made", &PoleMade::WORDS)
+                    .map_or_else(PoleMade::default, |m| m.value),
+                reach: (schema.tag == Tag::Network).then(|| self.usual(&of, "reach")),
+            }),
+            Tag::Wire => Outdoor::Wire(WireLine {
+                height: self.usual(&of, "height"),
+                wires: self.wires(&of),
+            }),
+            Tag::Signal => Outdoor::Signal(Signal {
+                facing: self.number(&of, "azimuth").map(|a| a.value),
+                height: self.usual(&of, "height"),
+            }),
+            Tag::Arcade => Outdoor::Arcade(Arcade {
+                depth: self.usual(&of, "depth"),
+                height: self.usual(&of, "height"),
+                bay: self.usual(&of, "bay"),
+            }),
+            Tag::Water => Outdoor::Water(Water {
+                width: self.usual(&of, "width"),
+                bank: self
+                    .choice(&of, "bank", &Bank::WORDS)
+                    .map_or_else(Bank::default, |b| b.value),
+                bank_width: self.usual(&of, "bank_width"),
+            }),
+            Tag::Farmland => Outdoor::Farmland(Farmland {
+                crop: self
+                    .choice(&of, "crop", &Crop::WORDS)
+                    .map_or_else(Crop::default, |c| c.value),
+                width: self.usual(&of, "width"),
+                depth: self.usual(&of, "depth"),
+                azimuth: self.usual(&of, "azimuth"),
+                ridge: self.usual(&of, "ridge"),
+                way: self.usual(&of, "way"),
+            }),
             Tag::Zone => Outdoor::Zone(Box::new(self.zone(&of))),
             Tag::Envelope => Outdoor::Envelope(Box::new(EnvelopeWish {
                 own: self.zone(&of),
@@ -45,6 +86,8 @@ impl<'t> Reader<'t, '_> {
                 let word = match tag {
                     Tag::Hedge => "hedge",
                     Tag::Wall => "wall",
+                    Tag::Torii => "torii",
+                    Tag::Lantern => "lantern",
                     _ => "fence",
                 };
                 Outdoor::Fence(self.fence(word, schema, &of))
@@ -97,6 +140,13 @@ impl<'t> Reader<'t, '_> {
         }
     }
 
+    fn wires(&mut self, of: &Attributes<'t>) -> Wires {
+        Wires {
+            count: self.usual(of, "wires") as u32,
+            sag: self.usual(of, "sag"),
+        }
+    }
+
     fn road(&mut self, of: &Attributes<'t>) -> Road {
         let surface = self.choice(of, "surface", &Surface::WORDS);
         let surface = surface.map_or_else(Surface::default, |s| s.value);
@@ -113,16 +163,21 @@ impl<'t> Reader<'t, '_> {
     fn fence(&mut self, word: &'static str, schema: &'static Schema, of: &Attributes<'t>) -> Fence {
         let code = self.text(of, "code");
         let usual = schema.attribute("code").map_or("", |code| code.default);
+        let is_one = matches!(schema.tag, Tag::Torii | Tag::Lantern);
         let part =
             |text: Option<crate::source::Spanned<String>>| text.map(|t| CodeText::new(&t.value));
         Fence {
             word,
+            is_one,
             span: code.as_ref().map_or(self.start(of.element), |c| c.span),
             code: part(code).unwrap_or_else(|| CodeText::new(usual)),
             first: part(self.text(of, "first")),
             last: part(self.text(of, "last")),
             height: self.number(of, "height").map(|h| h.value),
-            gate: self.usual(of, "gate"),
+            gate: match is_one {
+                true => 0.0,
+                false => self.usual(of, "gate"),
+            },
         }
     }
 }

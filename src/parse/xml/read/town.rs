@@ -36,6 +36,7 @@ impl<'t> Reader<'t, '_> {
             fronts: facts.fronts,
             housed: facts.housed,
             roads: facts.roads,
+            networks: facts.networks,
             zones: facts.zones,
             ..Town::default()
         };

@@ -182,6 +182,7 @@ impl LotSite<'_> {
             (!faces.is_empty()).then_some(Sheet {
                 finish: name,
                 least: 0,
+                most: Sheet::MOST,
                 on_ground: false,
                 faces,
             })

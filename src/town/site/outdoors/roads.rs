@@ -94,7 +94,7 @@ impl LotSite<'_> {
     }
 
     /// Returns the width of the road as the map has it, or that of its class, metres.
-    fn usual_width(&self, pieces: &[Piece], ways: &[Vec<DVec2>]) -> f64 {
+    pub(super) fn usual_width(&self, pieces: &[Piece], ways: &[Vec<DVec2>]) -> f64 {
         let own = ways.iter().flat_map(|way| segments(way));
         let known = own.filter_map(|s| pieces.iter().find(|piece| piece.line == s));
         if let Some(piece) = known.into_iter().next() {
@@ -228,21 +228,6 @@ impl LotSite<'_> {
             parameters,
             envelope: None,
             no_guiding_height: false,
-        }
-    }
-
-    /// Returns faces of a surface, shown from a level of detail on.
-    pub(super) fn sheet(
-        &self,
-        finish: &'static str,
-        least: u8,
-        faces: Vec<Vec<glam::DVec3>>,
-    ) -> Sheet {
-        Sheet {
-            finish,
-            least,
-            on_ground: self.has_ground(),
-            faces,
         }
     }
 }
