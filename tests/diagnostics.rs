@@ -61,6 +61,7 @@ const WITHOUT_FIXTURE: &[(u16, &str)] = &[
     (1163, "a map: tests/ground.rs"),
     (1170, "a map: tests/town_streets.rs"),
     (1171, "a map: tests/town_law.rs"),
+    (1172, "a map: tests/town_works.rs"),
     (
         909,
         "more than 500 messages: tests/parse_legacy.rs, tests/parse_xml",
@@ -153,6 +154,7 @@ const WITHOUT_EXAMPLE: &[(u16, &str)] = &[
     (1163, "the map is not there"),
     (1170, "the map is not there"),
     (1171, "the map is not there"),
+    (1172, "the map is not there"),
     (1104, "the map is not there"),
     (1105, "the map is not there"),
     (1106, "the map is not there"),

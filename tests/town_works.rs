@@ -95,7 +95,7 @@ fn a_network_reaches_houses_that_stand_far_behind_and_joins_streets() {
     ];
     let houses = [
         square("", (0.0, 4.0), 8.0),
-        square("", (80.0, 60.0), 8.0),
+        square("", (78.0, 58.0), 8.0),
         square("", (300.0, 0.0), 8.0),
     ];
     let folder = folder(&[("roads", &roads), ("houses", &houses)]);
@@ -253,12 +253,12 @@ fn all_signals_of_a_crossing_agree() {
         line(r#""width":6"#, &[(0.0, -50.0), (0.0, 0.0), (0.0, 50.0)]),
     ];
     let signals = [
-        point(r#""way":"""#, (3.0, 4.0)),
-        point(r#""way":"90""#, (-7.0, 5.0)),
-        point(r#""way":"180""#, (4.0, 8.0)),
+        point(r#""way":-1"#, (3.0, 4.0)),
+        point(r#""way":90"#, (-7.0, 5.0)),
+        point(r#""way":180"#, (4.0, 8.0)),
     ];
     let folder = folder(&[("roads", &roads), ("signals", &signals)]);
-    let rules = "<for each=\"roads\"><Road/></for><for each=\"signals\"><if test=\"{way = ''}\"><Signal/></if><else><Signal azimuth=\"{way}\"/></else></for>";
+    let rules = "<for each=\"roads\"><Road/></for><for each=\"signals\"><if test=\"{way &lt; 0}\"><Signal/></if><else><Signal azimuth=\"{way}\"/></else></for>";
     let built = in_folder(&text(&["roads", "signals"], rules), folder.path(), |_| {});
     let lamps: Vec<&str> = built
         .rows
@@ -427,20 +427,11 @@ fn a_torii_is_as_wide_as_its_line_and_looks_to_the_left() {
     let [house] = &houses[..] else {
         panic!("one torii")
     };
-    let hsd::ast::Item::One(storey) = &house.storeys[0] else {
-        panic!("one storey")
-    };
-    let hsd::ast::Item::One(row) = &storey.loops[0].rows[0] else {
-        panic!("one row")
-    };
-    let [hsd::ast::Item::One(hsd::ast::Piece::Part(part))] = &row.pieces[..] else {
+    let [part] = &house.fittings.puts[..] else {
         panic!("one part")
     };
     assert_eq!(part.code.value.as_str(), "ORI 4");
-    let (width, height) = (
-        part.width.as_ref().expect("width").value,
-        part.height.as_ref().expect("height").value,
-    );
+    let (width, height) = (part.width.expect("width"), part.height.expect("height"));
     // In units of three shaku; twice its own width makes it twice as high.
     assert!((width * 10.0 / 11.0 - 7.28).abs() < 0.01 * 7.28, "{width}");
     assert!((height / 13.0 - width / 4.0).abs() < 1e-9, "{height}");
@@ -493,4 +484,96 @@ fn an_arcade_has_whole_bays_and_a_closed_roof() {
         "{upper}"
     );
     assert!(number(&built.rows[0], "x") > 0.0);
+}
+
+/// The bytes of a font that this machine has.
+fn font() -> Option<Vec<u8>> {
+    [
+        "/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc",
+        "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+    ]
+    .iter()
+    .find_map(|path| fs::read(path).ok())
+}
+
+#[test]
+fn a_sign_bears_its_name_on_both_sides() {
+    let signs = [
+        point(r#""name":"LO 4""#, (5.0, 4.0)),
+        point(r#""name":"""#, (9.0, 4.0)),
+    ];
+    let folder = folder(&[
+        ("signs", &signs),
+        ("roads", &[line("", &[(0.0, 0.0), (40.0, 0.0)])]),
+    ]);
+    let rules = "<for each=\"signs\"><Sign text=\"{name}\" size=\"0.3\"/></for>";
+    let plain = text(&["signs", "roads"], rules);
+    let bare = in_folder(&plain, folder.path(), |_| {});
+    let told = |what: &str| {
+        bare.told
+            .iter()
+            .any(|[code, _, message]| code == "HSD1170" && message.contains(what))
+    };
+    assert!(
+        told("name the file of a font") && told("60 letters at most"),
+        "{:?}",
+        bare.told
+    );
+    let lettered = plain.replacen("<Town ", "<Town font=\"gothic.ttf\" ", 1);
+    let missing = in_folder(&lettered, folder.path(), |_| {});
+    assert!(
+        missing.found.contains(&"HSD1172".to_owned()),
+        "{:?}",
+        missing.found
+    );
+    fs::write(folder.path().join("gothic.ttf"), "no font").expect("is written");
+    assert!(
+        in_folder(&lettered, folder.path(), |_| {})
+            .told
+            .iter()
+            .any(|[code, place, _]| code == "HSD1172" && place == "gothic.ttf")
+    );
+    let Some(bytes) = font() else {
+        println!("left out: no font of Noto Sans CJK or DejaVu is installed");
+        return;
+    };
+    fs::write(folder.path().join("gothic.ttf"), bytes).expect("is written");
+    let built = in_folder(&lettered, folder.path(), |_| {});
+    assert_eq!(
+        built
+            .rows
+            .iter()
+            .find(|r| r["type"] == "sign")
+            .expect("is built")["parameters"],
+        "text=LO 4"
+    );
+    let houses = made(&lettered, folder.path());
+    let (ink, _) = sheets(&houses, "sign")
+        .find(|(sheet, _)| sheet.finish == "road_paint")
+        .expect("has letters");
+    // The letters of the side that faces the traffic from the east, along the street, and the same behind.
+    let share = |out: f64| -> f64 {
+        let own = ink
+            .faces
+            .iter()
+            .map(|face| (face[1] - face[0]).cross(face[2] - face[0]) / 2.0);
+        own.filter(|area| area.x * out > 0.0)
+            .map(DVec3::length)
+            .sum()
+    };
+    let (front, back) = (share(1.0), share(-1.0));
+    assert!(
+        (front - back).abs() < 1e-9 && front > 0.02,
+        "{front} {back}"
+    );
+    // A ring of an O is hollow: L, O and 4 cover less than a third of their boxes.
+    assert!(front < 3.0 * 0.3 * 0.3 / 3.0, "{front}");
+    let high = ink.faces.iter().flatten().map(|p| p.z);
+    let (low, high) = high.fold((9e9, 0.0), |(low, high), z| {
+        (f64::min(low, z), f64::max(high, z))
+    });
+    assert!(
+        low > 2.2 && high < 2.2 + 0.3 * 1.7 && high - low > 0.2 && high - low < 0.25,
+        "{low} {high}"
+    );
 }

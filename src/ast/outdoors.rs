@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 use land::{Farmland, Water};
 use law::{EnvelopeWish, Zone};
 use serde::Serialize;
-use street::{Arcade, Poles, Signal, WireLine};
+use street::{Arcade, Lone, Poles, Sign, Signal, WireLine};
 
 /// The outdoor object that a rule asks for.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,12 +22,16 @@ pub enum Outdoor {
     Tree(TreeWish),
     /// A fence, a hedge or a wall along a line or round an area.
     Fence(Fence),
+    /// A torii or a lantern on a line.
+    Lone(Lone),
     /// A pole at a point, poles along a line, or a network along streets.
     Poles(Poles),
     /// Wires along a line.
     Wire(WireLine),
     /// Signals of a crossing.
     Signal(Signal),
+    /// A board with a name.
+    Sign(Box<Sign>),
     /// A roof over a pavement along a line.
     Arcade(Arcade),
     /// A river, a moat or a pond.
@@ -48,10 +52,12 @@ impl Outdoor {
             Outdoor::Rail(_) => "rail",
             Outdoor::Tree(_) => "tree",
             Outdoor::Fence(fence) => fence.word,
+            Outdoor::Lone(lone) => lone.word,
             Outdoor::Poles(poles) if poles.reach.is_some() => "network",
             Outdoor::Poles(_) => "pole",
             Outdoor::Wire(_) => "wire",
             Outdoor::Signal(_) => "signal",
+            Outdoor::Sign(_) => "sign",
             Outdoor::Arcade(_) => "arcade",
             Outdoor::Water(_) => "water",
             Outdoor::Farmland(_) => "farmland",
@@ -98,13 +104,11 @@ pub struct TreeWish {
     pub offset: f64,
 }
 
-/// A fence, a hedge or a wall: units along a line, whose left side is outside. A torii or a lantern is one unit as long as its line.
+/// A fence, a hedge or a wall: units along a line, whose left side is outside.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fence {
-    /// The element: `fence`, `hedge`, `wall`, `torii` or `lantern`.
+    /// The element: `fence`, `hedge` or `wall`.
     pub word: &'static str,
-    /// True if it is one unit, as long as its line and as high as that makes it (000-77).
-    pub is_one: bool,
     /// The part that is repeated.
     pub code: crate::ast::CodeText,
     /// The part at the beginning of the line, if it is another.

@@ -32,6 +32,8 @@ pub struct Town {
     pub fronts: Vec<Spanned<String>>,
     /// The layers of which a rule may make houses.
     pub housed: Vec<String>,
+    /// The file of the font of its signs.
+    pub font: Option<Spanned<String>>,
     /// The layers of which a rule may make roads.
     pub roads: Vec<String>,
     /// The layers of which a rule may make networks of poles.

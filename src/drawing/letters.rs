@@ -32,12 +32,22 @@ impl<'d> Font<'d> {
         (sheet, missing)
     }
 
-    /// Returns the outlines of a text.
-    fn rings(&self, label: &Label, missing: &mut Vec<char>) -> Vec<Vec<DVec2>> {
+    /// Returns the outlines of a text, from the start of its line; 1 is the size of the letters.
+    pub fn lettering(&self, text: &str) -> Lettering {
         let em = f64::from(self.face.units_per_em()).max(1.0);
-        let mut pen = Pen::default();
-        let mut along = 0.0;
-        for letter in label.text.chars() {
+        let (pen, along, missing) = self.written(text);
+        let scaled = |ring: Vec<DVec2>| ring.into_iter().map(|p| p / em).collect();
+        Lettering {
+            rings: pen.rings.into_iter().map(scaled).collect(),
+            width: along / em,
+            missing,
+        }
+    }
+
+    /// Returns the outlines of a text and its width, in the units of the font, and the letters that it does not have.
+    fn written(&self, text: &str) -> (Pen, f64, Vec<char>) {
+        let (mut pen, mut along, mut missing) = (Pen::default(), 0.0, vec![]);
+        for letter in text.chars() {
             let Some(glyph) = self.face.glyph_index(letter) else {
                 missing.push(letter);
                 continue;
@@ -46,6 +56,14 @@ impl<'d> Font<'d> {
             self.face.outline_glyph(glyph, &mut pen);
             along += f64::from(self.face.glyph_hor_advance(glyph).unwrap_or_default());
         }
+        (pen, along, missing)
+    }
+
+    /// Returns the outlines of a label on its sheet.
+    fn rings(&self, label: &Label, missing: &mut Vec<char>) -> Vec<Vec<DVec2>> {
+        let em = f64::from(self.face.units_per_em()).max(1.0);
+        let (pen, along, lacking) = self.written(&label.text);
+        missing.extend(lacking);
         let back = match label.anchor {
             Anchor::Start => 0.0,
             Anchor::Middle => along / 2.0,
@@ -58,6 +76,17 @@ impl<'d> Font<'d> {
         let place_ring = |ring: &Vec<DVec2>| ring.iter().map(place).collect();
         pen.rings.iter().map(place_ring).collect()
     }
+}
+
+/// A text as outlines.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Lettering {
+    /// The rings of its letters.
+    pub rings: Vec<Vec<DVec2>>,
+    /// Its width.
+    pub width: f64,
+    /// The letters that the font does not have.
+    pub missing: Vec<char>,
 }
 
 /// Collects outlines as straight strokes.

@@ -240,6 +240,7 @@ pub(super) static TABLE: &[Surface] = &[
     tinted(worn("sign", &SHEET, 0), [0.95, 0.91, 0.78]),
     tinted(worn("sign_rusty", &SHEET, 1), [0.95, 0.91, 0.78]),
     plain("iron", [0.03, 0.03, 0.032], 0.6),
+    plain("sign_blue", [0.012, 0.07, 0.32], 0.5),
     plain("lamp_green", [0.02, 0.62, 0.42], 0.35),
     plain("lamp_yellow", [0.9, 0.55, 0.02], 0.35),
     plain("lamp_red", [0.8, 0.015, 0.01], 0.35),

@@ -125,7 +125,7 @@ fn object(kind: &str) -> Option<&'static str> {
         "hedge" => "PlantCover",
         "water" => "WaterBody",
         "farmland" => "LandUse",
-        "fence" | "wall" | "pole" | "network" | "wire" | "signal" | "arcade" | "torii"
+        "fence" | "wall" | "pole" | "network" | "wire" | "signal" | "sign" | "arcade" | "torii"
         | "lantern" => "CityFurniture",
         "envelope" => "OtherConstruction",
         _ => return None,

@@ -57,6 +57,8 @@ pub struct Plan {
     blocks: Arc<Blocks>,
     /// The roads that its rules make; none if they make none, or by a definition that they use.
     pub roads: Arc<Roads>,
+    /// The bytes of the font of its signs.
+    pub font: Option<Arc<[u8]>>,
     /// The poles of the networks that its rules make.
     pub poles: Arc<KnownPoles>,
     /// The zones that its rules make.
@@ -112,6 +114,7 @@ impl Plan {
             unjoined: vec![],
             streets: Arc::new(streets),
             roads: Arc::default(),
+            font: None,
             poles: Arc::default(),
             zones: Arc::default(),
             lodged: None,
@@ -145,6 +148,7 @@ impl Plan {
             streets: self.streets.clone(),
             blocks: self.blocks.clone(),
             roads: self.roads.clone(),
+            font: self.font.clone(),
             poles: self.poles.clone(),
             zones: self.zones.clone(),
             lodged: None,

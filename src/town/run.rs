@@ -1,6 +1,7 @@
 //! Evaluates a town: reads its maps, then makes the houses of its features, a chunk of features at a time. What is made of a
 //! feature depends on the town file, the feature and what stands round it; chunks only save time.
 
+mod font;
 mod maps;
 mod outdoors;
 

@@ -1,5 +1,7 @@
 //! What stands in the streets of a town, as its rules want it (docs/contract.md 10.4); lengths in metres.
 
+use crate::ast::CodeText;
+use crate::source::Span;
 use serde::Serialize;
 
 /// Poles at a point, along a line, or of a network along streets.
@@ -51,6 +53,19 @@ impl PoleMade {
         [("concrete", PoleMade::Concrete), ("wood", PoleMade::Wood)];
 }
 
+/// A part that stands on a line by itself, as wide as that is long: a torii or a lantern.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lone {
+    /// The element: `torii` or `lantern`.
+    pub word: &'static str,
+    /// The part.
+    pub code: CodeText,
+    /// The place of the code.
+    pub span: Span,
+    /// Its height, shaku; without, in proportion to its width.
+    pub height: Option<f64>,
+}
+
 /// A signal at a crossing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Signal {
@@ -58,6 +73,42 @@ pub struct Signal {
     pub facing: Option<f64>,
     /// The height of its lamps.
     pub height: f64,
+}
+
+/// A board with the name of a place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sign {
+    /// What is written on it.
+    pub text: String,
+    /// The direction that it faces, degrees clockwise from north; without, along the nearest street.
+    pub facing: Option<f64>,
+    /// The size of its letters.
+    pub size: f64,
+    /// The height of its lower edge.
+    pub height: f64,
+    /// What it is.
+    pub board: Board,
+}
+
+/// The board of a sign.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub enum Board {
+    /// White letters on blue.
+    #[default]
+    Blue,
+    /// Black letters on white.
+    White,
+    /// Black letters on wood.
+    Wood,
+}
+
+impl Board {
+    /// The words for it.
+    pub const WORDS: [(&'static str, Board); 3] = [
+        ("blue", Board::Blue),
+        ("white", Board::White),
+        ("wood", Board::Wood),
+    ];
 }
 
 /// A roof over a pavement along a line, whose left side is the street.

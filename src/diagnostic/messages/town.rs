@@ -1,8 +1,10 @@
 //! Messages about towns (HSD11xx).
 
 mod law;
+mod outdoors;
 
 pub use law::no_guiding_height;
+pub use outdoors::{no_font, not_laid};
 
 use super::words::{all_of, quote};
 use super::xml::{known, offer};
@@ -131,17 +133,6 @@ pub fn refused(origin: Origin, why: &Text) -> Diagnostic {
     Diagnostic::warning(1108, origin, message).help(text!(
         "`on=\"outline\"` follows the walls of the map whatever their shape; `Skip` says that nothing is wanted",
         "`on=\"outline\"` なら形によらず地図の壁に沿います。不要なら `Skip` と書いてください"
-    ))
-}
-
-/// A wish for something outside houses that its feature cannot have.
-#[cold]
-pub fn not_laid(origin: Origin, word: &str, why: &Text) -> Diagnostic {
-    let message =
-        text!([word, why] "no {word} is made here: {why}", "ここには {word} を作れません: {why}");
-    Diagnostic::warning(1170, origin, message).help(text!(
-        "a `test` on the `for` can leave such features out",
-        "`for` の `test` でこうした地物を除けます"
     ))
 }
 

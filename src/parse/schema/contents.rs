@@ -91,6 +91,7 @@ pub(in crate::parse) static FOR: Content = content(
         Tag::Network,
         Tag::Wire,
         Tag::Signal,
+        Tag::Sign,
         Tag::Arcade,
         Tag::Torii,
         Tag::Lantern,

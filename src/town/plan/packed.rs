@@ -24,6 +24,9 @@ impl Plan {
         self.layers.iter().for_each(|l| l.pack_head(&mut out));
         out.count(self.tables.len());
         self.tables.iter().for_each(|table| table.pack(&mut out));
+        let font = self.font.as_deref().unwrap_or_default();
+        out.count(font.len());
+        out.bytes(font);
         bytes
     }
 
@@ -92,6 +95,9 @@ impl PartReader {
         let layers = layers.collect::<io::Result<Vec<Lots>>>()?;
         let tables = (0..from.count()?).map(|_| Rows::unpack(&mut from));
         let tables = tables.collect::<io::Result<Vec<Rows>>>()?;
+        let size = from.count()?;
+        let font = from.bytes(size)?;
+        let font = (size > 0).then(|| font.into());
         let own = layers.iter().map(|lots| lots.layer.clone()).collect();
         let written = std::mem::replace(&mut town.layers, own);
         let head = Plan {
@@ -104,6 +110,7 @@ impl PartReader {
             streets: Arc::default(),
             blocks: Arc::default(),
             roads: Arc::default(),
+            font,
             poles: Arc::default(),
             zones: Arc::default(),
             lodged: None,

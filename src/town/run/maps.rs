@@ -77,6 +77,7 @@ pub fn plan_lodged(
     let mut plan = Plan::new(town.clone(), frame, layers, tables);
     plan.unjoined = unjoined;
     plan.ground = Arc::new(ground);
+    plan.font = super::font::font(input, town, out);
     let (roads, poles, zones) = super::outdoors::laid_first(input, &plan);
     (plan.roads, plan.poles, plan.zones) = (Arc::new(roads), Arc::new(poles), Arc::new(zones));
     if let Some(lodger) = lodger {
@@ -397,7 +398,11 @@ fn mismatch(why: &Mismatch) -> crate::diagnostic::Text {
     }
 }
 
-fn path(input: TownInput<'_>, href: &Spanned<String>) -> Result<String, crate::diagnostic::Text> {
+/// Returns the path of a file that a town names.
+pub(super) fn path(
+    input: TownInput<'_>,
+    href: &Spanned<String>,
+) -> Result<String, crate::diagnostic::Text> {
     let found = input.world.text(input.source.name(), &href.value);
     found.map_err(|_| {
         text!(

@@ -6,10 +6,12 @@ mod basins;
 mod envelopes;
 mod fences;
 mod lines;
+mod lone;
 mod poles;
 mod rails;
 mod roads;
 mod signals;
+mod signs;
 mod solids;
 mod trees;
 
@@ -56,9 +58,11 @@ impl LotSite<'_> {
             Outdoor::Rail(rail) => self.rail(rail, span),
             Outdoor::Tree(tree) => self.trees(tree, span, draws),
             Outdoor::Fence(fence) => self.fence(fence, span),
+            Outdoor::Lone(lone) => self.lone(lone, span),
             Outdoor::Poles(poles) => self.poles(poles, span),
             Outdoor::Wire(wire) => self.wires(wire, span),
             Outdoor::Signal(signal) => self.signal(signal, span, draws),
+            Outdoor::Sign(sign) => self.sign(sign, span),
             Outdoor::Arcade(arcade) => self.arcade(arcade, span),
             Outdoor::Water(water) => self.water(water, span),
             Outdoor::Farmland(farmland) => self.farmland(farmland, span),

@@ -5,7 +5,7 @@ mod outdoors;
 
 pub(in crate::parse::schema) use law::{ENVELOPE, ZONE};
 pub(in crate::parse::schema) use outdoors::{
-    ARCADE, FARMLAND, LANTERN, NETWORK, POLE, SIGNAL, TORII, WATER, WIRE,
+    ARCADE, FARMLAND, LANTERN, NETWORK, POLE, SIGN, SIGNAL, TORII, WATER, WIRE,
 };
 
 use super::{FAR, LENGTH, TRUTH};
@@ -24,6 +24,7 @@ pub(in crate::parse::schema) const TOWN: &[AttributeSchema] = &[
     may("crs", Text, "", "the plane in which it is built, such as `EPSG:6674`; without, the zone of Japan or of UTM that the first layer lies in", "町を作る平面座標系。`EPSG:6674` など。無ければ最初のレイヤーが入る平面直角座標系か UTM"),
     may("seed", Whole(0, u64::MAX), "0", "key of all draws: another seed, another town on the same maps", "抽選の種。変えると同じ地図の別の町になる"),
     may("origin", Point(-FAR, FAR), "", "metres east and north in `crs` that are 0 0 of the model; without, the centre of the first layer, rounded to 1 km", "モデルの原点。`crs` での東と北(m)。無ければ最初のレイヤーの中心を 1 km に丸めた点").metres(),
+    may("font", Text, "", "the file of a font (TTF, OTF, TTC) for the letters of signs, from the folder of this one", "標識の文字に使うフォント(TTF、OTF、TTC)のファイル。このファイルのフォルダーから数える"),
     may("geoid", TRUTH, "no", "in tiles, heights count from the sea, which is raised over the ellipsoid by the geoid (EGM96)", "タイルで、高さを海面から数える。海面は楕円体からジオイド高(EGM96)だけ上がる"),
 ];
 #[rustfmt::skip]

@@ -61,6 +61,7 @@ pub(super) fn is_outdoors(rule: &ElementRef<'_, '_>) -> bool {
                 | Tag::Network
                 | Tag::Wire
                 | Tag::Signal
+                | Tag::Sign
                 | Tag::Arcade
                 | Tag::Torii
                 | Tag::Lantern

@@ -2,7 +2,7 @@
 
 use crate::ast::land::{Bank, Crop, Farmland, Water};
 use crate::ast::law::{DistrictPlan, EnvelopeWish, Zone};
-use crate::ast::street::{Arcade, PoleMade, Poles, Signal, WireLine, Wires};
+use crate::ast::street::{Arcade, Board, Lone, PoleMade, Poles, Sign, Signal, WireLine, Wires};
 use crate::ast::{CodeText, Fence, Outdoor, Railway, Road, Species, Surface, TreeWish};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::schema::{Schema, Tag};
@@ -33,6 +33,14 @@ impl<'t> Reader<'t, '_> {
                 spacing: self.usual(&of, "spacing"),
                 offset: self.usual(&of, "offset"),
             }),
+            Tag::Torii | Tag::Lantern => {
+                let word = if schema.tag == Tag::Torii {
+                    "torii"
+                } else {
+                    "lantern"
+                };
+                Outdoor::Lone(self.lone(word, schema, &of))
+            }
             Tag::Pole | Tag::Network => Outdoor::Poles(Poles {
                 height: self.usual(&of, "height"),
                 spacing: self.usual(&of, "spacing"),
@@ -50,6 +58,15 @@ impl<'t> Reader<'t, '_> {
                 facing: self.number(&of, "azimuth").map(|a| a.value),
                 height: self.usual(&of, "height"),
             }),
+            Tag::Sign => Outdoor::Sign(Box::new(Sign {
+                text: self.text(&of, "text").map_or_else(String::new, |t| t.value),
+                facing: self.number(&of, "azimuth").map(|a| a.value),
+                size: self.usual(&of, "size"),
+                height: self.usual(&of, "height"),
+                board: self
+                    .choice(&of, "board", &Board::WORDS)
+                    .map_or_else(Board::default, |b| b.value),
+            })),
             Tag::Arcade => Outdoor::Arcade(Arcade {
                 depth: self.usual(&of, "depth"),
                 height: self.usual(&of, "height"),
@@ -86,8 +103,6 @@ impl<'t> Reader<'t, '_> {
                 let word = match tag {
                     Tag::Hedge => "hedge",
                     Tag::Wall => "wall",
-                    Tag::Torii => "torii",
-                    Tag::Lantern => "lantern",
                     _ => "fence",
                 };
                 Outdoor::Fence(self.fence(word, schema, &of))
@@ -140,6 +155,17 @@ impl<'t> Reader<'t, '_> {
         }
     }
 
+    fn lone(&mut self, word: &'static str, schema: &'static Schema, of: &Attributes<'t>) -> Lone {
+        let code = self.text(of, "code");
+        let usual = schema.attribute("code").map_or("", |code| code.default);
+        Lone {
+            word,
+            span: code.as_ref().map_or(self.start(of.element), |c| c.span),
+            code: CodeText::new(code.as_ref().map_or(usual, |code| &code.value)),
+            height: self.number(of, "height").map(|h| h.value),
+        }
+    }
+
     fn wires(&mut self, of: &Attributes<'t>) -> Wires {
         Wires {
             count: self.usual(of, "wires") as u32,
@@ -163,21 +189,16 @@ impl<'t> Reader<'t, '_> {
     fn fence(&mut self, word: &'static str, schema: &'static Schema, of: &Attributes<'t>) -> Fence {
         let code = self.text(of, "code");
         let usual = schema.attribute("code").map_or("", |code| code.default);
-        let is_one = matches!(schema.tag, Tag::Torii | Tag::Lantern);
         let part =
             |text: Option<crate::source::Spanned<String>>| text.map(|t| CodeText::new(&t.value));
         Fence {
             word,
-            is_one,
             span: code.as_ref().map_or(self.start(of.element), |c| c.span),
             code: part(code).unwrap_or_else(|| CodeText::new(usual)),
             first: part(self.text(of, "first")),
             last: part(self.text(of, "last")),
             height: self.number(of, "height").map(|h| h.value),
-            gate: match is_one {
-                true => 0.0,
-                false => self.usual(of, "gate"),
-            },
+            gate: self.usual(of, "gate"),
         }
     }
 }

@@ -32,6 +32,7 @@ impl<'t> Reader<'t, '_> {
             crs: self.text(&of, "crs"),
             seed: self.whole_number(&of, "seed").map_or(0, |seed| seed.value),
             origin,
+            font: self.text(&of, "font"),
             geoid: self.yes_no(&of, "geoid").is_some_and(|g| g.value),
             fronts: facts.fronts,
             housed: facts.housed,

@@ -25,7 +25,7 @@ impl LotSite<'_> {
     pub(super) fn fence(&self, wish: &Fence, span: Span) -> Result<Laid, Text> {
         let lines = match &self.lot().shape {
             // Inside is to the left of its ring; of a fence outside is.
-            Shape::Area(ring, _) if !wish.is_one => {
+            Shape::Area(ring, _) => {
                 let mut around: Vec<DVec2> = ring.iter().rev().copied().collect();
                 around.extend(around.first().copied());
                 let front = self.frontage().filter(|_| wish.gate > 0.0);
@@ -33,11 +33,6 @@ impl LotSite<'_> {
                     Some(found) => opened(&around, found.front.chord.middle(), wish.gate)?,
                     None => around,
                 }]
-            }
-            // Its corners do not matter: the line says where it stands, how wide it is and what it faces (000-77).
-            _ if wish.is_one => {
-                let ends = |way: Vec<DVec2>| vec![way[0], way[way.len() - 1]];
-                self.ways().into_iter().map(ends).collect()
             }
             _ => self.ways(),
         };
@@ -62,16 +57,10 @@ impl LotSite<'_> {
             }
         }
         if houses.is_empty() {
-            return Err(match wish.is_one {
-                true => text!(
-                    "it needs a line of 0.2 m at least, which gives its width and what it faces",
-                    "幅と向きを決める 0.2 m 以上の線が要ります"
-                ),
-                false => text!(
-                    "a fence needs a line of 0.2 m at least",
-                    "柵には 0.2 m 以上の線が要ります"
-                ),
-            });
+            return Err(text!(
+                "a fence needs a line of 0.2 m at least",
+                "柵には 0.2 m 以上の線が要ります"
+            ));
         }
         let parameters = vec![
             (
@@ -91,7 +80,7 @@ impl LotSite<'_> {
 
     /// Divides a wall where the ground under it rises or falls, between units; each piece with its lowest ground.
     fn steps(&self, wish: &Fence, wall: Segment) -> Vec<(Vec<Segment>, f64)> {
-        let count = units(wish, wall.length());
+        let count = units(&wish.code, wall.length());
         let at = |n: u32| wall.from.lerp(wall.to, f64::from(n) / f64::from(count));
         let (mut found, mut from) = (vec![], 0);
         let first = self.height(wall.from);
@@ -139,31 +128,11 @@ fn opened(around: &[DVec2], near: DVec2, gate: f64) -> Result<Vec<DVec2>, Text> 
         .collect())
 }
 
-/// Returns the width of a part as its code has it, metres.
-fn own_width(code: &CodeText) -> f64 {
-    let width = code.as_str().chars().nth(4).and_then(|c| c.to_digit(10));
-    f64::from(width.unwrap_or(1).max(1)) * UNIT
-}
-
 /// Returns the whole number of units of a part whose size is nearest to their own on a wall of this length.
-fn units(wish: &Fence, length: f64) -> u32 {
-    match wish.is_one {
-        true => 1,
-        false => (length / own_width(&wish.code)).round().max(1.0) as u32,
-    }
-}
-
-/// Returns the height of a part on a wall of this length, shaku: of one that is as long as its line, in proportion to that.
-fn height(wish: &Fence, length: f64) -> Option<f64> {
-    let own = || {
-        let catalog = crate::parse::builtin();
-        let part = catalog.part(catalog.find(&wish.code)?);
-        Some(part.to? / part.width())
-    };
-    match wish.is_one {
-        true => wish.height.or_else(|| Some(own()? * length / UNIT)),
-        false => wish.height,
-    }
+fn units(code: &CodeText, length: f64) -> u32 {
+    let width = code.as_str().chars().nth(4).and_then(|c| c.to_digit(10));
+    let own = f64::from(width.unwrap_or(1).max(1)) * UNIT;
+    (length / own).round().max(1.0) as u32
 }
 
 /// Returns the row of units on one of the walls that follow each other. `ends` says whether the first and the last of these are
@@ -175,7 +144,7 @@ fn row(
     span: Span,
 ) -> Row {
     let wall = walls[number];
-    let count = units(wish, wall.length());
+    let count = units(&wish.code, wall.length());
     let width = wall.length() / f64::from(count) / UNIT;
     let code = |n: u32| {
         let begins = is_first && number == 0 && n == 0;
@@ -188,7 +157,7 @@ fn row(
         Item::One(Piece::Part(Box::new(Part {
             code: Spanned::new(code(n), wish.span),
             width: Some(Spanned::new(width, wish.span)),
-            height: height(wish, wall.length()).map(|height| Spanned::new(height, wish.span)),
+            height: wish.height.map(|height| Spanned::new(height, wish.span)),
         })))
     };
     let turn = walls.get(number + 1).map_or(0.0, |next| {
@@ -211,7 +180,7 @@ fn run(
     span: Span,
 ) -> Option<(House, u32)> {
     let first = walls.first()?;
-    let count = walls.iter().map(|wall| units(wish, wall.length()));
+    let count = walls.iter().map(|wall| units(&wish.code, wall.length()));
     let count = count.sum();
     let rows = (0..walls.len()).map(|number| row(wish, walls, (number, ends), span));
     let rows = rows.map(Item::One).collect();
@@ -226,7 +195,7 @@ fn run(
         name: Some(Spanned::new(wish.word.to_owned(), span)),
         storeys: vec![Item::One(Storey {
             span,
-            height: height(wish, first.length()).map(|height| Spanned::new(height, wish.span)),
+            height: wish.height.map(|height| Spanned::new(height, wish.span)),
             loops: vec![walk],
             ..Storey::default()
         })],

@@ -182,12 +182,17 @@ impl LotSite<'_> {
             let from = line.poles.len();
             line.poles.extend(places.iter().map(|at| self.stands(*at)));
             line.join_from(from);
-            let mut ends = vec![places.first(), places.last()];
-            ends.truncate(places.len());
-            for end in ends.into_iter().flatten() {
-                let other = self.other_street(*end, JOINS * line.wish.spacing);
+            let inner = |n: usize| places.get(n).copied();
+            let last = places.len().saturating_sub(1);
+            let ends = [
+                (inner(0), inner(1)),
+                (inner(last), inner(last.wrapping_sub(1))),
+            ];
+            for (end, next) in &ends[..places.len().min(2)] {
+                let Some(end) = *end else { continue };
+                let other = self.other_street((end, *next), JOINS * line.wish.spacing);
                 line.spans
-                    .extend(other.map(|other| [*end, other].map(|at| line.top(self.stands(at)))));
+                    .extend(other.map(|other| [end, other].map(|at| line.top(self.stands(at)))));
             }
         }
         let own: Vec<DVec3> = line.poles.clone();
@@ -218,11 +223,15 @@ impl LotSite<'_> {
         (served, between)
     }
 
-    /// Returns the pole of another street to which wires go on from the end of one; of two ends one leads to the other.
-    fn other_street(&self, end: DVec2, far: f64) -> Option<DVec2> {
+    /// Returns the pole of another street to which wires go on from the end of one, away from its `next` pole; of two ends one
+    /// leads to the other.
+    fn other_street(&self, (end, next): (DVec2, Option<DVec2>), far: f64) -> Option<DVec2> {
         let known = &self.plan.poles;
         let own = known.at(end)?;
         let other = known.next_line(own, far)?;
+        if next.is_some_and(|next| (end - next).dot(other.at - end) < 0.0) {
+            return None;
+        }
         let comes_back = other.is_end && known.next_line(other, far) == Some(own);
         let first = (own.at.x, own.at.y) < (other.at.x, other.at.y);
         (first || !comes_back).then_some(other.at)

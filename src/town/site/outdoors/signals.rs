@@ -197,7 +197,7 @@ fn between(one: DVec2, two: DVec2) -> f64 {
 }
 
 /// Returns the direction of the nearest street.
-fn nearest_way(streets: &[Piece], at: DVec2) -> Option<DVec2> {
+pub(super) fn nearest_way(streets: &[Piece], at: DVec2) -> Option<DVec2> {
     let off = |piece: &&Piece| piece.line.nearest(at).distance(at);
     let nearest = streets.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
     nearest.map(|piece| piece.line.direction())
@@ -265,11 +265,18 @@ fn arms(streets: &[Piece], crossing: &Crossing) -> Vec<(DVec2, f64)> {
         if piece.line.nearest(crossing.at).distance(crossing.at) >= MEETS {
             continue;
         }
-        for end in [from, to] {
-            let way = end - crossing.at;
-            if way.length() > 2.0 * MEETS {
-                leave(way.normalize(), piece.half);
-            }
+        // One that begins there leads to its other end, one that passes leads both ways.
+        let far = |end: DVec2| end.distance(crossing.at);
+        let (near, other) = if far(from) < far(to) {
+            (from, to)
+        } else {
+            (to, from)
+        };
+        for end in [Some(other), (far(near) > 2.0 * MEETS).then_some(near)]
+            .into_iter()
+            .flatten()
+        {
+            leave((end - crossing.at).normalize_or(DVec2::Y), piece.half);
         }
     }
     let key = |(way, _): &(DVec2, f64)| azimuth(*way);

@@ -2,11 +2,12 @@
 
 use super::EVIDENCE;
 use crate::ast::land::{Bank, Crop};
-use crate::ast::street::PoleMade;
+use crate::ast::street::{Board, PoleMade};
 use crate::parse::schema::kinds::Kind::{Choice, Number, Text, Whole};
-use crate::parse::schema::kinds::{AttributeSchema, may, words};
+use crate::parse::schema::kinds::{AttributeSchema, may, must, words};
 
 const MADE: &[&str] = &words(&PoleMade::WORDS);
+const BOARD: &[&str] = &words(&Board::WORDS);
 const BANK: &[&str] = &words(&Bank::WORDS);
 const CROP: &[&str] = &words(&Crop::WORDS);
 
@@ -63,6 +64,15 @@ pub(in crate::parse::schema) const WIRE: &[AttributeSchema] = &[
 pub(in crate::parse::schema) const SIGNAL: &[AttributeSchema] = &[
     may("azimuth", Number(-3600.0, 3600.0), "", "the direction that it faces, degrees clockwise from north; without, one for each road that comes in", "灯器の向き。北から時計回りの度。無ければ、入ってくる道ごとに一基"),
     may("height", Number(2.0, 10.0), "5", "of its lamps, metres", "灯器の高さ(m)").metres(),
+    EVIDENCE,
+];
+#[rustfmt::skip]
+pub(in crate::parse::schema) const SIGN: &[AttributeSchema] = &[
+    must("text", Text, "what is written on it, in the letters of the town's `font`", "書く文字。町の `font` の字形で書く"),
+    may("azimuth", Number(-3600.0, 3600.0), "", "the direction that it faces, degrees clockwise from north; without, along the nearest street", "向き。北から時計回りの度。無ければ最も近い通りに沿う向き"),
+    may("size", Number(0.02, 5.0), "0.2", "of its letters, metres", "文字の大きさ(m)").metres(),
+    may("height", Number(0.0, 30.0), "2.2", "of its lower edge, metres", "板の下端の高さ(m)").metres(),
+    may("board", Choice(BOARD), "blue", "the board under the letters", "文字の下の板"),
     EVIDENCE,
 ];
 #[rustfmt::skip]
