@@ -54,7 +54,7 @@ pub(super) fn write(house: &House, name: &str, told: &Told<'_>) -> HouseText {
     }
 }
 
-/// Writes a house of rows alone, which stands by itself: a fence.
+/// Writes a house of rows or of a part alone, which stands by itself: a fence, a torii.
 pub(super) fn lone(house: &House, name: &str) -> HouseText {
     let settings = &house.settings;
     let mut own = format!("<House name=\"{}\"", escaped(name));
@@ -89,7 +89,23 @@ pub(super) fn lone(house: &House, name: &str) -> HouseText {
         }
         own.push_str("</Loop></Storey>");
     }
-    own.push_str("<Roofs mode=\"explicit\"/></House>");
+    for put in &house.fittings.puts {
+        let _ = write!(
+            own,
+            "<Put code=\"{}\" at=\"0 0\"",
+            escaped(put.code.value.as_str().trim_end())
+        );
+        for (name, value) in [("width", put.width), ("height", put.height)] {
+            if let Some(value) = value {
+                let _ = write!(own, " {name}=\"{}\"", number(value));
+            }
+        }
+        own.push_str("/>");
+    }
+    if !house.storeys.is_empty() {
+        own.push_str("<Roofs mode=\"explicit\"/>");
+    }
+    own.push_str("</House>");
     HouseText { placed: None, own }
 }
 
