@@ -21,6 +21,7 @@ fn photo(facade: &Facade, shot: &Shot) -> Photo {
         pixels: shot.draw(facade),
         focal: Some(shot.focal),
         mask: None,
+        bend: None,
     }
 }
 
@@ -273,6 +274,7 @@ fn pictures_without_a_wall_are_refused() {
             pixels,
             focal: None,
             mask: None,
+            bend: None,
         };
         let refused = front::read(&[photo], &Given::default());
         assert!(refused.is_err(), "{:?}", refused.map(|f| f.grid));
@@ -342,6 +344,7 @@ fn real(name: &str) -> (Photo, [DVec2; 4], [DVec2; 4], Lens) {
         pixels: picture.pixels,
         focal: None,
         mask: None,
+        bend: None,
     };
     (
         photo,
