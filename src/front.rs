@@ -51,7 +51,7 @@ pub struct Photo {
     pub focal: Option<f64>,
     /// What stands before the wall: not black. Of the size of the photograph.
     pub mask: Option<GrayImage>,
-    /// How its lens bends lines, where that has been found already ([`bend`]).
+    /// How its lens bends lines, where that has been found already ([`found`]).
     pub bend: Option<[f64; 2]>,
 }
 
@@ -204,26 +204,32 @@ fn told(photo: &Photo, given: &Given) -> Option<(f64, Told)> {
     given.focal.map(|focal| (focal, Told::Given)).or(own)
 }
 
-/// The lens before anything is known of its bending, and the usual focal length.
-fn guessed(photo: &Photo, given: &Given) -> (Lens, f64) {
+/// The lens before anything is known of the corners, and the usual focal length.
+fn guessed(photo: &Photo, given: &Given, edges: &[lines::Edge]) -> (Lens, f64) {
     let size = dvec2(
         f64::from(photo.pixels.width()),
         f64::from(photo.pixels.height()),
     );
     let usual = USUAL_FOCAL * size.length();
-    let lens = Lens {
+    let mut lens = Lens {
         focal: told(photo, given).map_or(usual, |t| t.0),
         middle: size / 2.0,
         bend: [0.0; 2],
     };
+    let bend = given.bend.or(photo.bend);
+    let bend = bend.or_else(|| vanish::bending(edges, &lens, size.max_element()));
+    lens.bend = bend.unwrap_or_default();
     (lens, usual)
 }
 
-/// How the lens of a photograph bends lines, as [`view`] finds it where nothing says it.
-pub fn bend(photo: &Photo, given: &Given) -> [f64; 2] {
-    let (lens, _) = guessed(photo, given);
-    let longest = f64::from(photo.pixels.width().max(photo.pixels.height()));
-    vanish::bending(&wall::edges(&photo.pixels), &lens, longest).unwrap_or_default()
+/// Looks for the wall in a photograph, and keeps how its lens bends lines, so that it is not worked out again for other corners.
+///
+/// # Errors
+/// If there is no wall.
+pub fn found(photo: &mut Photo, given: &Given) -> Result<View, Lost> {
+    let edges = wall::edges(&photo.pixels);
+    photo.bend = Some(guessed(photo, given, &edges).0.bend);
+    by_edges(photo, &edges, None, given)
 }
 
 /// How a photograph sees the wall.
@@ -231,21 +237,22 @@ pub fn bend(photo: &Photo, given: &Given) -> [f64; 2] {
 /// # Errors
 /// If corners are looked for and there is no wall.
 pub fn view(photo: &Photo, corners: Option<[DVec2; 4]>, given: &Given) -> Result<View, Lost> {
-    let (width, height) = (
-        f64::from(photo.pixels.width()),
-        f64::from(photo.pixels.height()),
-    );
-    let told = told(photo, given);
-    let (mut lens, usual) = guessed(photo, given);
-    let bend = given.bend.or(photo.bend);
-    let edges = match bend.is_none() || corners.is_none() {
+    let is_bent = given.bend.or(photo.bend).is_none();
+    let edges = match is_bent || corners.is_none() {
         true => wall::edges(&photo.pixels),
         false => vec![],
     };
-    let longest = width.max(height);
-    lens.bend = bend
-        .or_else(|| vanish::bending(&edges, &lens, longest))
-        .unwrap_or_default();
+    by_edges(photo, &edges, corners, given)
+}
+
+fn by_edges(
+    photo: &Photo,
+    edges: &[lines::Edge],
+    corners: Option<[DVec2; 4]>,
+    given: &Given,
+) -> Result<View, Lost> {
+    let told = told(photo, given);
+    let (mut lens, usual) = guessed(photo, given, edges);
     let wall = match corners {
         Some(corners) => Wall {
             corners,
@@ -253,7 +260,7 @@ pub fn view(photo: &Photo, corners: Option<[DVec2; 4]>, given: &Given) -> Result
             lens,
             trust: 1.0,
         },
-        None => wall::find(&photo.pixels, &edges, &lens)?,
+        None => wall::find(&photo.pixels, edges, &lens)?,
     };
     let map = homography(UNIT, wall.straight);
     let square = focal_of(map, lens.middle).filter(|f| (0.3..4.0).contains(&(f / usual)));

@@ -22,9 +22,10 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
-/// The longer side of the photographs from which previews are made, and of previews, pixels.
-const SMALL: u32 = 1800;
-const PREVIEW: f64 = 1000.0;
+/// The longer side of the photographs from which previews are made, and of previews, pixels: while something is dragged, and
+/// afterwards.
+const SMALL: [u32; 2] = [800, 1800];
+const PREVIEW: [f64; 2] = [460.0, 1000.0];
 /// The longer side of a photograph in the page, pixels: browsers draw no larger ones.
 const SHOWN: u32 = 8000;
 /// How good the pictures for the page are, of 100.
@@ -51,9 +52,8 @@ pub(super) struct Photographs {
 /// A photograph.
 struct Opened {
     photo: Photo,
-    /// The same for previews, so many times as large.
-    small: Photo,
-    scale: f64,
+    /// The same for previews, and how many times as large.
+    small: [(Photo, f64); 2],
     corners: [DVec2; 4],
     /// Why the wall was not found, in words.
     lost: Option<String>,
@@ -85,6 +85,8 @@ struct Asked {
     size: Option<[f64; 2]>,
     /// Whether the lattice is to be found.
     finds: bool,
+    /// Whether it is only for a moment.
+    quick: bool,
 }
 
 impl Photographs {
@@ -245,17 +247,13 @@ impl Photographs {
 }
 
 impl Opened {
-    fn of(photo: Photo, number: usize, sources: &[Source], language: Language) -> Opened {
-        let given = Given::default();
-        let photo = Photo {
-            bend: Some(front::bend(&photo, &given)),
-            ..photo
-        };
+    fn of(mut photo: Photo, number: usize, sources: &[Source], language: Language) -> Opened {
+        let view = front::found(&mut photo, &Given::default());
         let (width, height) = photo.pixels.dimensions();
         let inset = |x: f64, y: f64| dvec2(x * f64::from(width), y * f64::from(height));
         let (near, far) = (LOST, 1.0 - LOST);
         let square = [(near, near), (far, near), (far, far), (near, far)];
-        let (corners, lost) = match front::view(&photo, None, &given) {
+        let (corners, lost) = match view {
             Ok(view) => (view.corners, None),
             Err(why) => {
                 let why = said::refused(sources, Refused::Lost(number, why));
@@ -263,16 +261,20 @@ impl Opened {
                 (square.map(|(x, y)| inset(x, y)), Some(why))
             }
         };
-        let scale = (f64::from(SMALL) / f64::from(width.max(height))).min(1.0);
-        let small = Photo {
-            pixels: fitted(&photo.pixels, SMALL),
-            focal: photo.focal.map(|focal| focal * scale),
-            ..photo.clone()
-        };
+        let small = SMALL.map(|longest| {
+            let scale = (f64::from(longest) / f64::from(width.max(height))).min(1.0);
+            let small = Photo {
+                name: photo.name.clone(),
+                pixels: fitted(&photo.pixels, longest),
+                focal: photo.focal.map(|focal| focal * scale),
+                mask: None,
+                bend: photo.bend,
+            };
+            (small, scale)
+        });
         Opened {
             photo,
             small,
-            scale,
             corners,
             lost,
         }
@@ -301,20 +303,20 @@ impl FrontHost for Photographs {
     fn straight(&self, asked: Value) -> Result<Value, String> {
         let asked: Asked = self.read(asked)?;
         let opened = self.all.get(asked.photo).ok_or("no such photograph")?;
-        let corners = self.corners(&asked.marked)?.map(|c| c * opened.scale);
+        let level = usize::from(!asked.quick);
+        let (small, scale) = &opened.small[level];
+        let corners = self.corners(&asked.marked)?.map(|c| c * *scale);
         let given = Given {
             size: asked.size.map(DVec2::from_array),
             ..Given::default()
         };
-        let small = &opened.small;
         let view = front::view(small, Some(corners), &given);
         let view = view.map_err(|_| "no view".to_owned())?;
         let (width, height) = rectify::size(corners, view.aspect);
-        let fit = (PREVIEW / f64::from(width.max(height))).min(1.0);
+        let fit = (PREVIEW[level] / f64::from(width.max(height))).min(1.0);
         let size = [width, height].map(|s| ((f64::from(s) * fit).round() as u32).max(8));
         let mask = &asked.marked.mask;
-        let mask =
-            (!mask.is_empty()).then(|| painted(small.pixels.dimensions(), mask, opened.scale));
+        let mask = (!mask.is_empty()).then(|| painted(small.pixels.dimensions(), mask, *scale));
         let (wall, grid) = seen(small, mask, &view, size.into(), asked.finds);
         let picture = BASE64_STANDARD.encode(jpeg(&wall).map_err(|e| e.to_string())?);
         let inner = |lines: &[f64]| lines[1..lines.len() - 1].to_vec();

@@ -19,7 +19,7 @@ export class FrontDesk {
   readonly element: HTMLElement;
   /** Shows the model that was built. */
   showModel: () => void = () => {};
-  /** Milliseconds from asking for a straight wall to having it, the last ones. */
+  /** Milliseconds from asking for a straight wall to having its small picture. */
   readonly times: number[] = [];
   #app: App;
   #known!: Photographs;
@@ -147,30 +147,40 @@ export class FrontDesk {
 
   /** Asks for the wall seen straight: one question at a time, the newest of those that wait. */
   #ask(finds: boolean) {
-    [this.#stale, this.#finds] = [true, this.#finds || finds];
+    this.#stale = true;
+    this.#finds ||= finds;
     if (!this.#asking) void this.#answer();
   }
 
   async #answer() {
     this.#asking = true;
     while (this.#stale) {
-      const [draft, photo, asksFor] = [this.draft, this.#number, this.#finds], begun = performance.now();
-      this.#stale = this.#finds = false;
+      this.#stale = false;
       try {
-        const straight = await fetchStraight({ photo, marked: draft.photos[photo]!, size: draft.size, finds: asksFor });
-        if ('refused' in straight) { this.#report(straight.refused, true); continue; }
-        this.times.push(performance.now() - begun);
-        if (photo !== this.#number) continue;
-        this.#straight = straight;
-        this.#wall.show(straight);
-        // The lattice belongs to the corners that were moved: no step of its own.
-        if (straight.lattice && !this.#dragged && !this.draft.byHand) this.#history.now = { ...this.draft, ...straight.lattice };
-        this.#draw();
+        // A small picture comes at once; the whole one, and the lattice, when nothing moves any more.
+        await this.#see(true, false);
+        if (this.#stale || this.#dragged) continue;
+        const finds = this.#finds;
+        this.#finds = false;
+        await this.#see(false, finds);
       } catch (error) {
         this.#report(strings.failed + (error as Error).message, true);
       }
     }
     this.#asking = false;
+  }
+
+  async #see(quick: boolean, finds: boolean) {
+    const [draft, photo] = [this.draft, this.#number], begun = performance.now();
+    const straight = await fetchStraight({ photo, marked: draft.photos[photo]!, size: draft.size, finds, quick });
+    if ('refused' in straight) return this.#report(straight.refused, true);
+    if (quick) this.times.push(performance.now() - begun);
+    if (photo !== this.#number || this.#stale && !quick) return;
+    this.#straight = straight;
+    this.#wall.show(straight);
+    // The lattice belongs to the corners that were moved: no step of its own.
+    if (straight.lattice && !this.#dragged && !this.draft.byHand) this.#history.now = { ...this.draft, ...straight.lattice };
+    this.#draw();
   }
 
   /** True while a question is under way. */

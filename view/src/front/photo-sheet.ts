@@ -8,8 +8,8 @@ import { Loupe } from './loupe.ts';
 
 export type Tool = 'corners' | 'brush' | 'eraser';
 
-/** What is beside the photograph, as a part of it: corners may lie there. */
-const MARGIN = 0.05;
+/** What is beside the photograph, as a part of it: corners may lie there, and those that lie further off are seen up to a limit. */
+const MARGIN = 0.04, BEYOND = 0.5;
 /** Radius of a corner, CSS pixels. */
 const CORNER = 9;
 /** How far a key leads the brush, as a part of its width; how much further with Shift. */
@@ -73,7 +73,13 @@ export class PhotoSheet {
     if (this.#photo !== photo) {
       for (const [name, value] of Object.entries({ href: url, width, height })) this.#image.setAttribute(name, `${value}`);
       for (const area of [this.#mask, this.#veil]) for (const [name, value] of Object.entries({ x: 0, y: 0, width, height })) area.setAttribute(name, `${value}`);
-      this.svg.setAttribute('viewBox', `${-MARGIN * width} ${-MARGIN * height} ${width * (1 + 2 * MARGIN)} ${height * (1 + 2 * MARGIN)}`);
+      const edge = MARGIN * Math.max(width, height), span = (most: number, axis: 0 | 1) => {
+        const places = marked.corners.map(at => Math.min(Math.max(at[axis], -BEYOND * most), (1 + BEYOND) * most));
+        const [least, last] = [Math.min(0, ...places) - edge, Math.max(most, ...places) + edge];
+        return [least, last - least] as const;
+      };
+      const [x, wide] = span(width, 0), [y, high] = span(height, 1);
+      this.svg.setAttribute('viewBox', `${x} ${y} ${wide} ${high}`);
       this.#place = [width / 2, height / 2];
     }
     [this.#number, this.#photo, this.#marked] = [number, photo, marked];

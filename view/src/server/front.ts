@@ -56,6 +56,8 @@ export interface StraightRequest {
   size: Told['size'];
   /** True if the lattice is to be found. */
   finds: boolean;
+  /** True if the picture is only for a moment: it is smaller and comes sooner. */
+  quick: boolean;
 }
 
 /** A wall seen straight. */

@@ -129,7 +129,7 @@ const en = {
     },
     brushWidth: 'Width of the brush', brushDown: 'The brush is down.', brushUp: 'The brush is lifted.',
     cornerName: ['Upper left corner', 'Upper right corner', 'Lower right corner', 'Lower left corner'], corner: (name: string, x: string, y: string) => `${name}, x ${x}, y ${y}`,
-    findCorners: 'Corners as found', findLattice: 'Find the lattice', bays: 'Bays', storeys: 'Storeys', addColumn: 'Add a line between bays', addRow: 'Add a line between storeys', removeLine: 'Remove line',
+    findCorners: 'Corners as found', findLattice: 'Find the lattice', bays: 'Bays', storeys: 'Storeys', addColumn: 'Add bay line', addRow: 'Add storey line', removeLine: 'Remove line',
     column: (n: number) => `Line ${n} between bays, from the left`, row: (n: number) => `Line ${n} between storeys, from above`, metres: (length: string) => `${length} m`,
     removed: 'The line is removed.', chooseLine: 'Choose a line of the lattice first.', noRoom: 'There is no room for a line there.', pieces: (most: number) => `A number from 1 to ${most}, please.`,
     width: 'Width (m)', height: 'Height (m)', build: 'Build', building: 'Building…', notBuilt: 'Nothing was built.',
