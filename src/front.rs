@@ -306,7 +306,7 @@ pub fn read(photos: &[Photo], given: &Given) -> Result<Front, Refused> {
         .map(|(p, v)| straight(p, v, size))
         .collect();
     let (grid, metres) = lattice(&straight[0].0, aspect, given)?;
-    let (wall, seen) = composed(straight, &grid);
+    let (wall, seen) = parts::composed::composed(straight, &grid);
     let mut front = cut(wall, &seen, grid);
     front.views = views;
     front.size = metres;
@@ -354,56 +354,6 @@ fn lattice(wall: &RgbImage, aspect: f64, given: &Given) -> Result<(Grid, DVec2),
         }
         false => Err(Refused::Lattice),
     }
-}
-
-/// One wall out of several: each cell from the photograph that shows it clean and sharpest, as bright as in the first (003-04).
-fn composed(mut walls: Vec<(RgbImage, Vec<bool>)>, grid: &Grid) -> (RgbImage, Vec<bool>) {
-    if walls.len() == 1 {
-        return walls.swap_remove(0);
-    }
-    let read: Vec<(Vec<Cell>, Vec<Shown>)> = walls
-        .iter()
-        .map(|(wall, seen)| {
-            let cells = cells::cells(wall, seen, grid);
-            let shown = kinds::sorted(&cells);
-            (cells, shown)
-        })
-        .collect();
-    let (mut out, mut seen) = walls[0].clone();
-    for k in 0..read[0].0.len() {
-        // Whole and like others first; of several the one with which the other photographs agree.
-        let worth = |photo: usize| {
-            let (cell, shown) = (&read[photo].0[k], &read[photo].1[k]);
-            let agree = (0..walls.len()).filter(|other| *other != photo);
-            let agree = agree
-                .filter_map(|other| cells::compare(cell, &read[other].0[k]))
-                .map(|l| l.share);
-            let is_clean = cell.is_whole() && !shown.is_replaced && !shown.is_spoiled;
-            f64::from(u8::from(is_clean)) + shown.likeness + agree.fold(0.0, f64::max)
-        };
-        let best = (0..walls.len())
-            .rev()
-            .max_by(|a, b| worth(*a).total_cmp(&worth(*b)));
-        let best = best.unwrap_or(0);
-        if best > 0 {
-            let cell = &read[best].0[k];
-            let gain = cells::compare(cell, &read[0].0[k]).map_or(1.0, |l| l.gain);
-            let picture = parts::cut(&walls[best].0, cell, gain);
-            image::imageops::replace(
-                &mut out,
-                &picture,
-                cell.frame[0].into(),
-                cell.frame[1].into(),
-            );
-            let width = out.width();
-            for y in cell.frame[1]..cell.frame[3] {
-                let row =
-                    (y * width + cell.frame[0]) as usize..(y * width + cell.frame[2]) as usize;
-                seen[row.clone()].copy_from_slice(&walls[best].1[row]);
-            }
-        }
-    }
-    (out, seen)
 }
 
 /// Cuts a straight wall into parts.

@@ -3,6 +3,7 @@
 
 pub mod scene;
 
+use hsd::front::brush::{Stroke, painted};
 use hsd::front::camera::Lens;
 use hsd::front::{self, Front, Given, Lattice, Photo, exif};
 use hsd::glam::{DVec2, dvec2};
@@ -205,6 +206,58 @@ fn two_photographs_show_what_one_hides() {
         hidden(&both)
     );
     assert_eq!(both.views.len(), 2);
+}
+
+/// A photograph in which a black disc hides a place of the wall, parts of its width and height, and a mask tells of it.
+fn blotted(facade: &Facade, shot: &Shot, at: DVec2, radius: f64) -> Photo {
+    let unit = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
+    let place = project(homography(unit, corners(facade, shot)), at);
+    let mut photo = photo(facade, shot);
+    let disc = |width: f64| Stroke {
+        erases: false,
+        width,
+        points: vec![place.to_array()],
+    };
+    let size = photo.pixels.dimensions();
+    let mask = painted(size, &[disc(2.0 * radius + 3.0)], 1.0);
+    let black = painted(size, &[disc(2.0 * radius)], 1.0);
+    for (pixel, hidden) in photo.pixels.pixels_mut().zip(black.pixels()) {
+        if hidden[0] > 0 {
+            pixel.0 = [0; 3];
+        }
+    }
+    photo.mask = Some(mask);
+    photo
+}
+
+/// Measured: 34.5 dB where the second photograph fills what a mask hides in the first.
+#[test]
+fn what_a_mask_hides_comes_from_another_photograph() {
+    let facade = Facade::new(3);
+    let shots = [11, 12].map(|seed| Shot::new(&facade, seed, LONGEST, 0));
+    let given = told(&facade, &shots);
+    let clean = shots.each_ref().map(|shot| photo(&facade, shot));
+    let (columns, rows) = (facade.columns.len() - 1, facade.rows.len() - 1);
+    // The left of a place in one, its right in the other: none of them shows it whole.
+    let at = |x: f64| dvec2((1.0 + x) / columns as f64, 1.5 / rows as f64);
+    let blots = [0.35, 0.65].map(at);
+    let hidden = [0, 1].map(|k| blotted(&facade, &shots[k], blots[k], 12.0));
+    let one = front::read(&hidden[..1], &told(&facade, &shots[..1])).expect("a wall");
+    let both = front::read(&hidden, &given).expect("a wall");
+    let truth = front::read(&clean, &given).expect("a wall");
+    let cell = columns + 1;
+    assert!(!one.cells[cell].is_whole() && both.cells[cell].is_whole());
+    let [left, top, right, bottom] = truth.cells[cell].frame;
+    let mut off = 0.0;
+    for (x, y) in (top..bottom).flat_map(|y| (left..right).map(move |x| (x, y))) {
+        let (a, b) = (both.wall.get_pixel(x, y).0, truth.wall.get_pixel(x, y).0);
+        off += (0..3)
+            .map(|c| f64::from(a[c].abs_diff(b[c])).powi(2))
+            .sum::<f64>();
+    }
+    let count = f64::from((right - left) * (bottom - top) * 3);
+    let noise = 10.0 * (255.0_f64.powi(2) * count / off).log10();
+    assert!(noise > 30.0, "{noise} dB");
 }
 
 #[test]

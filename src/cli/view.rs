@@ -117,10 +117,11 @@ impl View {
             return Ok(None);
         };
         let root = photographs.root.clone();
+        let watched = photographs.watched();
         let failed = |e: io::Error| Failure::at(root.display(), e);
         let preview = Preview::start(PreviewOptions {
             only: Some(photographs.file()),
-            watched: vec![],
+            watched,
             root: root.clone(),
             language,
             host: Box::new(host),

@@ -73,6 +73,10 @@ pub(in crate::cli) struct Facade {
     #[arg(long = "mask", value_name = "PNG")]
     masks: Vec<PathBuf>,
 
+    /// Also write up to N further clean pictures of each part; every place of it gets one of them at random.
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true, value_parser = values::variations)]
+    variations: usize,
+
     /// Also write the whole wall, and its ground and upper storeys, as fronts of this name: NAME.N.png, for the next free N.
     #[arg(long, value_name = "NAME", value_parser = values::name)]
     fronts: Option<String>,
@@ -96,6 +100,7 @@ impl Facade {
                         photos: &photos,
                         front: &front,
                         given: &given,
+                        variations: self.variations,
                         fronts: self.fronts.as_deref(),
                     };
                     told = Some(made.write(&mut sources, &mut out)?);

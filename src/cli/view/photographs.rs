@@ -11,7 +11,7 @@ use crate::front::{self, Given, Lattice, Photo, Refused, STOREY, Told, rectify};
 use crate::report::{Format, Report, Style};
 use crate::source::{FileId, Source};
 use crate::text;
-use crate::view::FrontHost;
+use crate::view::{FrontHost, RecursiveMode};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use glam::{DVec2, dvec2};
@@ -131,6 +131,13 @@ impl Photographs {
         format!("{0}/{0}.hsd", self.name)
     }
 
+    /// What is watched for changes: the folder, where it is there already.
+    pub(super) fn watched(&self) -> Vec<(PathBuf, RecursiveMode)> {
+        let is_there = self.output.is_dir();
+        let folder = is_there.then(|| (self.output.clone(), RecursiveMode::NonRecursive));
+        folder.into_iter().collect()
+    }
+
     /// What was told by hand the last time, of the same photographs.
     fn before(&self) -> Option<Value> {
         let kept = std::fs::read(self.output.join(BY_HAND)).ok()?;
@@ -201,6 +208,7 @@ impl Photographs {
                     photos,
                     front: &front,
                     given,
+                    variations: 0,
                     fronts: None,
                 };
                 let words = made.write(&mut sources, &mut out).and_then(|words| {
@@ -318,11 +326,19 @@ impl FrontHost for Photographs {
         let mask = &asked.marked.mask;
         let mask = (!mask.is_empty()).then(|| painted(small.pixels.dimensions(), mask, *scale));
         let (wall, grid) = seen(small, mask, &view, size.into(), asked.finds);
-        let picture = BASE64_STANDARD.encode(jpeg(&wall).map_err(|e| e.to_string())?);
+        let picture = match asked.quick {
+            true => ("bmp", plain(&wall)),
+            false => ("jpeg", jpeg(&wall).map_err(|e| e.to_string())?),
+        };
+        let picture = format!(
+            "data:image/{};base64,{}",
+            picture.0,
+            BASE64_STANDARD.encode(picture.1)
+        );
         let inner = |lines: &[f64]| lines[1..lines.len() - 1].to_vec();
         let lattice = grid.map(|g| json!({ "columns": inner(&g.columns), "rows": inner(&g.rows) }));
         Ok(json!({
-            "picture": format!("data:image/jpeg;base64,{picture}"),
+            "picture": picture,
             "size": size,
             "aspect": view.aspect,
             "guessed": asked.size.is_none() && view.focal == Told::Usual,
@@ -393,4 +409,36 @@ fn jpeg(picture: &RgbImage) -> image::ImageResult<Vec<u8>> {
     let mut bytes = vec![];
     JpegEncoder::new_with_quality(&mut bytes, QUALITY).encode_image(picture)?;
     Ok(bytes)
+}
+
+/// A picture as BMP, which takes no time to make: rows from below, of blue, green and red, filled up to four bytes.
+fn plain(picture: &RgbImage) -> Vec<u8> {
+    const HEAD: u32 = 54;
+    let (width, height) = picture.dimensions();
+    let long = (3 * width).next_multiple_of(4);
+    let mut bytes = b"BM".to_vec();
+    let whole = HEAD + long * height;
+    for number in [
+        whole,
+        0,
+        HEAD,
+        40,
+        width,
+        height,
+        24 << 16 | 1,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+    ] {
+        bytes.extend(number.to_le_bytes());
+    }
+    for row in picture.rows().rev() {
+        let start = bytes.len();
+        row.for_each(|pixel| bytes.extend(pixel.0.iter().rev()));
+        bytes.resize(start + long as usize, 0);
+    }
+    bytes
 }

@@ -88,7 +88,9 @@ export class FrontDesk {
   /** What is told now. */
   get draft(): Draft { return this.#dragged ?? this.#history.now; }
   get #longest() { return Math.max(...this.#known.photos[this.#number]!.size); }
-  /** The wall as it was seen last, for tests. */
+  /** The width of the brush, pixels of the photograph. */
+  get brush() { return this.#photo.width; }
+  /** The wall as it was seen last. */
   get straight(): Straight | null { return this.#straight; }
 
   /** Begins with the photographs of the server; returns whether they were built before. */
@@ -249,9 +251,10 @@ export class FrontDesk {
   #removeLine(way: Way, line: number) {
     this.#change(withLines(this.draft, way, this.draft[way].filter((_, i) => i !== line)), true);
     this.#app.announce(strings.photos.removed);
-    this.#wall.held = null;
-    const { length } = this.draft[way];
-    if (length) this.#wall.focus(way, Math.min(line, length - 1)); else this.element.querySelector<HTMLElement>(`[data-do=add-${way}]`)!.focus();
+    const { length } = this.draft[way], next = Math.min(line, length - 1);
+    // The next line may have the focus already.
+    this.#wall.held = length ? { way, line: next } : null;
+    if (length) this.#wall.focus(way, next); else this.element.querySelector<HTMLElement>(`[data-do=add-${way}]`)!.focus();
   }
 
   #removeHeld() {
