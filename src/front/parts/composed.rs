@@ -87,14 +87,14 @@ fn filled(
     let hidden: Vec<(u32, u32)> = places.filter(|(x, y)| !seen[at(*x, *y)]).collect();
     let tone = |x: u32, y: u32| linear(wall.get_pixel(x, y).0).map(|c| c * gain);
     // The border is that of what was hidden, so it is looked for before anything is filled.
-    let near = |(x, y): &(u32, u32)| {
+    let near = |(x, y): (u32, u32)| {
         let reach = |t: u32, least: u32, most: u32| {
             t.saturating_sub(PASSAGE).max(least)..(t + PASSAGE + 1).min(most)
         };
-        reach(*y, top, bottom).flat_map(move |ny| reach(*x, left, right).map(move |nx| (nx, ny)))
+        reach(y, top, bottom).flat_map(move |ny| reach(x, left, right).map(move |nx| (nx, ny)))
     };
     let mut passage: BTreeMap<(u32, u32), f32> = BTreeMap::new();
-    for (place, next) in hidden.iter().flat_map(|p| near(p).map(move |n| (p, n))) {
+    for (place, next) in hidden.iter().flat_map(|p| near(*p).map(move |n| (p, n))) {
         if seen[at(next.0, next.1)] && free[at(next.0, next.1)] {
             let far = place.0.abs_diff(next.0).max(place.1.abs_diff(next.1));
             let share = 1.0 - far as f32 / (PASSAGE + 1) as f32;

@@ -44,6 +44,7 @@ export class FrontDesk {
   #remove = button(strings.photos.removeLine, () => this.#removeHeld(), { 'data-do': 'remove-line', title: 'Delete' });
   #build = button(strings.photos.build, () => void this.build(), { 'data-do': 'build-front', class: 'build' });
   #status = h('p', { class: 'status', role: 'status' });
+  #guess = h('p', { class: 'quiet', hidden: true }, strings.photos.guessed);
   #messages = h('ul', { class: 'list messages' });
 
   constructor(app: App) {
@@ -82,7 +83,7 @@ export class FrontDesk {
         add('columns', photos.addColumn), add('rows', photos.addRow), this.#remove,
         field(photos.width, width), field(photos.height, height), this.#build),
       h('div', { class: 'sheets' }, this.#photo.element, this.#wall.element),
-      h('div', { class: 'told' }, this.#status, this.#messages, h('p', { class: 'quiet' }, photos.help)));
+      h('div', { class: 'told' }, this.#status, this.#guess, this.#messages, h('p', { class: 'quiet' }, photos.help)));
   }
 
   /** What is told now. */
@@ -199,6 +200,7 @@ export class FrontDesk {
       input.placeholder = size[i]!.toFixed(2);
     });
     [this.#undo.disabled, this.#redo.disabled] = [!this.#history.canUndo, !this.#history.canRedo];
+    this.#guess.hidden = !this.#straight?.guessed || draft.size !== null;
     this.#remove.disabled = !draft.columns.length && !draft.rows.length;
   }
 

@@ -281,7 +281,7 @@ test('another photograph of the wall has corners and a mask of its own', async (
   await settled();
   assert.notEqual(await picture(), before);
   const other = await page.evaluate(() => hsd.front!.draft.photos[1]!.corners);
-  other.forEach((at, i) => near(Math.hypot(at[0] - OTHER[i]![0], at[1] - OTHER[i]![1]), 0, 2.5, `corner ${i}`));
+  other.forEach((at, i) => near(Math.hypot(at[0] - OTHER[i]![0], at[1] - OTHER[i]![1]), 0, 9, `corner ${i}`));
   await page.locator('svg.photo .corner').nth(2).focus();
   await page.keyboard.press('Shift+ArrowRight');
   assert.notDeepEqual(await page.evaluate(() => hsd.front!.draft.photos[1]!.corners), other);
