@@ -83,7 +83,7 @@ export class FrontDesk {
         add('columns', photos.addColumn), add('rows', photos.addRow), this.#remove,
         field(photos.width, width), field(photos.height, height), this.#build),
       h('div', { class: 'sheets' }, this.#photo.element, this.#wall.element),
-      h('div', { class: 'told' }, this.#status, this.#guess, this.#messages, h('p', { class: 'quiet' }, photos.help)));
+      h('div', { class: 'told', role: 'group', tabindex: 0, 'aria-label': photos.report }, this.#status, this.#guess, this.#messages, h('p', { class: 'quiet' }, photos.help)));
   }
 
   /** What is told now. */

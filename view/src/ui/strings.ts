@@ -121,7 +121,7 @@ const en = {
   groundAt: (east: string, north: string, crs: string) => `x ${east} m, y ${north} m (${crs})`, degreesAt: (latitude: string, longitude: string) => `${latitude}° N, ${longitude}° E`,
   what: 'Decision', facing: 'Front faces', plot: 'Plot', access: 'Access', measures: 'Measures', frameHouse: 'Zoom to house', fromStreet: 'From the street',
   photos: {
-    pane: 'Photograph', sheet: (name: string) => `The photograph ${name} with the corners of the wall. With a brush: arrow keys lead it (Shift: ten times as far), Space lowers and lifts it, [ and ] change its width.`, wall: 'The wall seen straight, with its lattice',
+    pane: 'Photograph', report: 'Report', sheet: (name: string) => `The photograph ${name} with the corners of the wall. With a brush: arrow keys lead it (Shift: ten times as far), Space lowers and lifts it, [ and ] change its width.`, wall: 'The wall seen straight, with its lattice',
     photo: 'Photograph', tool: 'Tool', tools: { corners: 'Corners', brush: 'Brush', eraser: 'Eraser' }, back: 'Undo and redo',
     toolHelp: {
       corners: 'Drag the corners of the wall; Shift drags them finely. With the keyboard: Tab to a corner, then arrow keys, with Shift ten pixels.',
@@ -260,7 +260,7 @@ const ja: Strings = {
   groundAt: (east, north, crs) => `x ${east} m、y ${north} m (${crs})`, degreesAt: (latitude, longitude) => `北緯 ${latitude}°、東経 ${longitude}°`,
   what: '判断', facing: '正面の方位', plot: '敷地', access: '接道', measures: '測った値', frameHouse: '家に寄る', fromStreet: '道から見る',
   photos: {
-    pane: '写真', sheet: name => `壁面の四隅を示した写真 ${name}。筆のときは、矢印キーで動かし (Shift で十倍)、スペースで下ろしたり上げたりし、[ と ] で太さを変えます。`, wall: '正面から見た壁面と格子',
+    pane: '写真', report: '報告', sheet: name => `壁面の四隅を示した写真 ${name}。筆のときは、矢印キーで動かし (Shift で十倍)、スペースで下ろしたり上げたりし、[ と ] で太さを変えます。`, wall: '正面から見た壁面と格子',
     photo: '写真', tool: 'ツール', tools: { corners: '四隅', brush: '筆', eraser: '消しゴム' }, back: '元に戻す、やり直す',
     toolHelp: {
       corners: '壁面の四隅をドラッグします。Shift で細かく動きます。キーボードでは Tab で隅に移動し、矢印キーで動かします (Shift で 10 画素)。',

@@ -52,7 +52,7 @@ const corners = () => page.evaluate(() => hsd.front!.draft.photos[0]!.corners);
 const lattice = (way: 'columns' | 'rows') => page.evaluate(way => hsd.front!.draft[way], way);
 const strokes = () => page.evaluate(() => hsd.front!.draft.photos[0]!.mask);
 const told = () => page.locator('.told .status').textContent();
-const settled = () => page.waitForFunction(() => !hsd.front!.busy);
+const settled = () => page.waitForFunction(() => !hsd.front!.busy, null, { timeout: 60_000 });
 const picture = () => page.locator('svg.wall image').getAttribute('href');
 const near = (a: number, b: number, by: number, what = '') => assert.ok(Math.abs(a - b) <= by, `${what} ${a} ${b}`);
 /** The place on the screen of a pixel of the photograph, and of a part of the wall. */
