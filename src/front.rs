@@ -4,6 +4,7 @@
 //! A wall is found or told by its corners, seen straight through lens and perspective, cut on a lattice of bays and storeys;
 //! cells that show the same part share one clean picture, equally bright.
 
+pub mod brush;
 pub mod camera;
 pub mod cells;
 pub mod exif;
@@ -33,7 +34,7 @@ use wall::{Lost, Wall};
 /// The focal length where nothing says it, as a part of the diagonal of the photograph: 28 mm on film, as telephones have.
 const USUAL_FOCAL: f64 = 0.647;
 /// The height of a storey where no size is given, metres (3.5, as of a `Floor`).
-const STOREY: f64 = 3.5;
+pub const STOREY: f64 = 3.5;
 /// The most cells of a lattice.
 pub const MOST_CELLS: usize = 400;
 /// The unit square, clockwise from its upper left corner.
@@ -50,6 +51,8 @@ pub struct Photo {
     pub focal: Option<f64>,
     /// What stands before the wall: not black. Of the size of the photograph.
     pub mask: Option<GrayImage>,
+    /// How its lens bends lines, where that has been found already ([`found`]).
+    pub bend: Option<[f64; 2]>,
 }
 
 /// What is known of a wall and its photographs.
@@ -77,6 +80,8 @@ pub enum Lattice {
     Even(usize, usize),
     /// Lines between bays from the left, and between storeys from above, metres.
     Lines(Vec<f64>, Vec<f64>),
+    /// The same as parts of the wall.
+    Shares(Vec<f64>, Vec<f64>),
 }
 
 /// Where a focal length comes from.
@@ -193,34 +198,61 @@ impl Front {
     }
 }
 
+/// The focal length that is known, and where it comes from.
+fn told(photo: &Photo, given: &Given) -> Option<(f64, Told)> {
+    let own = photo.focal.map(|focal| (focal, Told::Camera));
+    given.focal.map(|focal| (focal, Told::Given)).or(own)
+}
+
+/// The lens before anything is known of the corners, and the usual focal length.
+fn guessed(photo: &Photo, given: &Given, edges: &[lines::Edge]) -> (Lens, f64) {
+    let size = dvec2(
+        f64::from(photo.pixels.width()),
+        f64::from(photo.pixels.height()),
+    );
+    let usual = USUAL_FOCAL * size.length();
+    let mut lens = Lens {
+        focal: told(photo, given).map_or(usual, |t| t.0),
+        middle: size / 2.0,
+        bend: [0.0; 2],
+    };
+    let bend = given.bend.or(photo.bend);
+    let bend = bend.or_else(|| vanish::bending(edges, &lens, size.max_element()));
+    lens.bend = bend.unwrap_or_default();
+    (lens, usual)
+}
+
+/// Looks for the wall in a photograph, and keeps how its lens bends lines, so that it is not worked out again for other corners.
+///
+/// # Errors
+/// If there is no wall.
+pub fn found(photo: &mut Photo, given: &Given) -> Result<View, Lost> {
+    let edges = wall::edges(&photo.pixels);
+    photo.bend = Some(guessed(photo, given, &edges).0.bend);
+    by_edges(photo, &edges, None, given)
+}
+
 /// How a photograph sees the wall.
 ///
 /// # Errors
 /// If corners are looked for and there is no wall.
 pub fn view(photo: &Photo, corners: Option<[DVec2; 4]>, given: &Given) -> Result<View, Lost> {
-    let (width, height) = (
-        f64::from(photo.pixels.width()),
-        f64::from(photo.pixels.height()),
-    );
-    let middle = dvec2(width, height) / 2.0;
-    let told = match (given.focal, photo.focal) {
-        (Some(focal), _) => Some((focal, Told::Given)),
-        (None, Some(focal)) => Some((focal, Told::Camera)),
-        (None, None) => None,
-    };
-    let usual = USUAL_FOCAL * width.hypot(height);
-    let mut lens = Lens {
-        focal: told.map_or(usual, |t| t.0),
-        middle,
-        bend: given.bend.unwrap_or_default(),
-    };
-    let edges = match given.bend.is_none() || corners.is_none() {
+    let is_bent = given.bend.or(photo.bend).is_none();
+    let edges = match is_bent || corners.is_none() {
         true => wall::edges(&photo.pixels),
         false => vec![],
     };
-    if given.bend.is_none() {
-        lens.bend = vanish::bending(&edges, &lens, width.max(height)).unwrap_or_default();
-    }
+    by_edges(photo, &edges, corners, given)
+}
+
+fn by_edges(
+    photo: &Photo,
+    edges: &[lines::Edge],
+    corners: Option<[DVec2; 4]>,
+    given: &Given,
+) -> Result<View, Lost> {
+    let told = told(photo, given);
+    let (mut lens, usual) = guessed(photo, given, edges);
     let wall = match corners {
         Some(corners) => Wall {
             corners,
@@ -228,10 +260,10 @@ pub fn view(photo: &Photo, corners: Option<[DVec2; 4]>, given: &Given) -> Result
             lens,
             trust: 1.0,
         },
-        None => wall::find(&photo.pixels, &edges, &lens)?,
+        None => wall::find(&photo.pixels, edges, &lens)?,
     };
     let map = homography(UNIT, wall.straight);
-    let square = focal_of(map, middle).filter(|f| (0.3..4.0).contains(&(f / usual)));
+    let square = focal_of(map, lens.middle).filter(|f| (0.3..4.0).contains(&(f / usual)));
     let focal = told
         .or(square.map(|f| (f, Told::Square)))
         .unwrap_or((usual, Told::Usual));
@@ -274,7 +306,7 @@ pub fn read(photos: &[Photo], given: &Given) -> Result<Front, Refused> {
         .map(|(p, v)| straight(p, v, size))
         .collect();
     let (grid, metres) = lattice(&straight[0].0, aspect, given)?;
-    let (wall, seen) = composed(straight, &grid);
+    let (wall, seen) = parts::composed::composed(straight, &grid);
     let mut front = cut(wall, &seen, grid);
     front.views = views;
     front.size = metres;
@@ -282,7 +314,7 @@ pub fn read(photos: &[Photo], given: &Given) -> Result<Front, Refused> {
 }
 
 /// The wall of a photograph seen straight, and which of its pixels are seen.
-fn straight(photo: &Photo, view: &View, size: (u32, u32)) -> (RgbImage, Vec<bool>) {
+pub fn straight(photo: &Photo, view: &View, size: (u32, u32)) -> (RgbImage, Vec<bool>) {
     let (wall, mut seen) = rectify::rectify(&photo.pixels, &view.lens, view.map, size);
     if let Some(mask) = &photo.mask {
         let by = dvec2(1.0 / f64::from(size.0), 1.0 / f64::from(size.1));
@@ -308,16 +340,10 @@ fn lattice(wall: &RgbImage, aspect: f64, given: &Given) -> Result<(Grid, DVec2),
         Lattice::Even(bays, storeys) => Grid::even(*bays, *storeys),
         Lattice::Lines(columns, rows) => {
             let size = metres(rows.len() + 1);
-            let lines = |lines: &[f64], length: f64| -> Vec<f64> {
-                let inner = lines.iter().map(|l| l / length);
-                std::iter::once(0.0).chain(inner).chain([1.0]).collect()
-            };
-            Grid {
-                columns: lines(columns, size.x),
-                rows: lines(rows, size.y),
-                likeness: [1.0; 2],
-            }
+            let shares = |lines: &[f64], length: f64| lines.iter().map(|l| l / length).collect();
+            Grid::with(shares(columns, size.x), shares(rows, size.y))
         }
+        Lattice::Shares(columns, rows) => Grid::with(columns.clone(), rows.clone()),
     };
     let goes_on = |lines: &[f64]| lines.windows(2).all(|l| l[1] - l[0] > 0.004);
     let cells = (grid.columns.len() - 1) * (grid.rows.len() - 1);
@@ -328,56 +354,6 @@ fn lattice(wall: &RgbImage, aspect: f64, given: &Given) -> Result<(Grid, DVec2),
         }
         false => Err(Refused::Lattice),
     }
-}
-
-/// One wall out of several: each cell from the photograph that shows it clean and sharpest, as bright as in the first (003-04).
-fn composed(mut walls: Vec<(RgbImage, Vec<bool>)>, grid: &Grid) -> (RgbImage, Vec<bool>) {
-    if walls.len() == 1 {
-        return walls.swap_remove(0);
-    }
-    let read: Vec<(Vec<Cell>, Vec<Shown>)> = walls
-        .iter()
-        .map(|(wall, seen)| {
-            let cells = cells::cells(wall, seen, grid);
-            let shown = kinds::sorted(&cells);
-            (cells, shown)
-        })
-        .collect();
-    let (mut out, mut seen) = walls[0].clone();
-    for k in 0..read[0].0.len() {
-        // Whole and like others first; of several the one with which the other photographs agree.
-        let worth = |photo: usize| {
-            let (cell, shown) = (&read[photo].0[k], &read[photo].1[k]);
-            let agree = (0..walls.len()).filter(|other| *other != photo);
-            let agree = agree
-                .filter_map(|other| cells::compare(cell, &read[other].0[k]))
-                .map(|l| l.share);
-            let is_clean = cell.is_whole() && !shown.is_replaced && !shown.is_spoiled;
-            f64::from(u8::from(is_clean)) + shown.likeness + agree.fold(0.0, f64::max)
-        };
-        let best = (0..walls.len())
-            .rev()
-            .max_by(|a, b| worth(*a).total_cmp(&worth(*b)));
-        let best = best.unwrap_or(0);
-        if best > 0 {
-            let cell = &read[best].0[k];
-            let gain = cells::compare(cell, &read[0].0[k]).map_or(1.0, |l| l.gain);
-            let picture = parts::cut(&walls[best].0, cell, gain);
-            image::imageops::replace(
-                &mut out,
-                &picture,
-                cell.frame[0].into(),
-                cell.frame[1].into(),
-            );
-            let width = out.width();
-            for y in cell.frame[1]..cell.frame[3] {
-                let row =
-                    (y * width + cell.frame[0]) as usize..(y * width + cell.frame[2]) as usize;
-                seen[row.clone()].copy_from_slice(&walls[best].1[row]);
-            }
-        }
-    }
-    (out, seen)
 }
 
 /// Cuts a straight wall into parts.

@@ -6,7 +6,7 @@
 //!
 //! | file | purpose |
 //! |---|---|
-//! | `editor_host` | access to source files and the editor |
+//! | `editor_host` | access to source files, the editor, and photographs of a front |
 //! | `workspace`, `snapshot` | the files that can be shown; the compiled state of each |
 //! | `town` | the tiles of towns, built behind the page |
 //! | `snapshot/parameters` | the parameters of a file, which the page shows and sets |
@@ -38,7 +38,7 @@ mod town;
 mod watch;
 mod workspace;
 
-pub use editor_host::EditorHost;
+pub use editor_host::{EditorHost, FrontHost};
 pub use notify_debouncer_full::notify::RecursiveMode;
 pub use page::{how_to_build, is_built};
 pub use screenshots::Screenshot;
@@ -66,6 +66,8 @@ pub struct PreviewOptions {
     pub language: Language,
     /// Access to source files and the editor.
     pub host: Box<dyn EditorHost>,
+    /// The photographs that become a front in the page.
+    pub front: Option<Box<dyn FrontHost>>,
     /// The port; 0 for any free port.
     pub port: u16,
     /// Folders to watch for changes.
@@ -126,7 +128,12 @@ impl Preview {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, options.port))?;
         listener.set_nonblocking(true)?;
         let address = listener.local_addr()?;
-        let workspace = Workspace::new(root, options.only, options.language, options.host);
+        let workspace = Workspace::new(
+            root,
+            options.only,
+            options.language,
+            (options.host, options.front),
+        );
         let watch = match &options.watched[..] {
             [] => None,
             folders => Some(watch::watch(&workspace, folders).map_err(io::Error::other)?),

@@ -3,11 +3,13 @@
 
 pub mod scene;
 
+use hsd::front::brush::{Stroke, painted};
 use hsd::front::camera::Lens;
 use hsd::front::{self, Front, Given, Lattice, Photo, exif};
 use hsd::glam::{DVec2, dvec2};
 use hsd::plan::flatten::{homography, project};
 use hsd::plan::{Picture, Unreadable};
+use image::RgbImage;
 use scene::{Dice, Facade, Kind, Shot};
 use std::io::Cursor;
 
@@ -21,6 +23,7 @@ fn photo(facade: &Facade, shot: &Shot) -> Photo {
         pixels: shot.draw(facade),
         focal: Some(shot.focal),
         mask: None,
+        bend: None,
     }
 }
 
@@ -206,6 +209,74 @@ fn two_photographs_show_what_one_hides() {
     assert_eq!(both.views.len(), 2);
 }
 
+/// A wall of four by three windows seen straight on, so many times as bright, and what is known of it.
+pub fn plain(bright: f64) -> (RgbImage, Given) {
+    let tone = |x: u32, y: u32| {
+        let is_wall = (80..560).contains(&x) && (60..420).contains(&y);
+        let (u, v) = ((x + 40) % 120, (y + 60) % 120);
+        match (is_wall, (25..95).contains(&u) && (25..95).contains(&v)) {
+            (false, _) => [240.0, 240.0, 240.0],
+            (true, false) => [150.0, 140.0, 120.0],
+            (true, true) => [60.0, 70.0, 80.0 + f64::from(v)],
+        }
+    };
+    let picture = RgbImage::from_fn(640, 480, |x, y| {
+        image::Rgb(tone(x, y).map(|t: f64| (t * bright) as u8))
+    });
+    let corners = [
+        dvec2(80.0, 60.0),
+        dvec2(560.0, 60.0),
+        dvec2(560.0, 420.0),
+        dvec2(80.0, 420.0),
+    ];
+    let given = Given {
+        corners: vec![corners; 2],
+        size: Some(dvec2(4.0, 3.0)),
+        lattice: Lattice::Even(4, 3),
+        ..Given::default()
+    };
+    (picture, given)
+}
+
+#[test]
+fn what_a_mask_hides_comes_from_another_photograph() {
+    let (clean, given) = plain(1.0);
+    // The left of a window in one, its right in the other: neither shows it whole.
+    let hidden = [(1.0, 240.0), (0.85, 280.0)].map(|(bright, x)| {
+        let disc = |width: f64| Stroke {
+            erases: false,
+            width,
+            points: vec![[x, 240.0]],
+        };
+        let (mut pixels, _) = plain(bright);
+        let black = painted(pixels.dimensions(), &[disc(18.0)], 1.0);
+        for (pixel, black) in pixels.pixels_mut().zip(black.pixels()) {
+            pixel.0 = if black[0] > 0 { [0; 3] } else { pixel.0 };
+        }
+        Photo {
+            name: "plain.png".to_owned(),
+            mask: Some(painted(pixels.dimensions(), &[disc(22.0)], 1.0)),
+            pixels,
+            focal: None,
+            bend: Some([0.0; 2]),
+        }
+    });
+    let one = front::read(&hidden[..1], &given).expect("a wall");
+    let both = front::read(&hidden, &given).expect("a wall");
+    let cell = 5;
+    assert!(!one.cells[cell].is_whole() && both.cells[cell].is_whole());
+    let [left, top, right, bottom] = both.cells[cell].frame;
+    let places = (top..bottom).flat_map(|y| (left..right).map(move |x| (x, y)));
+    let off = places.flat_map(|(x, y)| {
+        let (a, b) = (
+            both.wall.get_pixel(x, y).0,
+            clean.get_pixel(x + 80, y + 60).0,
+        );
+        [0, 1, 2].map(|c| a[c].abs_diff(b[c]))
+    });
+    assert!(off.max() <= Some(8));
+}
+
 #[test]
 fn equal_parts_are_one_picture_and_light_is_even() {
     let facade = Facade::new(5);
@@ -273,6 +344,7 @@ fn pictures_without_a_wall_are_refused() {
             pixels,
             focal: None,
             mask: None,
+            bend: None,
         };
         let refused = front::read(&[photo], &Given::default());
         assert!(refused.is_err(), "{:?}", refused.map(|f| f.grid));
@@ -342,6 +414,7 @@ fn real(name: &str) -> (Photo, [DVec2; 4], [DVec2; 4], Lens) {
         pixels: picture.pixels,
         focal: None,
         mask: None,
+        bend: None,
     };
     (
         photo,

@@ -6,7 +6,7 @@ mod models;
 mod scans;
 mod screenshots;
 mod towns;
-mod web;
+pub mod web;
 
 use hsd::diagnostic::Language;
 use hsd::fs::FolderWorld;
@@ -96,6 +96,7 @@ fn show(texts: &[(&str, &str)], only: Option<&str>, files: Files) -> Shown {
         only: only.map(str::to_owned),
         language: Language::English,
         host: Box::new(files.clone()),
+        front: None,
         port: 0,
         watched: vec![(folder.path().to_owned(), RecursiveMode::Recursive)],
     });

@@ -380,6 +380,7 @@ impl Render {
                 writes: false,
                 scratch: Default::default(),
             }),
+            front: None,
             port: 0,
             watched: vec![],
         };

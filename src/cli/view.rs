@@ -2,14 +2,17 @@
 
 mod file_host;
 pub(super) mod first;
+mod photographs;
 
-use super::options::{DetailArgs, ReadArgs};
+use super::options::{DetailArgs, ReadArgs, report};
 use super::{Exit, Failure, Outcome};
-use crate::diagnostic::Language;
+use crate::diagnostic::{Diagnostics, Language};
+use crate::report::{Format, Report};
 use crate::text;
 use crate::view::{self, Preview, PreviewOptions, RecursiveMode};
 use clap::Args;
 pub(super) use file_host::FileHost;
+use photographs::Photographs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -26,12 +29,21 @@ Examples:
   hsd view house.hsd                                   preview a house beside your editor
   hsd view street/                                     preview the source files of a folder
   hsd view town.hsd --detail 1                         preview hundreds of houses with textures for parts
+  hsd view --facade front.jpg                          make a front of photographs: corners, lattice and masks by hand
   hsd view kyoto/                                      look at a town in tiles that `hsd town` has written
   hsd view house.hsd --editor 'code -g {file}:{line}'  go to the line of a part when it is clicked")]
 pub(super) struct View {
     /// A source file, a town, a folder of source files or of tiles, or a model (.glb).
-    #[arg(value_name = "FILE")]
-    input: PathBuf,
+    #[arg(value_name = "FILE", required_unless_present = "facade")]
+    input: Option<PathBuf>,
+
+    /// Make a front of these photographs of one wall in the page, as `hsd facade` does.
+    #[arg(long, value_name = "PHOTO", num_args = 1.., conflicts_with = "input")]
+    facade: Vec<PathBuf>,
+
+    /// Write the front into this folder [default: that of the first photograph, named as it is].
+    #[arg(short, long, value_name = "DIR", requires = "facade")]
+    output: Option<PathBuf>,
 
     #[command(flatten)]
     read_args: ReadArgs,
@@ -69,7 +81,13 @@ impl View {
             writes: !self.read_only,
             scratch: Default::default(),
         };
-        let preview = start(&self.input, &self.read_args, host, self.port, language)?;
+        let preview = match &self.input {
+            Some(input) => start(input, &self.read_args, host, self.port, language)?,
+            None => match self.photographs(host, language)? {
+                Some(preview) => preview,
+                None => return Ok(Exit::Errors),
+            },
+        };
         let url = preview.url();
         writeln!(io::stdout(), "{url}")?;
         io::stdout().flush()?;
@@ -82,6 +100,35 @@ impl View {
         }
         preview.wait().map_err(|e| Failure::at(&url, e))?;
         Ok(Exit::Done)
+    }
+}
+
+impl View {
+    /// Starts the page of photographs; `None` if one of them is none, which is reported.
+    fn photographs(&self, host: FileHost, language: Language) -> Result<Option<Preview>, Failure> {
+        let (mut sources, mut out) = (vec![], Diagnostics::new());
+        let told = (!self.read_only, language);
+        let output = self.output.as_deref();
+        let opened = Photographs::open(&self.facade, output, told, (&mut sources, &mut out))?;
+        let Some(photographs) = opened else {
+            let list = out.into_sorted();
+            let written = Report::new(&sources, &list).in_language(language);
+            report(&written, Format::Human, &mut io::stderr())?;
+            return Ok(None);
+        };
+        let root = photographs.root.clone();
+        let watched = photographs.watched();
+        let failed = |e: io::Error| Failure::at(root.display(), e);
+        let preview = Preview::start(PreviewOptions {
+            only: Some(photographs.file()),
+            watched,
+            root: root.clone(),
+            language,
+            host: Box::new(host),
+            front: Some(Box::new(photographs)),
+            port: self.port,
+        });
+        preview.map(Some).map_err(failed)
     }
 }
 
@@ -132,6 +179,7 @@ pub(super) fn start(
         only,
         language,
         host: Box::new(host),
+        front: None,
         port,
         watched,
     })

@@ -40,6 +40,16 @@ impl Grid {
         }
     }
 
+    /// The lattice of inner lines, as parts of the wall.
+    pub fn with(columns: Vec<f64>, rows: Vec<f64>) -> Grid {
+        let whole = |inner: Vec<f64>| std::iter::once(0.0).chain(inner).chain([1.0]).collect();
+        Grid {
+            columns: whole(columns),
+            rows: whole(rows),
+            likeness: [1.0; 2],
+        }
+    }
+
     /// Finds the lattice of a straight wall. Where nothing repeats the wall is one bay or one storey.
     pub fn find(wall: &RgbImage) -> Grid {
         let edges = Edges::of(wall);

@@ -1,6 +1,9 @@
 //! The pictures of parts: clean, equally bright, and without seams where they meet.
 
-use super::cells::Cell;
+pub mod composed;
+
+use super::Front;
+use super::cells::{self, Cell};
 use super::kinds::Shown;
 use super::tone::{CORRECTED, Light, levels, linear};
 use image::{Rgb, RgbImage};
@@ -54,6 +57,41 @@ pub fn gains(shown: &[Shown]) -> Vec<f32> {
         ratios.get(ratios.len() / 2).copied().unwrap_or(1.0)
     };
     (0..shown.len()).map(of).collect()
+}
+
+/// The part of what is seen of a cell that has to differ for it to be another variation.
+const UNLIKE: f64 = 0.02;
+
+/// Further clean pictures of a part, so many at the most: of what shows the same, those that differ most, as bright as it.
+pub fn variations(front: &Front, core: usize, most: usize) -> Vec<RgbImage> {
+    let own = front.shown.iter().enumerate().filter(|(k, s)| {
+        let is_clean = !s.is_replaced && !s.is_spoiled && front.cells[*k].is_whole();
+        s.as_cell == core && *k != core && is_clean
+    });
+    let mut left: Vec<usize> = own.map(|(k, _)| k).collect();
+    let mut taken = vec![core];
+    while taken.len() <= most {
+        let unlike = |k: usize| {
+            let others = taken.iter().filter_map(|other| {
+                let likeness = cells::compare(&front.cells[*other], &front.cells[k])?;
+                Some(1.0 - likeness.share)
+            });
+            others.fold(1.0, f64::min)
+        };
+        let next = (0..left.len())
+            .rev()
+            .max_by(|a, b| unlike(left[*a]).total_cmp(&unlike(left[*b])));
+        let Some(next) = next.filter(|k| unlike(left[*k]) >= UNLIKE) else {
+            break;
+        };
+        taken.push(left.remove(next));
+    }
+    if taken.len() == 1 {
+        return vec![];
+    }
+    let (lit, gains) = (lit(&front.wall, &front.light), gains(&front.shown));
+    let picture = |k: &usize| cut(&lit, &front.cells[*k], front.shown[*k].gain * gains[core]);
+    taken[1..].iter().map(picture).collect()
 }
 
 /// The four borders of a picture: left, top, right, bottom; colours at even distances along each.

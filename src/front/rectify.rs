@@ -39,14 +39,15 @@ pub fn rectify(
     rows.zip(inside.par_chunks_mut(width as usize))
         .enumerate()
         .for_each(|(y, (row, inside))| {
-            let y = y as f64 + 0.5;
-            for (x, pixel) in row.as_chunks_mut::<3>().0.iter_mut().enumerate() {
-                let at = dvec2(x as f64 + 0.5, y);
-                let from = seen(at);
-                let is_in = holds(photo, from);
-                inside[x] = is_in;
-                *pixel = match is_in {
-                    true => averaged(photo, from, seen(at + DVec2::X), seen(at + DVec2::Y)),
+            // Each place is worked out once: it is also that to the right of the pixel before.
+            let line = |y: f64| (0..=width).map(move |x| seen(dvec2(f64::from(x) + 0.5, y)));
+            let here: Vec<DVec2> = line(y as f64 + 0.5).collect();
+            let pixels = row.as_chunks_mut::<3>().0.iter_mut().zip(inside);
+            let places = here.windows(2).zip(line(y as f64 + 1.5));
+            for ((pixel, inside), (along, below)) in pixels.zip(places) {
+                *inside = holds(photo, along[0]);
+                *pixel = match *inside {
+                    true => averaged(photo, along[0], along[1], below),
                     false => [128; 3],
                 };
             }

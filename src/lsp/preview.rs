@@ -132,6 +132,7 @@ impl Previews {
                     only: None,
                     language: settings.language,
                     host: Box::new(LspHost(running.shared.clone())),
+                    front: None,
                     port: 0,
                     // The client reports changed files.
                     watched: vec![],

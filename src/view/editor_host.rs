@@ -1,7 +1,8 @@
-//! Access of the preview to source files and the editor.
+//! Access of the preview to source files, the editor, and photographs that become a front.
 
 use crate::driver::Options;
 use crate::source::{Source, Span, World};
+use serde_json::Value;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -47,4 +48,26 @@ pub trait EditorHost: Send + Sync {
     /// # Errors
     /// If there is no editor or it cannot be started.
     fn open(&self, source: &Source, span: Span) -> io::Result<()>;
+}
+
+/// The services that the page of photographs needs from its host: it finds, straightens and builds what `hsd facade` does. The
+/// types of what is asked and answered are in `view/src/server/front.ts`.
+pub trait FrontHost: Send + Sync {
+    /// Returns what is known of the photographs: `Photographs`.
+    fn about(&self) -> Value;
+
+    /// Returns a photograph as JPEG, upright; `None` if there is none of this number.
+    fn photo(&self, number: usize) -> Option<Vec<u8>>;
+
+    /// Returns the wall of a photograph seen straight, small: takes `StraightRequest`, returns `Straight`.
+    ///
+    /// # Errors
+    /// If what is asked makes no sense, with the reason in words.
+    fn straight(&self, asked: Value) -> Result<Value, String>;
+
+    /// Writes the front: takes `Told`, returns `Built`.
+    ///
+    /// # Errors
+    /// If nothing could be written, with the reason in words.
+    fn build(&self, told: Value) -> Result<Value, String>;
 }

@@ -1,5 +1,6 @@
 //! The API of the page. Requests are handled on blocking threads.
 
+mod fronts;
 mod scans;
 mod towns;
 
@@ -56,6 +57,10 @@ pub(super) fn routes(
         .route("/api/model/{revision}/house.glb", get(model))
         .route("/api/model/{revision}/{*name}", get(picture))
         .route("/api/scan", get(scans::picture))
+        .route("/api/front", get(fronts::about))
+        .route("/api/front/photo", get(fronts::photo))
+        .route("/api/front/straight", post(fronts::straight))
+        .route("/api/front/build", post(fronts::build))
         .route("/api/houses", post(houses))
         .route("/api/town/{id}/files/{*name}", get(towns::file))
         .route("/api/town/{id}/feature", get(towns::feature))
@@ -133,6 +138,7 @@ struct Hello {
     file: Option<String>,
     writes: bool,
     opens: bool,
+    front: bool,
 }
 
 async fn hello(State(workspace): Shared) -> ApiResult<Json<Hello>> {
@@ -151,6 +157,7 @@ async fn hello(State(workspace): Shared) -> ApiResult<Json<Hello>> {
             files,
             writes: workspace.host.writes(),
             opens: workspace.host.opens(),
+            front: workspace.front.is_some(),
         })
     });
     hello.await.map(Json)

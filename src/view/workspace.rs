@@ -3,7 +3,7 @@
 
 mod towns;
 
-use super::editor_host::EditorHost;
+use super::editor_host::{EditorHost, FrontHost};
 use super::history::History;
 use super::locked::lock;
 use super::model_file;
@@ -76,6 +76,8 @@ pub(super) struct Workspace {
     pub(super) only: Option<String>,
     pub(super) language: Language,
     pub(super) host: Box<dyn EditorHost>,
+    /// The photographs that become a front in the page.
+    pub(super) front: Option<Box<dyn FrontHost>>,
     documents: Mutex<BTreeMap<String, Arc<Document>>>,
     updates: broadcast::Sender<Update>,
     revision: AtomicU64,
@@ -137,7 +139,7 @@ impl Workspace {
         root: PathBuf,
         only: Option<String>,
         language: Language,
-        host: Box<dyn EditorHost>,
+        (host, front): (Box<dyn EditorHost>, Option<Box<dyn FrontHost>>),
     ) -> Arc<Workspace> {
         Arc::new_cyclic(|me| Workspace {
             me: me.clone(),
@@ -145,6 +147,7 @@ impl Workspace {
             only,
             language,
             host,
+            front,
             documents: Mutex::default(),
             updates: broadcast::channel(64).0,
             revision: AtomicU64::new(1),

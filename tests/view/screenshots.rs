@@ -14,6 +14,7 @@ fn shown(folder: &Path) -> PreviewOptions {
         only: Some("a.hsd".to_owned()),
         language: Language::English,
         host: Box::new(Files::default()),
+        front: None,
         port: 0,
         watched: vec![],
     }

@@ -14,9 +14,13 @@ setLanguage(language === 'ja' || language === 'en' ? language : known.language);
 if (asked.has('render')) await renderScreenshots(asked);
 else if (!document.createElement('canvas').getContext('webgl2')) document.body.append(strings.noWebgl);
 else {
-  const made = page();
+  const made = page(known.front);
   globalThis.hsd = scriptInterface(made);
   await made.app.start();
+  const there = !made.front || await made.front.start();
   const file = asked.get('file') ?? known.file ?? (known.files.length === 1 ? known.files[0]!.path : null);
-  if (file) await made.app.openFile(file);
+  if (there && file) {
+    made.front?.showModel();
+    await made.app.openFile(file);
+  }
 }

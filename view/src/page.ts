@@ -4,6 +4,7 @@
 import { App } from './app.ts';
 import { attachInput, createCanvas } from './scene/canvas.ts';
 import { h } from './ui/dom.ts';
+import { FrontDesk } from './front/desk.ts';
 import { DrawTool } from './draw/draw-tool.ts';
 import { Review } from './draw/review.ts';
 import { partCard } from './panel/part-card.ts';
@@ -33,9 +34,12 @@ export interface Page {
   text: SourcePane;
   draw: DrawTool;
   review: Review;
+  /** The photographs that become a front; null without any. */
+  front: FrontDesk | null;
 }
 
-export function page(): Page {
+/** Makes the page; `fronts` tells whether photographs become a front in it. */
+export function page(fronts: boolean): Page {
   document.title = strings.title;
   const canvas = createCanvas();
   const cross = h('div', { class: 'cross', hidden: true, 'aria-hidden': 'true' });
@@ -52,9 +56,15 @@ export function page(): Page {
   main.append(plan.element);
   const panel = h('aside', { class: 'panel', 'aria-label': strings.panel },
     townProgress(app), featureCard(app), partCard(app), townPanel(app), review.element, fileList(app), parameterPanel(app), comparisonPanel(app), namedViewList(app), diagnosticList(app), layerPanel(app), partTree(app), sectionPanel(app), sunPanel(app), measuringPanel(app), reflectionPanel(app), statisticsPanel(app));
-  const narrow = matchMedia('(max-width: 720px)').matches;
-  panel.hidden = narrow;
+  const narrow = matchMedia('(max-width: 720px)').matches, front = fronts ? new FrontDesk(app) : null;
+  panel.hidden = narrow || fronts;
+  if (front) {
+    main.prepend(front.element);
+    model.hidden = true;
+    front.showModel = () => bar.show(model, true);
+  }
   const panes = [
+    ...front ? [{ name: 'photograph', label: strings.photos.pane, element: front.element }] : [],
     { name: 'model', label: strings.model, element: model }, { name: 'plan', label: strings.plan, element: plan.element },
     { name: 'text', label: strings.text, element: text.element },
   ];
@@ -73,6 +83,6 @@ export function page(): Page {
     text.show(location);
   };
   app.on('connection', () => { lost.hidden = !app.lost; });
-  app.on('files', () => { if (app.file === null) app.announce(strings.noFile); });
-  return { app, plan, text, draw, review };
+  app.on('files', () => { if (app.file === null && !front) app.announce(strings.noFile); });
+  return { app, plan, text, draw, review, front };
 }

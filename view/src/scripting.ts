@@ -9,11 +9,11 @@ declare global {
   var hsd: ReturnType<typeof scriptInterface>;
 }
 
-export function scriptInterface({ app, plan, draw, review }: Page) {
+export function scriptInterface({ app, plan, draw, review, front }: Page) {
   const { viewport } = app;
   const camera = () => [...viewport.camera.position.toArray(), ...viewport.controls.target.toArray()];
   return {
-    app, plan, draw, review, viewport,
+    app, plan, draw, review, front, viewport,
     /** Revision of the shown state; 0 before the first. */
     get revision() { return app.state?.revision ?? 0; },
     /** Statistics of the last frame, and the number of frames so far. */

@@ -1,31 +1,24 @@
 //! `hsd facade`: photographs of a wall become its parts and a text that builds it.
 
 use super::plan::values::corners;
-use crate::cli::files::output;
-use crate::cli::files::terminal::counted;
 use crate::cli::options::report;
 use crate::cli::{Exit, Failure, Outcome};
-use crate::diagnostic::messages::plan::photographed as say;
-use crate::diagnostic::{Diagnostics, Language, noun};
-use crate::driver;
-use crate::front::{self, Front, Given, Lattice, Photo, Told, exif, record, sheet, whole};
-use crate::fs::FolderWorld;
+use crate::diagnostic::{Diagnostics, Language};
+use crate::front::{self, Given, Lattice, Photo};
 use crate::plan::Picture;
 use crate::report::{Format, Report};
-use crate::source::{FileId, Source, Span};
+use crate::source::Source;
 use crate::text;
 use clap::Args;
 use glam::DVec2;
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{GrayImage, ImageEncoder, RgbImage};
+use image::{GrayImage, RgbImage};
+use made::Made;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-mod said;
+pub(in crate::cli) mod made;
+pub(in crate::cli) mod said;
 mod values;
-
-/// The most pixels of a part, as of all images of a house.
-const PIXELS: u64 = 64_000_000;
 
 /// Turn photographs of a wall into its parts and a text that builds it.
 ///
@@ -80,6 +73,10 @@ pub(in crate::cli) struct Facade {
     #[arg(long = "mask", value_name = "PNG")]
     masks: Vec<PathBuf>,
 
+    /// Also write up to N further clean pictures of each part; every place of it gets one of them at random.
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true, value_parser = values::variations)]
+    variations: usize,
+
     /// Also write the whole wall, and its ground and upper storeys, as fronts of this name: NAME.N.png, for the next free N.
     #[arg(long, value_name = "NAME", value_parser = values::name)]
     fronts: Option<String>,
@@ -95,8 +92,19 @@ impl Facade {
         let mut sources = vec![];
         let mut told = None;
         if let Some(photos) = self.open(&mut sources, &mut out)? {
-            match front::read(&photos, &self.given()) {
-                Ok(front) => told = Some(self.write(&photos, &front, &mut sources, &mut out)?),
+            let given = self.given();
+            match front::read(&photos, &given) {
+                Ok(front) => {
+                    let made = Made {
+                        output: &self.output,
+                        photos: &photos,
+                        front: &front,
+                        given: &given,
+                        variations: self.variations,
+                        fronts: self.fronts.as_deref(),
+                    };
+                    told = Some(made.write(&mut sources, &mut out)?);
+                }
                 Err(why) => out.push(said::refused(&sources, why)),
             }
         }
@@ -120,29 +128,11 @@ impl Facade {
     ) -> Result<Option<Vec<Photo>>, Failure> {
         let mut photos = vec![];
         for (k, path) in self.photos.iter().enumerate() {
-            let bytes = std::fs::read(path).map_err(|e| Failure::at(path.display(), e))?;
-            let name = path.display().to_string();
-            // What is told of a picture has no place in its bytes.
-            let source = Source::new(FileId(sources.len() as u32), name, b"");
-            match Picture::whole(&bytes) {
-                Ok((picture, exif)) => {
-                    let pixels = picture.pixels;
-                    let focal = exif.and_then(|exif| exif::focal(&exif, pixels.dimensions()));
-                    let mask = self
-                        .masks
-                        .get(k)
-                        .map(|mask| opened_mask(mask, &pixels))
-                        .transpose()?;
-                    photos.push(Photo {
-                        name: name_of(path),
-                        pixels,
-                        focal,
-                        mask,
-                    });
-                }
-                Err(why) => out.push(said::unreadable(source.span(0..0), &why)),
+            if let Some(mut photo) = made::opened(path, sources, out)? {
+                let mask = self.masks.get(k);
+                photo.mask = mask.map(|m| opened_mask(m, &photo.pixels)).transpose()?;
+                photos.push(photo);
             }
-            sources.push(source);
         }
         Ok((photos.len() == self.photos.len()).then_some(photos))
     }
@@ -162,142 +152,6 @@ impl Facade {
             lattice,
         }
     }
-
-    /// Writes the folder; says what was written.
-    fn write(
-        &self,
-        photos: &[Photo],
-        front: &Front,
-        sources: &mut Vec<Source>,
-        out: &mut Diagnostics,
-    ) -> Result<crate::diagnostic::Text, Failure> {
-        std::fs::create_dir_all(&self.output).map_err(|e| Failure::at(self.output.display(), e))?;
-        let name = self.output.file_name().unwrap_or("front".as_ref());
-        let path = self.output.join(format!("{}.hsd", name.to_string_lossy()));
-        let text = front::text::write(front, &self.head(photos, front));
-        self.doubts(front, sources[0].span(0..0), out);
-        let source = Source::new(
-            FileId(sources.len() as u32),
-            path.display().to_string(),
-            text.as_bytes(),
-        );
-        let mut files = self.files(photos, front)?;
-        files.push((path.clone(), text.into_bytes()));
-        output::write_all(files)?;
-        let world = FolderWorld::new(vec![self.output.clone()], PIXELS);
-        driver::check(&[&source], &world, &driver::Options::default(), out);
-        sources.push(source);
-        let replaced = front.shown.iter().filter(|s| s.is_replaced).count();
-        let parts = counted(front.parts.len(), noun("part", "部材{}個"));
-        let (path, cells) = (path.display(), front.cells.len());
-        Ok(text!([path, cells, parts, replaced]
-            "{path}: {parts} for {cells} places, {replaced} of them cleared of what stands before them; `hsd build {path} -o OUT.glb` builds it",
-            "{path}: {cells} か所に{parts}。うち {replaced} か所は手前の物を取り除きました。`hsd build {path} -o OUT.glb` で作れます"
-        ))
-    }
-
-    /// Says what is not certain.
-    fn doubts(&self, front: &Front, place: Span, out: &mut Diagnostics) {
-        if self.size.is_none() && front.views[0].focal == Told::Usual {
-            out.push(say::guessed(place));
-        }
-        let is_whole = front.grid.columns.len() == 2 || front.grid.rows.len() == 2;
-        if matches!(self.given().lattice, Lattice::Found) && is_whole {
-            out.push(say::no_lattice(place));
-        }
-        for (cell, shown) in front.cells.iter().zip(&front.shown) {
-            if shown.is_spoiled {
-                out.push(say::spoiled(place, &front.name_at(cell.row, cell.column)));
-            }
-        }
-    }
-
-    /// All files but the text, with their paths.
-    fn files(&self, photos: &[Photo], front: &Front) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
-        let path = |name: &str| self.output.join(name);
-        let compared = sheet::draw(&photos[0], front);
-        let mut files = vec![
-            (
-                path("facade.json"),
-                record::json(photos, front).into_bytes(),
-            ),
-            (
-                path("parts.csv"),
-                front::text::catalogue(front).into_bytes(),
-            ),
-            (path("rectified.png"), png(&front.wall)?),
-            (path("compared.png"), png(&compared)?),
-        ];
-        for part in &front.parts {
-            files.push((path(&format!("{}.png", part.name)), png(&part.picture)?));
-        }
-        if let Some(name) = &self.fronts {
-            files.extend(self.fronts(name, front)?);
-        }
-        Ok(files)
-    }
-
-    /// What the text says of where it comes from: everything that was assumed.
-    fn head(&self, photos: &[Photo], front: &Front) -> Vec<String> {
-        let names: Vec<&str> = photos.iter().map(|p| p.name.as_str()).collect();
-        let mut head = vec![format!("Read by hsd facade from {}.", names.join(", "))];
-        if self.size.is_none() {
-            head.push(
-                "Assumed: storeys are 3.5 m high; give --size W,H for the true size.".to_owned(),
-            );
-            if front.views[0].focal == Told::Usual {
-                head.push(
-                    "Assumed: a lens like that of most telephones, so the proportions are a guess."
-                        .to_owned(),
-                );
-            }
-        }
-        let replaced = front
-            .cells
-            .iter()
-            .zip(&front.shown)
-            .filter(|(_, s)| s.is_replaced);
-        let storeys = front.grid.rows.len() - 1;
-        let places: Vec<String> = replaced
-            .map(|(c, _)| format!("f1f{}f{}", storeys - c.row, c.column + 1))
-            .collect();
-        if !places.is_empty() {
-            head.push(format!(
-                "Hidden in the photograph, replaced by the same part: {}.",
-                places.join(", ")
-            ));
-        }
-        head
-    }
-
-    /// Pictures of whole fronts, for the next free number (000-43, 000-54 to -56).
-    fn fronts(&self, name: &str, front: &Front) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
-        let is_free = |n: &usize| !self.output.join(format!("{name}.{n}.png")).exists();
-        let number = (1..).find(is_free).unwrap_or(1);
-        let pictures = whole::fronts(front).into_iter();
-        pictures
-            .map(|(piece, picture)| {
-                Ok((
-                    self.output.join(format!("{name}{piece}.{number}.png")),
-                    png(&picture)?,
-                ))
-            })
-            .collect()
-    }
-}
-
-/// A picture as PNG, packed quickly: photographs do not pack well.
-fn png(picture: &RgbImage) -> Result<Vec<u8>, Failure> {
-    let mut bytes = vec![];
-    let encoder =
-        PngEncoder::new_with_quality(&mut bytes, CompressionType::Fast, FilterType::Adaptive);
-    let (width, height) = picture.dimensions();
-    let written = encoder.write_image(picture, width, height, image::ExtendedColorType::Rgb8);
-    written.map_err(|e| {
-        let why = e.to_string();
-        Failure::Io(text!([why] "the image cannot be written: {why}", "画像を書けません: {why}"))
-    })?;
-    Ok(bytes)
 }
 
 /// What stands before the wall in a photograph.
@@ -315,11 +169,4 @@ fn opened_mask(path: &Path, photo: &RgbImage) -> Result<GrayImage, Failure> {
         )));
     }
     Ok(image::imageops::grayscale(&picture.pixels))
-}
-
-fn name_of(path: &Path) -> String {
-    path.file_name()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned()
 }

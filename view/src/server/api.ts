@@ -21,6 +21,8 @@ export interface ServerInfo {
   writes: boolean;
   /** True if an editor can be opened at a location. */
   opens: boolean;
+  /** True if the page makes a front of photographs. */
+  front: boolean;
 }
 
 /** A source file that was read; id 0 is the open file. */
@@ -378,7 +380,7 @@ export interface Cursor {
   span: ByteRange;
 }
 
-async function answer<T>(response: Response): Promise<T> {
+export async function answer<T>(response: Response): Promise<T> {
   if (!response.ok) throw new Error(await response.text() || `${response.status}`);
   return await response.json() as T;
 }
@@ -421,7 +423,7 @@ export const keepTown = async (id: number, keep: boolean) => { await answer(awai
 /** Fetches the houses of a revision that the page does not have, or the complete model. */
 export const fetchHouses = (file: string, revision: number, had: string[]) => send('/api/houses', { file, revision, had });
 
-const post = async <T>(path: string, body: unknown) => answer<T>(await send(path, body));
+export const post = async <T>(path: string, body: unknown) => answer<T>(await send(path, body));
 
 /** Sets parameters of a file for as long as the preview runs; those that are left out have their usual values. */
 export const setParameters = (file: string, values: Record<string, string>) => post<{}>('/api/parameters', { file, values });

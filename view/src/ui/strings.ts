@@ -124,6 +124,22 @@ const en = {
   ground: 'Place on the ground', townOrigin: 'from the origin of the town', groundHeight: (height: string) => `height ${height} m`,
   groundAt: (east: string, north: string, crs: string) => `x ${east} m, y ${north} m (${crs})`, degreesAt: (latitude: string, longitude: string) => `${latitude}° N, ${longitude}° E`,
   what: 'Decision', facing: 'Front faces', plot: 'Plot', access: 'Access', measures: 'Measures', frameHouse: 'Zoom to house', fromStreet: 'From the street',
+  photos: {
+    pane: 'Photograph', report: 'Report', sheet: (name: string) => `The photograph ${name} with the corners of the wall. With a brush: arrow keys lead it (Shift: ten times as far), Space lowers and lifts it, [ and ] change its width.`, wall: 'The wall seen straight, with its lattice',
+    photo: 'Photograph', tool: 'Tool', tools: { corners: 'Corners', brush: 'Brush', eraser: 'Eraser' }, back: 'Undo and redo',
+    toolHelp: {
+      corners: 'Drag the corners of the wall; Shift drags them finely. With the keyboard: Tab to a corner, then arrow keys, with Shift ten pixels.',
+      brush: 'Paint over what stands before the wall.', eraser: 'Take away what was painted.',
+    },
+    brushWidth: 'Width of the brush', brushDown: 'The brush is down.', brushUp: 'The brush is lifted.',
+    cornerName: ['Upper left corner', 'Upper right corner', 'Lower right corner', 'Lower left corner'], corner: (name: string, x: string, y: string) => `${name}, x ${x}, y ${y}`,
+    findCorners: 'Corners as found', findLattice: 'Find the lattice', bays: 'Bays', storeys: 'Storeys', addColumn: 'Add bay line', addRow: 'Add storey line', removeLine: 'Remove line',
+    column: (n: number) => `Line ${n} between bays, from the left`, row: (n: number) => `Line ${n} between storeys, from above`, metres: (length: string) => `${length} m`,
+    removed: 'The line is removed.', chooseLine: 'Choose a line of the lattice first.', noRoom: 'There is no room for a line there.', pieces: (most: number) => `A number from 1 to ${most}, please.`,
+    width: 'Width (m)', height: 'Height (m)', build: 'Build', building: 'Building…', guessed: 'The lens is not known, so the proportions are a guess: tell width and height for the true ones.', notBuilt: 'Nothing was built.',
+    found: 'The wall was found. Move its corners where they are off; what you see on the right is what will be cut.', asLeft: 'As it was built last.', lost: (name: string, why: string) => `${name}: ${why}. Drag the four corners onto the wall.`,
+    help: 'Drag the lines of the lattice, or Tab to them and use the arrow keys (Shift: ten pixels, Delete removes); a double click on the wall adds a line between bays, with Shift between storeys.',
+  },
   rendering: 'Rendering screenshots…', noWebgl: 'This browser does not support WebGL 2.',
 };
 
@@ -251,6 +267,22 @@ const ja: Strings = {
   ground: '地面の位置', townOrigin: '町の原点から', groundHeight: height => `高さ ${height} m`,
   groundAt: (east, north, crs) => `x ${east} m、y ${north} m (${crs})`, degreesAt: (latitude, longitude) => `北緯 ${latitude}°、東経 ${longitude}°`,
   what: '判断', facing: '正面の方位', plot: '敷地', access: '接道', measures: '測った値', frameHouse: '家に寄る', fromStreet: '道から見る',
+  photos: {
+    pane: '写真', report: '報告', sheet: name => `壁面の四隅を示した写真 ${name}。筆のときは、矢印キーで動かし (Shift で十倍)、スペースで下ろしたり上げたりし、[ と ] で太さを変えます。`, wall: '正面から見た壁面と格子',
+    photo: '写真', tool: 'ツール', tools: { corners: '四隅', brush: '筆', eraser: '消しゴム' }, back: '元に戻す、やり直す',
+    toolHelp: {
+      corners: '壁面の四隅をドラッグします。Shift で細かく動きます。キーボードでは Tab で隅に移動し、矢印キーで動かします (Shift で 10 画素)。',
+      brush: '壁面の手前にある物を塗ります。', eraser: '塗った所を消します。',
+    },
+    brushWidth: '筆の太さ', brushDown: '筆を下ろしました。', brushUp: '筆を上げました。',
+    cornerName: ['左上の隅', '右上の隅', '右下の隅', '左下の隅'], corner: (name, x, y) => `${name}、x ${x}、y ${y}`,
+    findCorners: '見つけた四隅に戻す', findLattice: '格子を探す', bays: '柱間の数', storeys: '階の数', addColumn: '柱間の線を追加', addRow: '階の線を追加', removeLine: '線を消す',
+    column: n => `柱間の線、左から ${n} 本目`, row: n => `階の線、上から ${n} 本目`, metres: length => `${length} m`,
+    removed: '線を消しました。', chooseLine: '先に格子の線を選んでください。', noRoom: 'そこには線を置けません。', pieces: most => `1 から ${most} までの数にしてください。`,
+    width: '幅 (m)', height: '高さ (m)', build: '作る', building: '作っています…', guessed: 'レンズがわからないので、縦横比は推測です。幅と高さを入れると正しくなります。', notBuilt: '何も作れませんでした。',
+    found: '壁面が見つかりました。四隅がずれていれば動かしてください。右に見えるとおりに切り分けます。', asLeft: '前に作ったときの状態です。', lost: (name, why) => `${name}: ${why}。四隅を壁面に合わせてください。`,
+    help: '格子の線はドラッグで動きます。キーボードでは Tab で線に移動し、矢印キーで動かします (Shift で 10 画素、Delete で消去)。壁面をダブルクリックすると柱間の線、Shift を押していれば階の線が加わります。',
+  },
   rendering: '画像を描画しています…', noWebgl: 'このブラウザーは WebGL 2 に対応していません。',
 };
 

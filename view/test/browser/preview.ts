@@ -41,6 +41,17 @@ export class Preview {
     return preview;
   }
 
+  /** Starts the page of photographs, given by name and contents. */
+  static async ofPhotographs(photos: [name: string, bytes: Uint8Array][], ...options: string[]): Promise<Preview> {
+    const preview = new Preview();
+    for (const photo of photos) preview.write(...photo);
+    preview.#shown = ['--facade', ...photos.map(([name]) => join(preview.folder, name))];
+    await preview.serve('0', ...options);
+    return preview;
+  }
+
+  /** What the server shows. */
+  #shown = [this.folder];
   #log = '';
   #options: string[] = [];
 
@@ -49,7 +60,7 @@ export class Preview {
     const hsd = process.env['HSD'];
     if (!hsd) throw new Error('HSD names no program: use test/browser/run.mjs');
     if (options.length) this.#options = options;
-    const server = this.#server = spawn(hsd, ['view', this.folder, '--no-open', '--port', port, ...this.#options], { stdio: ['ignore', 'pipe', 'inherit'] });
+    const server = this.#server = spawn(hsd, ['view', ...this.#shown, '--no-open', '--port', port, ...this.#options], { stdio: ['ignore', 'pipe', 'inherit'] });
     this.url = await new Promise<string>((done, fail) => {
       let output = '';
       server.stdout!.on('data', data => {

@@ -2,10 +2,11 @@
 
 import assert from 'node:assert/strict';
 import { after, before, beforeEach, test } from 'node:test';
-import { deflateSync, inflateSync } from 'node:zlib';
+import { inflateSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { AXE } from './axe.ts';
 import { drawing } from './drawing.ts';
+import { png } from './png.ts';
 import { does, Preview, until } from './preview.ts';
 
 const HOUSE = `<House name="read">
@@ -26,24 +27,6 @@ const HOUSE = `<House name="read">
 
 /** Pixels a unit of the scan, and the pixel of the right end of the front. */
 const UNIT = 40, [X, Y] = [320, 400], SIZE = [400, 480] as const;
-
-/** Writes a grey picture as PNG. */
-function png([width, height]: readonly [number, number], grey: (x: number, y: number) => number): Uint8Array {
-  const rows = new Uint8Array((width + 1) * height);
-  for (let y = 0; y < height; y++) for (let x = 0; x < width; x++) rows[y * (width + 1) + 1 + x] = grey(x, y);
-  const number = (n: number) => [n >>> 24, n >>> 16 & 255, n >>> 8 & 255, n & 255];
-  const crc32 = (bytes: number[]) => ~bytes.reduce((sum, byte) => {
-    let next = sum ^ byte;
-    for (let i = 0; i < 8; i++) next = next >>> 1 ^ (next & 1 ? 0xedb88320 : 0);
-    return next;
-  }, -1);
-  const chunk = (name: string, data: Uint8Array | number[]) => {
-    const body = [...new TextEncoder().encode(name), ...data];
-    return [...number(data.length), ...body, ...number(crc32(body))];
-  };
-  return new Uint8Array([137, 80, 78, 71, 13, 10, 26, 10, ...chunk('IHDR', [...number(width), ...number(height), 8, 0, 0, 0, 0]),
-    ...chunk('IDAT', new Uint8Array(deflateSync(rows))), ...chunk('IEND', [])]);
-}
 
 /** A dark square in the house, half a unit wide, its middle 4.5 units to the left and 6.5 back; the rest is light. */
 const scan = png(SIZE, (x, y) => Math.abs(X - (x + 0.5) - 4.5 * UNIT) < UNIT / 4 && Math.abs(Y - (y + 0.5) - 6.5 * UNIT) < UNIT / 4 ? 20 : 235);

@@ -8,7 +8,7 @@ use crate::plan::Unreadable;
 use crate::source::{Source, Span};
 
 /// Says why there is no front; `sources` are the photographs.
-pub(super) fn refused(sources: &[Source], why: Refused) -> Diagnostic {
+pub(in crate::cli) fn refused(sources: &[Source], why: Refused) -> Diagnostic {
     match why {
         Refused::Lost(photo, lost) => {
             let span = sources[photo].span(0..0);
@@ -23,7 +23,7 @@ pub(super) fn refused(sources: &[Source], why: Refused) -> Diagnostic {
 }
 
 /// Says that a photograph cannot be read; `span` is the photograph.
-pub(super) fn unreadable(span: Span, why: &Unreadable) -> Diagnostic {
+pub(in crate::cli) fn unreadable(span: Span, why: &Unreadable) -> Diagnostic {
     match why {
         Unreadable::Format => say::no_picture(span),
         Unreadable::TooLarge => say::too_large(span),

@@ -77,3 +77,9 @@ pub(super) fn name(text: &str) -> Result<String, String> {
         false => Err("expected a name of letters, digits, - and _".to_owned()),
     }
 }
+
+/// A number of further pictures.
+pub(super) fn variations(text: &str) -> Result<usize, String> {
+    let number = text.trim().parse().ok().filter(|n| (0..=50).contains(n));
+    number.ok_or_else(|| "expected a number from 0 to 50".to_owned())
+}

@@ -391,12 +391,23 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
   hsd view house.hsd                                   エディターの隣に家を表示する
   hsd view street/                                     フォルダーのテキストを表示する
   hsd view town.hsd --detail 1                         数百軒の町を、部材をテクスチャーにして表示する
+  hsd view --facade front.jpg                          写真から正面を作る。四隅、格子、マスクを画面で直す
   hsd view kyoto/                                      `hsd town` が書いたタイルの町を表示する
   hsd view house.hsd --editor 'code -g {file}:{line}'  部材のクリックでその行に移動する",
         arguments: &[
             (
                 "input",
                 "テキスト、町、テキストかタイルのフォルダー、またはモデル (.glb)",
+                "",
+            ),
+            (
+                "facade",
+                "一つの壁面の写真から、画面で正面を作る。作り方は hsd facade と同じ",
+                "",
+            ),
+            (
+                "output",
+                "正面をこのフォルダーに書く [既定値: 最初の写真と同じ場所の、同じ名前のフォルダー]",
                 "",
             ),
             (

@@ -49,6 +49,11 @@ pub(in crate::cli::language::japanese) const FACADE: &[CommandHelp] = &[CommandH
             "",
         ),
         (
+            "variations",
+            "各部材のきれいな画像をさらに N 枚まで書く。置かれる所ごとに、その中から一枚が抽選される",
+            "",
+        ),
+        (
             "fronts",
             "壁面全体、一階、二階以上を、この名前の正面としても書く (NAME.N.png、N は次の空き番号)",
             "",
