@@ -17,12 +17,16 @@ import resource
 import subprocess
 import sys
 import time
+from collections import defaultdict
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 #: How often a task is tried again after its worker died or a file could not be written.
 RETRIES = 5
+
+#: The unit of memory in the figures of processes, bytes.
+UNIT = 1 if sys.platform == "darwin" else 1024
 
 
 class TryAgain(Exception):
@@ -50,7 +54,9 @@ def make(command: list[str], work: str, keys: list[str]) -> dict[str, Any]:
         "from": begun,
         "to": time.time(),
         "processor": used.ru_utime + used.ru_stime - before.ru_utime - before.ru_stime,
-        "memory": used.ru_maxrss * (1 if sys.platform == "darwin" else 1024),
+        "memory": used.ru_maxrss * UNIT,
+        "worker": os.getpid(),
+        "own": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * UNIT,
     }
 
 
@@ -163,6 +169,9 @@ def build(client: Any, options: argparse.Namespace) -> Run:
 def tell(run: Run, file: str | None) -> None:
     busy = sum(task["to"] - task["from"] for task in run.tasks)
     memory = max((task["memory"] for task in run.tasks), default=0)
+    each: dict[int, float] = defaultdict(float)
+    for task in run.tasks:
+        each[task["worker"]] += task["processor"]
     told = {
         "made": run.made,
         "there": run.kept,
@@ -171,7 +180,11 @@ def tell(run: Run, file: str | None) -> None:
         "tasks": len(run.tasks),
         "busy": round(busy, 2),
         "processor": round(sum(task["processor"] for task in run.tasks), 2),
+        # Bytes, at most: of the processes that make tiles, and of those that start them.
         "memory": memory,
+        "own": max((task["own"] for task in run.tasks), default=0),
+        # Processor time of each worker's tasks: the longest one is what a run takes where processors are free.
+        "workers": sorted((round(used, 2) for used in each.values()), reverse=True),
     }
     print(json.dumps(told), file=sys.stderr)
     if file:

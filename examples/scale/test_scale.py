@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 import resource
@@ -14,40 +13,15 @@ import tempfile
 import threading
 import time
 import unittest
-from collections import Counter
 from pathlib import Path
 
 import rows
 import scale
+from trees import faults, tree
 
 HERE = Path(__file__).resolve().parent
 HSD = str(Path(os.environ.get("HSD", "hsd")).resolve()) if "/" in os.environ.get("HSD", "hsd") else "hsd"
 HOUSES = int(os.environ.get("HSD_HOUSES", "1200"))
-
-
-def tree(folder: Path) -> str:
-    """Returns the hash of names and bytes of all files in a folder."""
-    total = hashlib.sha256()
-    for path in sorted(p for p in folder.rglob("*") if p.is_file()):
-        total.update(str(path.relative_to(folder)).encode() + b"\0" + hashlib.sha256(path.read_bytes()).digest())
-    return total.hexdigest()
-
-
-def contents(tileset: Path) -> list[str]:
-    """Returns the files that a tileset and its branches name."""
-    found = []
-
-    def visit(node):
-        uri = node.get("content", {}).get("uri")
-        if uri and uri.endswith(".json"):
-            visit(json.loads((tileset.parent / uri).read_text())["root"])
-        elif uri:
-            found.append(uri)
-        for child in node.get("children", []):
-            visit(child)
-
-    visit(json.loads(tileset.read_text())["root"])
-    return found
 
 
 class Scale(unittest.TestCase):
@@ -77,10 +51,7 @@ class Scale(unittest.TestCase):
 
     def assert_right(self):
         self.assertEqual(tree(self.out), self.wanted)
-        tiles = contents(self.out / "tileset.json")
-        self.assertEqual([uri for uri, count in Counter(tiles).items() if count > 1], [])
-        there = {f"tiles/{path.name}" for path in (self.out / "tiles").glob("*.glb")}
-        self.assertEqual(set(tiles), there)
+        self.assertEqual(faults(self.out), [])
 
     def test_one_worker_and_two_make_what_a_plain_run_makes(self):
         first = self.scale("--workers", "1")
