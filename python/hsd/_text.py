@@ -76,11 +76,15 @@ def is_text(source: Text) -> bool:
 
 def pairs(parameters: Parameters | None) -> list[tuple[str, str]]:
     """Values as the language writes them."""
-    word = lambda value: ("yes" if value else "no") if isinstance(value, bool) else str(value)
+    def word(value: object) -> str:
+        if isinstance(value, bool):
+            return "yes" if value else "no"
+        return str(value)
+
     return [(name, word(value)) for name, value in (parameters or {}).items()]
 
 
-def messages_of(told: list[tuple]) -> list[Message]:
+def messages_of(told: list[_native.Told]) -> list[Message]:
     return [Message(*one) for one in told]
 
 

@@ -23,7 +23,7 @@ from typing import Any, Union
 
 from . import _native
 from ._show import Model
-from ._text import Error, Message, Parameters, Text, is_text, job, pairs, require
+from ._text import Error, Message, Parameters, Text, is_text, job, messages_of, pairs, require
 
 __all__ = ["Sealed", "StepError", "Tile", "Town", "plan", "planned", "seal", "show", "tile"]
 
@@ -49,7 +49,7 @@ class StepError(Error):
         super().__init__(text.strip() or f"hsd ended with status {status}", messages)
         self.status = status
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[type[StepError], tuple[int, str, list[Message]]]:
         # Engines send errors between processes.
         return type(self), (self.status, str(self), self.messages)
 
@@ -83,7 +83,8 @@ class Sealed:
 
     def report(self) -> dict[str, Any]:
         """What became of the features: `features`, `built`, `skipped`, `corrected`."""
-        return json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
+        report: dict[str, Any] = json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
+        return report
 
     def decisions(self) -> list[dict[str, str]]:
         """A line for each feature: what was built on it and why."""
@@ -121,7 +122,7 @@ def plan(
     status, message = _call(["plan", "-o", work, "--quiet", *levels, *_settings(parameters, seed), "--", town], threads)
     if status:
         told, report = _native.check(job(town, parameters, seed), 0) if status == 1 else ([], "")
-        raise StepError(status, message or report, [Message(*one) for one in told])
+        raise StepError(status, message or report, messages_of(told))
     return planned(work)
 
 
