@@ -25,6 +25,16 @@ from typing import Any
 #: How often a task is tried again after its worker died or a file could not be written.
 RETRIES = 5
 
+#: What dask is told. A tile that kills its worker is no reason to give up on the other tiles of its task. What dask does besides,
+#: such as looking a hundred times a second where a worker is, took a tenth of a processor beside one that makes tiles.
+SETTINGS = {
+    "distributed.scheduler.allowed-failures": 20,
+    "distributed.worker.profile.enabled": False,
+    "distributed.admin.tick.interval": "2s",
+    "distributed.admin.tick.limit": "1m",
+    "distributed.admin.system-monitor.interval": "10s",
+}
+
 #: The unit of memory in the figures of processes, bytes.
 UNIT = 1 if sys.platform == "darwin" else 1024
 
@@ -214,8 +224,7 @@ def main(given: list[str] | None = None) -> None:
     import dask
     from dask.distributed import Client, LocalCluster
 
-    # A tile that kills its worker is no reason to give up on the other tiles of its task.
-    dask.config.set({"distributed.scheduler.allowed-failures": 20})
+    dask.config.set(SETTINGS)
     begun = time.time()
     if options.scheduler:
         with Client(options.scheduler) as client:

@@ -67,7 +67,7 @@ class Scale(unittest.TestCase):
         from dask.distributed import Client, LocalCluster
         import dask
 
-        dask.config.set({"distributed.scheduler.allowed-failures": 20})
+        dask.config.set(scale.SETTINGS)
         options = scale.arguments([str(self.town), "-o", str(self.out), "--hsd", HSD, "--features", "60"])
         with LocalCluster(n_workers=2, threads_per_worker=1, host="127.0.0.1", dashboard_address=None) as cluster:
             with Client(cluster) as client:
