@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+import importlib.util
 import json
 import os
 import resource
@@ -123,6 +125,24 @@ class Scale(unittest.TestCase):
         for path in (self.work / "tiles").iterdir():
             self.assertEqual(path.read_bytes(), whole[path.name], "half a file")
         self.scale("--planned")
+        self.assert_right()
+
+    @unittest.skipUnless(importlib.util.find_spec("hsd"), "the wheel of hsd is not installed")
+    def test_the_module_does_what_the_program_does(self):
+        from dask.distributed import Client, LocalCluster
+        import dask
+        import hsd as module
+
+        dask.config.set(scale.SETTINGS)
+        tiles = module.town.plan(self.town, self.work)
+        with LocalCluster(n_workers=2, threads_per_worker=1, host="127.0.0.1", dashboard_address=None) as cluster:
+            with Client(cluster) as client:
+                make = functools.partial(module.town.tile, self.work, threads=1)
+                client.gather(client.map(make, [tile.key for tile in tiles], pure=False))
+                with self.assertRaisesRegex(module.town.StepError, "no such tile") as raised:
+                    client.submit(make, "no such tile").result()
+        self.assertFalse(raised.exception.may_pass)
+        module.town.seal(self.work, self.out)
         self.assert_right()
 
     def test_only_what_a_change_touches_is_made_again(self):
