@@ -30,7 +30,6 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
-use std::process::ExitCode;
 use std::sync::LazyLock;
 
 /// The exit status of a run that completed.
@@ -178,8 +177,8 @@ enum Command {
     Man(completions::man::Man),
 }
 
-/// Runs the program; the first argument is the program name.
-pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+/// Runs the program and returns its exit status; the first argument is the program name.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let language = language::of(&arguments);
     #[cfg(feature = "view")]
@@ -195,13 +194,19 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     if !message.is_empty() {
         let _ = writeln!(io::stderr(), "hsd: {message}");
     }
-    ExitCode::from(status)
+    status
+}
+
+/// Lists the parts whose code or names hold a word, one a line, as `hsd parts` does; returns an empty text if there is none.
+pub fn parts(filter: Option<String>, language: Language) -> String {
+    parts::list(filter, language)
 }
 
 /// Runs a command line inside of another program: returns the exit status and what it says of a failure, which is not printed.
-/// Signals are left to that program.
+/// Signals are left to that program, and messages on the texts, which it can ask for.
 pub fn call(arguments: Vec<OsString>) -> (u8, String) {
     files::temporary::leave_signals();
+    files::messages::leave_people();
     let language = language::of(&arguments);
     match parsed(arguments, language) {
         Ok(cli) => status(cli.command.run(language), language),
@@ -262,14 +267,14 @@ fn command(language: Language) -> clap::Command {
 }
 
 /// Prints help, the version or a usage error, and returns the exit status.
-fn print_clap_error(error: &clap::Error, language: Language) -> ExitCode {
+fn print_clap_error(error: &clap::Error, language: Language) -> u8 {
     if let Some(name) = file_for_command(error) {
         let hint = text!([name]
             "`{name}` is a file; to build a model from it: hsd build {name}",
             "`{name}` はファイルです。モデルを作るには: hsd build {name}"
         );
         let _ = writeln!(io::stderr(), "hsd: {}", hint.in_language(language));
-        return ExitCode::from(2);
+        return 2;
     }
     let helps = matches!(
         error.kind(),
@@ -288,7 +293,7 @@ fn print_clap_error(error: &clap::Error, language: Language) -> ExitCode {
         }
         _ => error.print(),
     };
-    ExitCode::from(error.exit_code() as u8)
+    error.exit_code() as u8
 }
 
 /// The existing file named in place of a subcommand, if that is the error.

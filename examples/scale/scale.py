@@ -17,12 +17,26 @@ import resource
 import subprocess
 import sys
 import time
+from collections import defaultdict
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 #: How often a task is tried again after its worker died or a file could not be written.
 RETRIES = 5
+
+#: What dask is told. A tile that kills its worker is no reason to give up on the other tiles of its task. What dask does besides,
+#: such as looking a hundred times a second where a worker is, took a tenth of a processor beside one that makes tiles.
+SETTINGS = {
+    "distributed.scheduler.allowed-failures": 20,
+    "distributed.worker.profile.enabled": False,
+    "distributed.admin.tick.interval": "2s",
+    "distributed.admin.tick.limit": "1m",
+    "distributed.admin.system-monitor.interval": "10s",
+}
+
+#: The unit of memory in the figures of processes, bytes.
+UNIT = 1 if sys.platform == "darwin" else 1024
 
 
 class TryAgain(Exception):
@@ -50,7 +64,9 @@ def make(command: list[str], work: str, keys: list[str]) -> dict[str, Any]:
         "from": begun,
         "to": time.time(),
         "processor": used.ru_utime + used.ru_stime - before.ru_utime - before.ru_stime,
-        "memory": used.ru_maxrss * (1 if sys.platform == "darwin" else 1024),
+        "memory": used.ru_maxrss * UNIT,
+        "worker": os.getpid(),
+        "own": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * UNIT,
     }
 
 
@@ -163,6 +179,9 @@ def build(client: Any, options: argparse.Namespace) -> Run:
 def tell(run: Run, file: str | None) -> None:
     busy = sum(task["to"] - task["from"] for task in run.tasks)
     memory = max((task["memory"] for task in run.tasks), default=0)
+    each: dict[int, float] = defaultdict(float)
+    for task in run.tasks:
+        each[task["worker"]] += task["processor"]
     told = {
         "made": run.made,
         "there": run.kept,
@@ -171,7 +190,11 @@ def tell(run: Run, file: str | None) -> None:
         "tasks": len(run.tasks),
         "busy": round(busy, 2),
         "processor": round(sum(task["processor"] for task in run.tasks), 2),
+        # Bytes, at most: of the processes that make tiles, and of those that start them.
         "memory": memory,
+        "own": max((task["own"] for task in run.tasks), default=0),
+        # Processor time of each worker's tasks: the longest one is what a run takes where processors are free.
+        "workers": sorted((round(used, 2) for used in each.values()), reverse=True),
     }
     print(json.dumps(told), file=sys.stderr)
     if file:
@@ -201,8 +224,7 @@ def main(given: list[str] | None = None) -> None:
     import dask
     from dask.distributed import Client, LocalCluster
 
-    # A tile that kills its worker is no reason to give up on the other tiles of its task.
-    dask.config.set({"distributed.scheduler.allowed-failures": 20})
+    dask.config.set(SETTINGS)
     begun = time.time()
     if options.scheduler:
         with Client(options.scheduler) as client:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-import hashlib
+import functools
+import importlib.util
 import json
 import os
 import resource
@@ -14,40 +15,15 @@ import tempfile
 import threading
 import time
 import unittest
-from collections import Counter
 from pathlib import Path
 
 import rows
 import scale
+from trees import faults, tree
 
 HERE = Path(__file__).resolve().parent
 HSD = str(Path(os.environ.get("HSD", "hsd")).resolve()) if "/" in os.environ.get("HSD", "hsd") else "hsd"
 HOUSES = int(os.environ.get("HSD_HOUSES", "1200"))
-
-
-def tree(folder: Path) -> str:
-    """Returns the hash of names and bytes of all files in a folder."""
-    total = hashlib.sha256()
-    for path in sorted(p for p in folder.rglob("*") if p.is_file()):
-        total.update(str(path.relative_to(folder)).encode() + b"\0" + hashlib.sha256(path.read_bytes()).digest())
-    return total.hexdigest()
-
-
-def contents(tileset: Path) -> list[str]:
-    """Returns the files that a tileset and its branches name."""
-    found = []
-
-    def visit(node):
-        uri = node.get("content", {}).get("uri")
-        if uri and uri.endswith(".json"):
-            visit(json.loads((tileset.parent / uri).read_text())["root"])
-        elif uri:
-            found.append(uri)
-        for child in node.get("children", []):
-            visit(child)
-
-    visit(json.loads(tileset.read_text())["root"])
-    return found
 
 
 class Scale(unittest.TestCase):
@@ -77,10 +53,7 @@ class Scale(unittest.TestCase):
 
     def assert_right(self):
         self.assertEqual(tree(self.out), self.wanted)
-        tiles = contents(self.out / "tileset.json")
-        self.assertEqual([uri for uri, count in Counter(tiles).items() if count > 1], [])
-        there = {f"tiles/{path.name}" for path in (self.out / "tiles").glob("*.glb")}
-        self.assertEqual(set(tiles), there)
+        self.assertEqual(faults(self.out), [])
 
     def test_one_worker_and_two_make_what_a_plain_run_makes(self):
         first = self.scale("--workers", "1")
@@ -96,7 +69,7 @@ class Scale(unittest.TestCase):
         from dask.distributed import Client, LocalCluster
         import dask
 
-        dask.config.set({"distributed.scheduler.allowed-failures": 20})
+        dask.config.set(scale.SETTINGS)
         options = scale.arguments([str(self.town), "-o", str(self.out), "--hsd", HSD, "--features", "60"])
         with LocalCluster(n_workers=2, threads_per_worker=1, host="127.0.0.1", dashboard_address=None) as cluster:
             with Client(cluster) as client:
@@ -152,6 +125,24 @@ class Scale(unittest.TestCase):
         for path in (self.work / "tiles").iterdir():
             self.assertEqual(path.read_bytes(), whole[path.name], "half a file")
         self.scale("--planned")
+        self.assert_right()
+
+    @unittest.skipUnless(importlib.util.find_spec("hsd"), "the wheel of hsd is not installed")
+    def test_the_module_does_what_the_program_does(self):
+        from dask.distributed import Client, LocalCluster
+        import dask
+        import hsd as module
+
+        dask.config.set(scale.SETTINGS)
+        tiles = module.town.plan(self.town, self.work)
+        with LocalCluster(n_workers=2, threads_per_worker=1, host="127.0.0.1", dashboard_address=None) as cluster:
+            with Client(cluster) as client:
+                make = functools.partial(module.town.tile, self.work, threads=1)
+                client.gather(client.map(make, [tile.key for tile in tiles], pure=False))
+                with self.assertRaisesRegex(module.town.StepError, "no such tile") as raised:
+                    client.submit(make, "no such tile").result()
+        self.assertFalse(raised.exception.may_pass)
+        module.town.seal(self.work, self.out)
         self.assert_right()
 
     def test_only_what_a_change_touches_is_made_again(self):

@@ -54,6 +54,22 @@ enum ListFormat {
     Json,
 }
 
+/// Lists the parts of the catalogue that a word finds as a table; empty if there is none.
+pub(super) fn list(filter: Option<String>, language: Language) -> String {
+    let asked = Parts {
+        filter,
+        format: ListFormat::Table,
+        catalogs: vec![],
+        sheet: None,
+    };
+    let all = parse::builtin().parts().iter();
+    let found: Vec<&PartDef> = all.filter(|p| asked.takes(p)).collect();
+    match found.is_empty() {
+        true => String::new(),
+        false => table(&found, language),
+    }
+}
+
 impl Parts {
     pub(super) fn run(&self, language: Language) -> Outcome {
         let custom;

@@ -14,6 +14,7 @@ use serde_json::value::{RawValue, to_raw_value};
 use std::collections::BTreeSet;
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The form of messages.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -56,6 +57,14 @@ impl MessageArgs {
             false => Ok(()),
         }
     }
+}
+
+/// True once the program is part of another one, which asks for messages where it wants them.
+static SILENT: AtomicBool = AtomicBool::new(false);
+
+/// Leaves messages for people to the program that this one is part of.
+pub(in crate::cli) fn leave_people() {
+    SILENT.store(true, Ordering::Relaxed);
 }
 
 /// Tells messages to people or to a program.
@@ -112,7 +121,7 @@ impl Teller {
             let value = to_raw_value(&written.messages());
             return Ok(Told(Some(value.map_err(|e| Failure::json(&e))?)));
         }
-        if !list.is_empty() {
+        if !list.is_empty() && !SILENT.load(Ordering::Relaxed) {
             report(&written, Format::Human, &mut io::stderr())?;
         }
         Ok(Told(None))
