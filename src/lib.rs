@@ -74,6 +74,9 @@ pub mod source;
 pub mod diagnostic;
 #[doc(hidden)]
 pub mod geometry;
+#[cfg(any(feature = "drawings", feature = "maps"))]
+#[doc(hidden)]
+pub mod lettering;
 #[doc(hidden)]
 pub mod rng;
 #[doc(hidden)]

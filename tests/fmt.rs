@@ -236,6 +236,9 @@ fn random_texts_keep_their_meaning() {
     let samples: Vec<String> = texts(&["examples"])
         .iter()
         .map(|path| fs::read_to_string(path).unwrap())
+        // A misspelt element in a rule is told where a map is read, so until then such a text counts as sound, and is left as it is
+        // with HSD0801.
+        .filter(|text| !text.contains("<for "))
         .collect();
     for round in 0..4000 {
         let mut text = samples[round % samples.len()].clone();

@@ -9,6 +9,7 @@ mod circles;
 const ORDER: &[(&str, Part)] = &[
     ("source", Foundation),
     ("geometry", Foundation),
+    ("lettering", Foundation),
     ("rng", Foundation),
     ("diagnostic", Foundation),
     ("map", Foundation),

@@ -223,7 +223,7 @@ fn surfaces_are_neither_mirrors_nor_half_metal() {
         }
         let metres = surface.metres;
         assert!(
-            (0.1..=2.2).contains(&metres),
+            (0.1..=3.7).contains(&metres),
             "{}: {metres} m",
             surface.name
         );

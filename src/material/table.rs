@@ -149,6 +149,7 @@ pub(super) static TABLE: &[Surface] = &[
     tinted(worn("leaves_cherry", &FOLIAGE, 0), [0.95, 0.86, 0.7]),
     tinted(worn("leaves_cedar", &FOLIAGE, 0), [0.45, 0.52, 0.38]),
     tinted(worn("leaves_plane", &FOLIAGE, 0), [0.82, 0.95, 0.6]),
+    worn("rows", &ROWS, 0),
     worn("water", &WATER, 0),
     tinted(worn("paddy", &WATER, 0), [1.0, 0.93, 0.72]),
     tinted(worn("crop_rice", &ROWS, 0), [0.36, 0.56, 0.16]),

@@ -386,3 +386,17 @@ fn plain(house: &House, stood: &Stood, ring: Option<&[DVec2]>) -> Option<Box<Hou
     plain.settings.plinth = at(stood.plinth).filter(|plinth| plinth.value > 0.0);
     Some(Box::new(plain))
 }
+
+/// Returns the path of a file that a town names.
+fn path(
+    input: TownInput<'_>,
+    href: &crate::source::Spanned<String>,
+) -> Result<String, crate::diagnostic::Text> {
+    let found = input.world.text(input.source.name(), &href.value);
+    found.map_err(|_| {
+        crate::text!(
+            "there is no such file below the folder of the town",
+            "町のファイルのフォルダーより下に、そのファイルがありません"
+        )
+    })
+}

@@ -6,12 +6,13 @@ use crate::cli::files::output::{self, Files};
 use crate::cli::options::{DetailArgs, InputArgs, exit, report};
 use crate::cli::{Exit, Failure, Outcome};
 use crate::diagnostic::{Diagnostics, Language, visible};
-use crate::drawing::letters::Font;
+use crate::drawing::letters::outlined;
 use crate::drawing::paper::{Sheet, View};
 use crate::drawing::sheet::Paper;
 use crate::drawing::subject::Subject;
 use crate::drawing::{self, Plane, SCALES, Settings, Wanted};
 use crate::driver;
+use crate::lettering::Font;
 use crate::report::{Format, Report};
 use crate::text;
 use clap::{Args, ValueEnum};
@@ -316,7 +317,7 @@ impl Draw {
                 "{shown} はフォントとして読めません。.ttf、.otf、.ttc のファイルを指定してください"
             )));
         };
-        let (sheet, missing) = font.outlined(sheet);
+        let (sheet, missing) = outlined(sheet, &font);
         if !missing.is_empty() {
             let letters = visible::line(&missing.iter().collect::<String>());
             self.note(

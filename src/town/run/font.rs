@@ -3,7 +3,7 @@
 use crate::ast::town::Town;
 use crate::diagnostic::messages::town as say;
 use crate::diagnostic::{Diagnostics, Text};
-use crate::drawing::letters::Font;
+use crate::lettering::Font;
 use crate::source::Spanned;
 use crate::text;
 use crate::town::TownInput;
@@ -25,7 +25,7 @@ pub(super) fn font(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> 
 }
 
 fn read(input: TownInput<'_>, named: &Spanned<String>) -> Result<Arc<[u8]>, Text> {
-    let path = super::maps::path(input, named)?;
+    let path = super::path(input, named)?;
     let bytes = input.world.text_bytes(&path, LARGEST);
     let bytes = bytes.map_err(|error| Text::from(error.to_string()))?;
     match Font::read(&bytes) {

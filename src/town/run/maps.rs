@@ -4,6 +4,7 @@ mod join;
 mod lodge;
 
 use super::TownInput;
+use super::font::font;
 use crate::ast::town::{Layer, Town};
 use crate::diagnostic::messages::town as say;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -77,7 +78,7 @@ pub fn plan_lodged(
     let mut plan = Plan::new(town.clone(), frame, layers, tables);
     plan.unjoined = unjoined;
     plan.ground = Arc::new(ground);
-    plan.font = super::font::font(input, town, out);
+    plan.font = font(input, town, out);
     let (roads, poles, zones) = super::outdoors::laid_first(input, &plan);
     (plan.roads, plan.poles, plan.zones) = (Arc::new(roads), Arc::new(poles), Arc::new(zones));
     if let Some(lodger) = lodger {
@@ -398,25 +399,11 @@ fn mismatch(why: &Mismatch) -> crate::diagnostic::Text {
     }
 }
 
-/// Returns the path of a file that a town names.
-pub(super) fn path(
-    input: TownInput<'_>,
-    href: &Spanned<String>,
-) -> Result<String, crate::diagnostic::Text> {
-    let found = input.world.text(input.source.name(), &href.value);
-    found.map_err(|_| {
-        text!(
-            "there is no such file below the folder of the town",
-            "町のファイルのフォルダーより下に、そのファイルがありません"
-        )
-    })
-}
-
 fn read_table(
     input: TownInput<'_>,
     table: &crate::ast::town::Table,
 ) -> Result<Rows, crate::diagnostic::Text> {
-    let path = path(input, &table.src)?;
+    let path = super::path(input, &table.src)?;
     let most = input.options.expand.limits.bytes;
     let bytes = input
         .world

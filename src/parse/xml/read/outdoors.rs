@@ -33,45 +33,24 @@ impl<'t> Reader<'t, '_> {
                 spacing: self.usual(&of, "spacing"),
                 offset: self.usual(&of, "offset"),
             }),
-            Tag::Torii | Tag::Lantern => {
-                let word = if schema.tag == Tag::Torii {
-                    "torii"
-                } else {
-                    "lantern"
-                };
-                Outdoor::Lone(self.lone(word, schema, &of))
-            }
-            Tag::Pole | Tag::Network => Outdoor::Poles(Poles {
-                height: self.usual(&of, "height"),
-                spacing: self.usual(&of, "spacing"),
-                wires: self.wires(&of),
-                made: self
-                    .choice(&of, "made", &PoleMade::WORDS)
-                    .map_or_else(PoleMade::default, |m| m.value),
-                reach: (schema.tag == Tag::Network).then(|| self.usual(&of, "reach")),
-            }),
-            Tag::Wire => Outdoor::Wire(WireLine {
-                height: self.usual(&of, "height"),
-                wires: self.wires(&of),
-            }),
-            Tag::Signal => Outdoor::Signal(Signal {
-                facing: self.number(&of, "azimuth").map(|a| a.value),
-                height: self.usual(&of, "height"),
-            }),
-            Tag::Sign => Outdoor::Sign(Box::new(Sign {
-                text: self.text(&of, "text").map_or_else(String::new, |t| t.value),
-                facing: self.number(&of, "azimuth").map(|a| a.value),
-                size: self.usual(&of, "size"),
-                height: self.usual(&of, "height"),
-                board: self
-                    .choice(&of, "board", &Board::WORDS)
-                    .map_or_else(Board::default, |b| b.value),
+            Tag::Zone => Outdoor::Zone(Box::new(self.zone(&of))),
+            Tag::Envelope => Outdoor::Envelope(Box::new(EnvelopeWish {
+                own: self.zone(&of),
+                scenario: self
+                    .text(&of, "scenario")
+                    .map_or_else(String::new, |s| s.value),
+                built: self.number(&of, "built").map(|h| h.value),
+                roads: self.text(&of, "roads").map(|r| r.value),
+                show: self.yes_no(&of, "show").is_none_or(|s| s.value),
             })),
-            Tag::Arcade => Outdoor::Arcade(Arcade {
-                depth: self.usual(&of, "depth"),
-                height: self.usual(&of, "height"),
-                bay: self.usual(&of, "bay"),
-            }),
+            Tag::Fence | Tag::Hedge | Tag::Wall => {
+                let word = match schema.tag {
+                    Tag::Hedge => "hedge",
+                    Tag::Wall => "wall",
+                    _ => "fence",
+                };
+                Outdoor::Fence(self.fence(word, schema, &of))
+            }
             Tag::Water => Outdoor::Water(Water {
                 width: self.usual(&of, "width"),
                 bank: self
@@ -89,23 +68,52 @@ impl<'t> Reader<'t, '_> {
                 ridge: self.usual(&of, "ridge"),
                 way: self.usual(&of, "way"),
             }),
-            Tag::Zone => Outdoor::Zone(Box::new(self.zone(&of))),
-            Tag::Envelope => Outdoor::Envelope(Box::new(EnvelopeWish {
-                own: self.zone(&of),
-                scenario: self
-                    .text(&of, "scenario")
-                    .map_or_else(String::new, |s| s.value),
-                built: self.number(&of, "built").map(|h| h.value),
-                roads: self.text(&of, "roads").map(|r| r.value),
-                show: self.yes_no(&of, "show").is_none_or(|s| s.value),
+            _ => self.in_street(schema, &of),
+        }
+    }
+
+    /// Reads what stands in streets.
+    fn in_street(&mut self, schema: &'static Schema, of: &Attributes<'t>) -> Outdoor {
+        match schema.tag {
+            Tag::Pole | Tag::Network => Outdoor::Poles(Poles {
+                height: self.usual(of, "height"),
+                spacing: self.usual(of, "spacing"),
+                wires: self.wires(of),
+                made: self
+                    .choice(of, "made", &PoleMade::WORDS)
+                    .map_or_else(PoleMade::default, |m| m.value),
+                reach: (schema.tag == Tag::Network).then(|| self.usual(of, "reach")),
+            }),
+            Tag::Wire => Outdoor::Wire(WireLine {
+                height: self.usual(of, "height"),
+                wires: self.wires(of),
+            }),
+            Tag::Signal => Outdoor::Signal(Signal {
+                facing: self.number(of, "azimuth").map(|a| a.value),
+                height: self.usual(of, "height"),
+            }),
+            Tag::Sign => Outdoor::Sign(Box::new(Sign {
+                text: self.text(of, "text").map_or_else(String::new, |t| t.value),
+                facing: self.number(of, "azimuth").map(|a| a.value),
+                size: self.usual(of, "size"),
+                height: self.usual(of, "height"),
+                board: self
+                    .choice(of, "board", &Board::WORDS)
+                    .map_or_else(Board::default, |b| b.value),
             })),
+            Tag::Arcade => Outdoor::Arcade(Arcade {
+                depth: self.usual(of, "depth"),
+                height: self.usual(of, "height"),
+                bay: self.usual(of, "bay"),
+            }),
             tag => {
-                let word = match tag {
-                    Tag::Hedge => "hedge",
-                    Tag::Wall => "wall",
-                    _ => "fence",
+                debug_assert!(matches!(tag, Tag::Torii | Tag::Lantern), "{tag:?}");
+                let word = if tag == Tag::Torii {
+                    "torii"
+                } else {
+                    "lantern"
                 };
-                Outdoor::Fence(self.fence(word, schema, &of))
+                Outdoor::Lone(self.lone(word, schema, of))
             }
         }
     }

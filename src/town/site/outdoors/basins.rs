@@ -106,16 +106,7 @@ impl LotSite<'_> {
                 "水面には、岸より広い面か線が要ります"
             ));
         }
-        let finish = match wish.bank {
-            Bank::Earth => "grass",
-            Bank::Stone | Bank::None => "stone",
-        };
-        // Roads cross over banks.
-        let roads = self.plan.roads.near(self.lot().shape.bounds(), 1.0);
-        let roads: Rings = roads
-            .map(|road| road_ring(road.line.from, road.line.to, road.half[BORDERS - 1]))
-            .collect();
-        let sheets = self.basin(&basin, &roads, (["water", finish], WATER));
+        let sheets = self.between_banks(wish, &basin);
         let mut parameters = vec![];
         if square > 0.0 {
             parameters.push(told("area", square));
@@ -128,6 +119,20 @@ impl LotSite<'_> {
             envelope: None,
             no_guiding_height: false,
         })
+    }
+
+    /// Lays water and its banks on the ground.
+    fn between_banks(&self, wish: &Water, basin: &Basin) -> Vec<Sheet> {
+        let finish = match wish.bank {
+            Bank::Earth => "grass",
+            Bank::Stone | Bank::None => "stone",
+        };
+        // Roads cross over banks.
+        let roads = self.plan.roads.near(self.lot().shape.bounds(), 1.0);
+        let roads: Rings = roads
+            .map(|road| road_ring(road.line.from, road.line.to, road.half[BORDERS - 1]))
+            .collect();
+        self.basin(basin, &roads, (["water", finish], WATER))
     }
 
     /// Returns how deep the outer sides of banks go into the ground, metres: on a plane one sees where they end.

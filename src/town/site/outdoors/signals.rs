@@ -71,58 +71,7 @@ impl LotSite<'_> {
         };
         let streets = self.street_pieces();
         let crossing = crossing(&streets, at);
-        let turn = |crossing: &Crossing| {
-            let [x, y] = [crossing.at.x, crossing.at.y].map(|v| (v * 2.0).round() as i64);
-            let root = Place::seed(self.seed()).named("signal");
-            let share = root.at(x.cast_unsigned()).at(y.cast_unsigned()).share();
-            (share * crossing.roads.len() as f64) as usize
-        };
-        let heads = match (wish.facing, &crossing) {
-            (Some(degrees), crossing) => {
-                let angle = degrees.to_radians();
-                let facing = dvec2(libm::sin(angle), libm::cos(angle));
-                let lit = crossing
-                    .as_ref()
-                    .map_or(0, |c| c.lamp(c.road(facing), turn(c)));
-                vec![Head {
-                    post: at,
-                    facing,
-                    reach: 0.0,
-                    lit,
-                }]
-            }
-            (None, Some(crossing)) => arms(&streets, crossing)
-                .into_iter()
-                .map(|(out, half)| {
-                    // Beyond the crossing, on the left of those who come from there.
-                    let beyond = crossing
-                        .roads
-                        .iter()
-                        .map(|(_, half)| *half)
-                        .fold(0.0, f64::max);
-                    Head {
-                        post: crossing.at - out * (beyond + 1.0) + out.perp() * -(half + 0.3),
-                        facing: out,
-                        reach: half.min(3.5),
-                        lit: crossing.lamp(crossing.road(out), turn(crossing)),
-                    }
-                })
-                .collect(),
-            (None, None) => {
-                let share = draws.named("turn").share() * std::f64::consts::TAU;
-                let facing = dvec2(libm::cos(share), libm::sin(share));
-                let facing = match nearest_way(&streets, at) {
-                    Some(way) => way,
-                    None => facing,
-                };
-                vec![Head {
-                    post: at,
-                    facing,
-                    reach: 0.0,
-                    lit: 0,
-                }]
-            }
-        };
+        let heads = self.heads_of(wish, (at, crossing.as_ref()), &streets, draws);
         let mut parameters: Vec<(String, Value)> = vec![];
         let told: Vec<String> = heads
             .iter()
@@ -141,6 +90,70 @@ impl LotSite<'_> {
             envelope: None,
             no_guiding_height: false,
         })
+    }
+
+    /// Returns the number of the road that has green.
+    fn turn(&self, crossing: &Crossing) -> usize {
+        let [x, y] = [crossing.at.x, crossing.at.y].map(|v| (v * 2.0).round() as i64);
+        let root = Place::seed(self.seed()).named("signal");
+        let share = root.at(x.cast_unsigned()).at(y.cast_unsigned()).share();
+        (share * crossing.roads.len() as f64) as usize
+    }
+
+    /// Returns the signals at a place: one, or those of all roads that come into its crossing.
+    fn heads_of(
+        &self,
+        wish: &Signal,
+        (at, crossing): (DVec2, Option<&Crossing>),
+        streets: &[Piece],
+        draws: Place,
+    ) -> Vec<Head> {
+        match (wish.facing, crossing) {
+            (Some(degrees), crossing) => {
+                let angle = degrees.to_radians();
+                let facing = dvec2(libm::sin(angle), libm::cos(angle));
+                let lit = crossing
+                    .as_ref()
+                    .map_or(0, |c| c.lamp(c.road(facing), self.turn(c)));
+                vec![Head {
+                    post: at,
+                    facing,
+                    reach: 0.0,
+                    lit,
+                }]
+            }
+            (None, Some(crossing)) => arms(streets, crossing)
+                .into_iter()
+                .map(|(out, half)| {
+                    // Beyond the crossing, on the left of those who come from there.
+                    let beyond = crossing
+                        .roads
+                        .iter()
+                        .map(|(_, half)| *half)
+                        .fold(0.0, f64::max);
+                    Head {
+                        post: crossing.at - out * (beyond + 1.0) + out.perp() * -(half + 0.3),
+                        facing: out,
+                        reach: half.min(3.5),
+                        lit: crossing.lamp(crossing.road(out), self.turn(crossing)),
+                    }
+                })
+                .collect(),
+            (None, None) => {
+                let share = draws.named("turn").share() * std::f64::consts::TAU;
+                let facing = dvec2(libm::cos(share), libm::sin(share));
+                let facing = match nearest_way(streets, at) {
+                    Some(way) => way,
+                    None => facing,
+                };
+                vec![Head {
+                    post: at,
+                    facing,
+                    reach: 0.0,
+                    lit: 0,
+                }]
+            }
+        }
     }
 
     /// Builds signals with lamps at this height.

@@ -3,12 +3,12 @@
 use super::signals::nearest_way;
 use super::solids::{Faces, case, column};
 use super::{Laid, LotSite};
-use crate::ast::Value;
 use crate::ast::street::{Board, Sign};
+use crate::ast::{Sheet, Value};
 use crate::diagnostic::Text;
-use crate::drawing::letters::{Font, Lettering};
 use crate::geometry::area2;
 use crate::geometry::triangulate::triangles;
+use crate::lettering::{Font, Lettering};
 use crate::source::Span;
 use crate::text;
 use crate::town::layer::Shape;
@@ -47,6 +47,22 @@ impl LotSite<'_> {
             ));
         };
         let lettering = font.lettering(name);
+        let mut parameters = vec![("text".to_owned(), Value::Text(name.to_owned()))];
+        if !lettering.missing.is_empty() {
+            let missing: String = lettering.missing.iter().collect();
+            parameters.push(("missing".to_owned(), Value::Text(missing)));
+        }
+        let sheets = self.board(wish, &lettering, at);
+        Ok(Laid {
+            houses: vec![self.open(span, "sign", sheets, vec![])],
+            parameters,
+            envelope: None,
+            no_guiding_height: false,
+        })
+    }
+
+    /// Builds a sign: its post, its board, the letters on both sides.
+    fn board(&self, wish: &Sign, lettering: &Lettering, at: DVec2) -> Vec<Sheet> {
         let facing = match wish.facing {
             Some(degrees) => {
                 let angle = degrees.to_radians();
@@ -54,11 +70,8 @@ impl LotSite<'_> {
             }
             None => nearest_way(&self.street_pieces(), at).unwrap_or(DVec2::Y),
         };
-        let size = wish.size;
-        let half = [
-            lettering.width * size / 2.0 + MARGIN * size,
-            size * (0.5 + MARGIN),
-        ];
+        let (size, width) = (wish.size, lettering.width / lettering.size);
+        let half = [width * size / 2.0 + MARGIN * size, size * (0.5 + MARGIN)];
         let base = self.base();
         let foot = (at - base).extend(self.height(at));
         let middle = foot + DVec3::Z * (wish.height + half[1]);
@@ -73,11 +86,11 @@ impl LotSite<'_> {
             level,
         );
         let mut letters: Faces = vec![];
-        let shapes = shapes(&lettering);
+        let shapes = shapes(lettering);
         for (way, out) in [(right, facing), (-right, -facing)] {
             let depth = off + out * (THICK / 2.0 + BEFORE);
             let place = |p: &DVec2| {
-                let p = (*p - dvec2(lettering.width / 2.0, 0.5 - BELOW)) * size;
+                let p = (*p / lettering.size - dvec2(width / 2.0, 0.5 - BELOW)) * size;
                 middle + (depth + way * p.x).extend(p.y)
             };
             letters.extend(shapes.iter().map(|face| face.iter().map(place).collect()));
@@ -87,22 +100,11 @@ impl LotSite<'_> {
             Board::White => ("road_paint", "iron"),
             Board::Wood => ("cedar_brown", "iron"),
         };
-        let mut parameters = vec![("text".to_owned(), Value::Text(name.to_owned()))];
-        if !lettering.missing.is_empty() {
-            let missing: String = lettering.missing.iter().collect();
-            parameters.push(("missing".to_owned(), Value::Text(missing)));
-        }
-        let sheets = vec![
+        vec![
             self.sheet("sheet", 1, post),
             self.sheet(ground, 1, board),
             self.sheet(ink, 2, letters),
-        ];
-        Ok(Laid {
-            houses: vec![self.open(span, "sign", sheets, vec![])],
-            parameters,
-            envelope: None,
-            no_guiding_height: false,
-        })
+        ]
     }
 }
 
