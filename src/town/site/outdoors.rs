@@ -22,8 +22,9 @@ use crate::diagnostic::Text;
 use crate::geometry::clip::on_grid;
 use crate::rng::Place;
 use crate::source::{Span, Spanned};
+use crate::town::grid::{Bounds, bounds, meet, wider};
 use crate::town::layer::Shape;
-use crate::town::shape::Segment;
+use crate::town::shape::{Segment, contains, distance};
 use crate::town::street::Piece;
 use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
@@ -93,6 +94,16 @@ impl LotSite<'_> {
     /// Returns the pieces of streets round the feature.
     fn street_pieces(&self) -> Vec<Piece> {
         self.plan.pieces(self.lot(), NO_LAYER)
+    }
+
+    /// Returns the walls of the houses round the feature.
+    fn walls(&self) -> Walls<'_> {
+        let rings = self.neighbours().rings.iter();
+        Walls(
+            rings
+                .filter_map(|ring| Some((bounds(ring.iter().copied())?, *ring)))
+                .collect(),
+        )
     }
 
     /// Returns the place from which shapes of the feature count.
@@ -178,6 +189,18 @@ impl LotSite<'_> {
             trees,
         }));
         house
+    }
+}
+
+/// The outlines of houses, with their boxes.
+struct Walls<'t>(Vec<(Bounds, &'t [DVec2])>);
+
+impl Walls<'_> {
+    /// Returns true if a place lies in a house or no farther than `far` from its walls.
+    fn near(&self, at: DVec2, far: f64) -> bool {
+        self.0.iter().any(|(box_of, ring)| {
+            meet(wider(*box_of, far), [at; 2]) && (contains(ring, at) || distance(ring, at) < far)
+        })
     }
 }
 

@@ -9,10 +9,10 @@ use crate::ast::street::{PoleMade, Poles, WireLine, Wires};
 use crate::diagnostic::Text;
 use crate::source::Span;
 use crate::text;
-use crate::town::grid::{Bounds, bounds, meet, wider};
+use crate::town::grid::bounds;
 use crate::town::layer::Shape;
 use crate::town::plan::SERVED;
-use crate::town::shape::{contains, distance, sides};
+use crate::town::shape::{distance, sides};
 use glam::{DVec2, DVec3, dvec2};
 
 /// Half the width of a pole at its foot and top, metres.
@@ -137,21 +137,12 @@ impl LotSite<'_> {
             .iter()
             .filter(|piece| !own.contains(&piece.line) && piece.half > 0.0)
             .collect();
-        let walls: Vec<(Bounds, &[DVec2])> = self
-            .neighbours()
-            .rings
-            .iter()
-            .filter_map(|ring| Some((bounds(ring.iter().copied())?, *ring)))
-            .collect();
+        let walls = self.walls();
         let is_free = |at: DVec2| {
             let in_street = others
                 .iter()
                 .any(|piece| piece.line.nearest(at).distance(at) < piece.half + RADIUS[0]);
-            let in_wall = walls.iter().any(|(box_of, ring)| {
-                meet(wider(*box_of, CLEAR), [at, at])
-                    && (contains(ring, at) || distance(ring, at) < CLEAR)
-            });
-            !in_street && !in_wall
+            !in_street && !walls.near(at, CLEAR)
         };
         let place = |way: &Vec<DVec2>| {
             let length = lines::length(way);

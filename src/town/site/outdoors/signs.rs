@@ -131,7 +131,7 @@ fn shapes(lettering: &Lettering) -> Vec<[DVec2; 3]> {
         ring
     };
     let mut found = vec![];
-    for n in (0..rings.len()).filter(|n| around[*n].len() % 2 == 0) {
+    for n in (0..rings.len()).filter(|n| around[*n].len().is_multiple_of(2)) {
         let is_hole =
             |m: &usize| around[*m].len() == around[n].len() + 1 && around[*m].contains(&n);
         let holes: Vec<Vec<DVec2>> = (0..rings.len())

@@ -6,9 +6,9 @@ use crate::diagnostic::Text;
 use crate::rng::Place;
 use crate::source::Span;
 use crate::text;
-use crate::town::grid::{Bounds, bounds};
+use crate::town::grid::bounds;
 use crate::town::layer::Shape;
-use crate::town::shape::{Segment, contains, distance};
+use crate::town::shape::{Segment, contains};
 use glam::{DVec2, dvec2};
 use std::f64::consts::TAU;
 
@@ -26,18 +26,8 @@ impl LotSite<'_> {
     pub(super) fn trees(&self, wish: &TreeWish, span: Span, draws: Place) -> Result<Laid, Text> {
         let spots = self.spots(wish, draws)?;
         let alone = matches!(self.lot().shape, Shape::Point(_));
-        let walls: Vec<(Bounds, &[DVec2])> = self
-            .neighbours()
-            .rings
-            .iter()
-            .filter_map(|ring| Some((bounds(ring.iter().copied())?, *ring)))
-            .collect();
-        let free = |at: &DVec2| {
-            !walls.iter().any(|([low, high], ring)| {
-                let near = at.cmpge(*low - CLEAR).all() && at.cmple(*high + CLEAR).all();
-                near && (contains(ring, *at) || distance(ring, *at) < CLEAR)
-            })
-        };
+        let walls = self.walls();
+        let free = |at: &DVec2| !walls.near(*at, CLEAR);
         let base = self.base();
         let grown = spots.iter().filter(|(at, _)| free(at)).map(|(at, draws)| {
             let place = (*at - base).extend(self.height(*at));
