@@ -11,7 +11,7 @@ use crate::geometry::clip::{inside, without};
 use crate::geometry::triangulate::triangles;
 use crate::source::{Span, Spanned};
 use crate::text;
-use crate::town::grid::{Grid, bounds};
+use crate::town::grid::{Bounds, Grid, bounds};
 use crate::town::layer::Shape;
 use crate::town::plan::BORDERS;
 use crate::town::shape::{area, contains, sides};
@@ -42,16 +42,27 @@ struct Basin {
 impl Basin {
     /// Divides convex pieces into what rings of banks cover and the rest.
     fn new(pieces: Rings, banks: &[Vec<DVec2>]) -> Basin {
-        let filled = without(pieces.clone(), banks);
-        let banks = without(pieces, &filled);
-        Basin { filled, banks }
+        let index = index(banks);
+        let filled = pieces.iter().map(|piece| {
+            let near = index.near(box_of(piece)).into_iter();
+            let near: Rings = near.map(|n| banks[n as usize].clone()).collect();
+            without(vec![piece.clone()], &near)
+        });
+        let filled: Vec<Rings> = filled.collect();
+        // Pieces do not overlap, so what is filled of one takes nothing from another.
+        let rest = pieces
+            .into_iter()
+            .zip(&filled)
+            .flat_map(|(piece, filled)| without(vec![piece], filled));
+        Basin {
+            banks: rest.collect(),
+            filled: filled.into_iter().flatten().collect(),
+        }
     }
 
     /// Returns the sides of what is filled beyond which there is bank.
     fn shores(&self) -> Vec<[DVec2; 2]> {
-        let boxes = self.filled.iter();
-        let boxes = boxes.map(|ring| bounds(ring.iter().copied()).unwrap_or_default());
-        let index = Grid::new(boxes.collect());
+        let index = index(&self.filled);
         let is_filled = |at: DVec2| {
             let near = index.near([at; 2]).into_iter();
             near.into_iter()
@@ -357,6 +368,15 @@ impl Fields {
             self.found.push(basin);
         }
     }
+}
+
+fn box_of(ring: &[DVec2]) -> Bounds {
+    bounds(ring.iter().copied()).unwrap_or_default()
+}
+
+/// Returns the index of the boxes of rings.
+fn index(rings: &[Vec<DVec2>]) -> Grid {
+    Grid::new(rings.iter().map(|ring| box_of(ring)).collect())
 }
 
 /// Returns the surface that bears a crop.
