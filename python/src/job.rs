@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 pub(crate) struct Job {
     /// The text; without one it is that of the file.
     text: Option<String>,
-    /// The file, or what stands for one in messages.
+    /// The name of the file in messages.
     name: String,
     /// Images and included files are found here and in `textures` below it.
     folder: PathBuf,

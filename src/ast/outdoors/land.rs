@@ -1,4 +1,4 @@
-//! Water and farmland, as the rules of a town want them (docs/contract.md 10.4); lengths in metres.
+//! Water and farmland that the rules of a town ask for (docs/contract.md 10.4); lengths in metres.
 
 use serde::Serialize;
 
@@ -7,13 +7,13 @@ use serde::Serialize;
 pub struct Water {
     /// Its width along a line, banks with it.
     pub width: f64,
-    /// What its banks are made of.
+    /// The material of its banks.
     pub bank: Bank,
     /// The width of a bank.
     pub bank_width: f64,
 }
 
-/// What a bank is made of.
+/// The material of a bank.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub enum Bank {
     /// Cut stone.
@@ -37,7 +37,7 @@ impl Bank {
 /// Fields over an area, in a grid that is one for the whole town.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Farmland {
-    /// What grows there.
+    /// The crop.
     pub crop: Crop,
     /// How wide a field is across the grid, as nearly as a whole number of them in a square allows.
     pub width: f64,
@@ -51,7 +51,7 @@ pub struct Farmland {
     pub way: f64,
 }
 
-/// What grows on a field.
+/// A crop, as it stands on the field.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub enum Crop {
     /// Rice in summer: green rows in water.

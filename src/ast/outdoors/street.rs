@@ -1,4 +1,4 @@
-//! What stands in the streets of a town, as its rules want it (docs/contract.md 10.4); lengths in metres.
+//! Poles, wires, signals, signs and arcades that the rules of a town ask for (docs/contract.md 10.4); lengths in metres.
 
 use crate::ast::CodeText;
 use crate::source::Span;
@@ -13,7 +13,7 @@ pub struct Poles {
     pub spacing: f64,
     /// The wires from pole to pole.
     pub wires: Wires,
-    /// What a pole is made of.
+    /// The material of a pole.
     pub made: PoleMade,
     /// How far a house may be from a pole of a network; none for poles along a line.
     pub reach: Option<f64>,
@@ -37,7 +37,7 @@ pub struct WireLine {
     pub wires: Wires,
 }
 
-/// What a pole is made of.
+/// The material of a pole.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub enum PoleMade {
     /// Concrete.

@@ -48,6 +48,18 @@ pub struct Laid {
     pub no_guiding_height: bool,
 }
 
+impl Laid {
+    /// Returns shapes with what the table of decisions tells of them.
+    fn new(houses: Vec<House>, parameters: Vec<(String, Value)>) -> Laid {
+        Laid {
+            houses,
+            parameters,
+            envelope: None,
+            no_guiding_height: false,
+        }
+    }
+}
+
 impl LotSite<'_> {
     /// Makes what a rule wants of the feature; `draws` keys what is drawn.
     ///

@@ -69,12 +69,10 @@ impl LotSite<'_> {
             self.sheet("seam_roof", 0, roof),
             self.sheet("sheet", 1, frame),
         ];
-        Ok(Laid {
-            houses: vec![self.open(span, "arcade", sheets, vec![])],
-            parameters: vec![told("bays", bays), told("depth", wish.depth)],
-            envelope: None,
-            no_guiding_height: false,
-        })
+        Ok(Laid::new(
+            vec![self.open(span, "arcade", sheets, vec![])],
+            vec![told("bays", bays), told("depth", wish.depth)],
+        ))
     }
 }
 

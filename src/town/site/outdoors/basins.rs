@@ -124,12 +124,10 @@ impl LotSite<'_> {
         } else {
             parameters.push(told("width", wish.width));
         }
-        Ok(Laid {
-            houses: vec![self.open(span, "water", sheets, vec![])],
+        Ok(Laid::new(
+            vec![self.open(span, "water", sheets, vec![])],
             parameters,
-            envelope: None,
-            no_guiding_height: false,
-        })
+        ))
     }
 
     /// Lays water and its banks on the ground.
@@ -235,16 +233,14 @@ impl LotSite<'_> {
         let mut house = self.open(span, "farmland", sheets, vec![]);
         // The grid is that of the textures too.
         house.settings.azimuth = Some(Spanned::new(180.0 - turn.to_degrees(), span));
-        Ok(Laid {
-            houses: vec![house],
-            parameters: vec![
+        Ok(Laid::new(
+            vec![house],
+            vec![
                 ("crop".to_owned(), Value::Text(wish.crop.word().to_owned())),
                 told("fields", number as f64),
                 told("area", area(ring, &holes)),
             ],
-            envelope: None,
-            no_guiding_height: false,
-        })
+        ))
     }
 
     /// Returns the surfaces of fields; places are turned into the frame of the grid.

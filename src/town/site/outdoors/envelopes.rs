@@ -44,12 +44,7 @@ impl LotSite<'_> {
             told("distance", terms.distance),
         ];
         parameters.extend(terms.ratio.map(|ratio| told("ratio", ratio)));
-        Ok(Laid {
-            houses: vec![],
-            parameters,
-            envelope: None,
-            no_guiding_height: false,
-        })
+        Ok(Laid::new(vec![], parameters))
     }
 
     /// Returns the outline of a lot and the holes in it.

@@ -70,12 +70,7 @@ impl LotSite<'_> {
             told("units", f64::from(count)),
             told("length", length),
         ];
-        Ok(Laid {
-            houses,
-            parameters,
-            envelope: None,
-            no_guiding_height: false,
-        })
+        Ok(Laid::new(houses, parameters))
     }
 
     /// Divides a wall where the ground under it rises or falls, between units; each piece with its lowest ground.

@@ -37,12 +37,7 @@ impl LotSite<'_> {
             told("width", first.length()),
         ];
         let houses = lines.iter().map(|line| self.part_on(wish, *line, span));
-        Ok(Laid {
-            houses: houses.collect(),
-            parameters,
-            envelope: None,
-            no_guiding_height: false,
-        })
+        Ok(Laid::new(houses.collect(), parameters))
     }
 
     /// Returns the part on a line as a house of nothing else.

@@ -88,8 +88,8 @@ impl LotSite<'_> {
         }
         parameters.insert(0, told("poles", line.poles.len() as f64));
         let sheets = self.erect(&line);
-        Ok(Laid {
-            houses: vec![self.open(
+        Ok(Laid::new(
+            vec![self.open(
                 span,
                 if wish.reach.is_some() {
                     "network"
@@ -100,9 +100,7 @@ impl LotSite<'_> {
                 vec![],
             )],
             parameters,
-            envelope: None,
-            no_guiding_height: false,
-        })
+        ))
     }
 
     /// Hangs wires along the lines of the feature.
@@ -119,12 +117,10 @@ impl LotSite<'_> {
             return Err(text!("wires need a line", "電線には線が要ります"));
         }
         let sheets = self.hung(&spans, wish.wires);
-        Ok(Laid {
-            houses: vec![self.open(span, "wire", sheets, vec![])],
-            parameters: vec![told("spans", spans.len() as f64)],
-            envelope: None,
-            no_guiding_height: false,
-        })
+        Ok(Laid::new(
+            vec![self.open(span, "wire", sheets, vec![])],
+            vec![told("spans", spans.len() as f64)],
+        ))
     }
 
     /// Returns the places of the poles of a network along the lines of the feature, line by line.

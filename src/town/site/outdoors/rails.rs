@@ -73,11 +73,9 @@ impl LotSite<'_> {
             self.sheet("steel", 1, edges(&heads, HEIGHTS[2] - HEIGHTS[0])),
             self.sheet("steel", 0, heads),
         ];
-        Ok(Laid {
-            houses: vec![self.open(span, "rail", sheets, vec![])],
-            parameters: vec![told("gauge", wish.gauge)],
-            envelope: None,
-            no_guiding_height: false,
-        })
+        Ok(Laid::new(
+            vec![self.open(span, "rail", sheets, vec![])],
+            vec![told("gauge", wish.gauge)],
+        ))
     }
 }

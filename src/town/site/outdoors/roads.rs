@@ -223,12 +223,7 @@ impl LotSite<'_> {
             Value::Text(wish.surface.word().to_owned()),
         ));
         // A road that others cover wholly is there all the same.
-        Laid {
-            houses: vec![self.open(span, "road", sheets, vec![])],
-            parameters,
-            envelope: None,
-            no_guiding_height: false,
-        }
+        Laid::new(vec![self.open(span, "road", sheets, vec![])], parameters)
     }
 }
 

@@ -84,12 +84,10 @@ impl LotSite<'_> {
             .collect();
         parameters.push(("lamps".to_owned(), Value::Text(told.join(", "))));
         let sheets = self.heads(&heads, wish.height);
-        Ok(Laid {
-            houses: vec![self.open(span, "signal", sheets, vec![])],
+        Ok(Laid::new(
+            vec![self.open(span, "signal", sheets, vec![])],
             parameters,
-            envelope: None,
-            no_guiding_height: false,
-        })
+        ))
     }
 
     /// Returns the number of the road that has green.

@@ -53,12 +53,10 @@ impl LotSite<'_> {
             parameters.push(("missing".to_owned(), Value::Text(missing)));
         }
         let sheets = self.board(wish, &lettering, at);
-        Ok(Laid {
-            houses: vec![self.open(span, "sign", sheets, vec![])],
+        Ok(Laid::new(
+            vec![self.open(span, "sign", sheets, vec![])],
             parameters,
-            envelope: None,
-            no_guiding_height: false,
-        })
+        ))
     }
 
     /// Builds a sign: its post, its board, the letters on both sides.

@@ -56,12 +56,7 @@ impl LotSite<'_> {
         }
         let together = |trees: &[Tree]| self.open(span, "tree", vec![], trees.to_vec());
         let houses: Vec<House> = grown.chunks(TOGETHER).map(together).collect();
-        Ok(Laid {
-            houses,
-            parameters,
-            envelope: None,
-            no_guiding_height: false,
-        })
+        Ok(Laid::new(houses, parameters))
     }
 
     /// Returns the places of trees with what keys the draws of each.
