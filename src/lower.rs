@@ -68,7 +68,7 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
         Anchor::Corner => DVec2::ZERO,
         Anchor::Centre => Heading::new(180.0 - house.azimuth)
             .vector()
-            .rotate(centre(&storeys) * unit),
+            .rotate(centre(&storeys, &house.puts) * unit),
     };
     House {
         span: house.span,
@@ -92,15 +92,19 @@ pub fn house(house: program::House, out: &mut Diagnostics) -> House {
     }
 }
 
-/// Returns the centre of the ground storey's bounds in the house frame, units east and north.
-fn centre(storeys: &[Storey]) -> DVec2 {
+/// Returns the centre of the ground storey's bounds in the house frame, units east and north; of a house without walls that of
+/// the parts on the ground.
+fn centre(storeys: &[Storey], puts: &[program::Put]) -> DVec2 {
     let rings = storeys.first().map_or(&[][..], |ground| &ground.rings);
     let walls = rings.iter().flat_map(|ring| &ring.walls);
     let corners = walls.flat_map(|w| [w.from, w.to]);
-    let around = corners.fold(None, |around: Option<[DVec2; 2]>, p| {
-        let [low, high] = around.unwrap_or([p, p]);
-        Some([low.min(p), high.max(p)])
-    });
+    let alone = puts.iter().filter(|_| rings.is_empty()).map(|put| put.at);
+    let around = corners
+        .chain(alone)
+        .fold(None, |around: Option<[DVec2; 2]>, p| {
+            let [low, high] = around.unwrap_or([p, p]);
+            Some([low.min(p), high.max(p)])
+        });
     let middle = around.map_or(DVec2::ZERO, |[low, high]| (low + high) / 2.0);
     dvec2(-middle.x, middle.y)
 }

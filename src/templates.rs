@@ -52,6 +52,16 @@ macro_rules! templates {
     };
 }
 
+/// The definitions behind the elements `Residence` and `Block` of a town.
+pub static GROUNDS: Template = Template {
+    word: "grounds",
+    ja: "屋敷と町",
+    romaji: "yashiki to machi",
+    en: "residences and blocks",
+    aliases: "",
+    text: include_str!("../library/grounds.hsd"),
+};
+
 /// The house types of `library/`: the seven of Kyoto's town houses (000-11) first.
 pub static TYPES: &[Template] = templates! { "library"
     "so-nikai" "総二階" "sō-nikai" "town house of two full storeys"

@@ -90,6 +90,7 @@ mod textures;
 mod tiles;
 mod town_types;
 mod town_texts;
+mod town_grounds;
 mod town_land;
 mod town_law;
 mod town_streets;

@@ -184,7 +184,6 @@ fn every_house_of_kyoto_is_within_20_metres_of_a_pole_that_stands_in_no_wall() {
         .iter()
         .filter(|ring| !found.iter().any(|pole| off(ring, *pole) <= 20.0 + 1e-6));
     assert_eq!(far.count(), 0, "{} poles", found.len());
-    // Poles between houses may stand in yards that the map has no walls for, but in a street none stands in a wall.
     let branches: f64 = built
         .rows
         .iter()
@@ -203,7 +202,7 @@ fn every_house_of_kyoto_is_within_20_metres_of_a_pole_that_stands_in_no_wall() {
         "{} poles, {branches} between houses, {walled} in outlines",
         found.len()
     );
-    assert!(walled as f64 <= branches, "{walled} of {branches}");
+    assert_eq!(walled, 0, "of {branches}");
 }
 
 #[test]

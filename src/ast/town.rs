@@ -40,6 +40,8 @@ pub struct Town {
     pub networks: Vec<String>,
     /// The layers of which a rule may make zones.
     pub zones: Vec<String>,
+    /// The layers of which a rule may make water.
+    pub waters: Vec<String>,
     /// How its model is divided.
     pub tiles: Tiles,
 }
@@ -75,6 +77,8 @@ pub struct Layer {
     pub joins: Vec<Join>,
     /// How the areas of its map are divided, and which of the resulting parts are its features.
     pub divided: Option<Divided>,
+    /// True if each area counts, where a feature has several: no house stands on it.
+    pub each_area: bool,
 }
 
 /// A layer whose features are parts of divided areas.
@@ -215,6 +219,8 @@ pub struct RuleFacts {
     pub networks: Vec<String>,
     /// The layers of which they may make zones.
     pub zones: Vec<String>,
+    /// The layers of which they may make water.
+    pub waters: Vec<String>,
 }
 
 /// A `for`.
@@ -258,15 +264,18 @@ pub enum PlaceOn {
     Centre,
     /// The middle of a line, along it.
     Line,
+    /// The middle of the front, where the wall of the feature is open for its gate.
+    Gate,
 }
 
 impl PlaceOn {
     /// The words for it.
-    pub const WORDS: [(&'static str, PlaceOn); 4] = [
+    pub const WORDS: [(&'static str, PlaceOn); 5] = [
         ("plot", PlaceOn::Plot),
         ("outline", PlaceOn::Outline),
         ("centre", PlaceOn::Centre),
         ("line", PlaceOn::Line),
+        ("gate", PlaceOn::Gate),
     ];
 
     /// Returns the word for it.

@@ -141,6 +141,11 @@ pub enum Kind {
         /// The name of the kind.
         name: Box<str>,
     },
+    /// The areas of the layer are divided, and the feature is none.
+    NotDivided {
+        /// What it is.
+        shape: &'static str,
+    },
     /// A line of fewer than two points, or a ring of fewer than three.
     TooFewPoints {
         /// The number of different points.

@@ -2,20 +2,24 @@
 
 mod blocks;
 mod key;
+mod laid;
 mod lodged;
 mod packed;
 mod poles;
 mod roads;
 mod shelves;
+mod waters;
 mod zones;
 
 pub use key::TileKey;
+pub use laid::LaidFirst;
 pub(in crate::town) use lodged::Lodger;
 pub use lodged::{Lodged, LodgedTile, Lodging};
 pub use packed::PartReader;
 pub use poles::{KnownPole, KnownPoles};
 pub use roads::{BORDERS, RoadPiece, Roads};
 pub(in crate::town) use shelves::Shelves;
+pub use waters::Waters;
 pub use zones::{ZoneArea, Zones};
 
 use super::frontage::first_front;
@@ -55,14 +59,10 @@ pub struct Plan {
     /// The streets of each layer of streets, by name; the empty name stands for all that count by default.
     streets: Arc<BTreeMap<String, Streets>>,
     blocks: Arc<Blocks>,
-    /// The roads that its rules make; none if they make none, or by a definition that they use.
-    pub roads: Arc<Roads>,
+    /// What is laid before anything else.
+    pub laid: Arc<LaidFirst>,
     /// The bytes of the font of its signs.
     pub font: Option<Arc<[u8]>>,
-    /// The poles of the networks that its rules make.
-    pub poles: Arc<KnownPoles>,
-    /// The zones that its rules make.
-    pub zones: Arc<Zones>,
     /// Its features, if they wait in a spool: then no layer has any.
     pub lodged: Option<Lodged>,
     /// Outlines on which houses may stand: layer and feature.
@@ -113,10 +113,8 @@ impl Plan {
             ground: Arc::default(),
             unjoined: vec![],
             streets: Arc::new(streets),
-            roads: Arc::default(),
+            laid: Arc::default(),
             font: None,
-            poles: Arc::default(),
-            zones: Arc::default(),
             lodged: None,
             outlines: vec![],
             index: Grid::default(),
@@ -147,10 +145,8 @@ impl Plan {
             unjoined: vec![],
             streets: self.streets.clone(),
             blocks: self.blocks.clone(),
-            roads: self.roads.clone(),
+            laid: self.laid.clone(),
             font: self.font.clone(),
-            poles: self.poles.clone(),
-            zones: self.zones.clone(),
             lodged: None,
             outlines,
             layers,

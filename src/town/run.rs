@@ -2,6 +2,7 @@
 //! feature depends on the town file, the feature and what stands round it; chunks only save time.
 
 mod font;
+mod footprints;
 mod maps;
 mod outdoors;
 
@@ -23,7 +24,7 @@ use crate::parse::Values;
 use crate::parse::over;
 use crate::parse::xml::{self, FeatureMade, FeatureOf, MissingFields, Trees};
 use crate::source::{Source, SourceCache, Spanned, World};
-use crate::templates::{EXAMPLES, TYPES};
+use crate::templates::{EXAMPLES, GROUNDS, TYPES};
 use glam::DVec2;
 use std::sync::Arc;
 
@@ -131,7 +132,7 @@ fn cache(input: TownInput<'_>) -> SourceCache {
     let first = input.source.id().0 as usize + 1;
     let cache = SourceCache::new(first, limits.includes, limits.included_bytes);
     // In a fixed order, so that a file has the same number in every chunk.
-    for template in TYPES.iter().chain(EXAMPLES) {
+    for template in TYPES.iter().chain(EXAMPLES).chain([&GROUNDS]) {
         let _ = cache.add_own(&template.source_name(), template.text().as_bytes());
     }
     cache
@@ -232,6 +233,8 @@ fn record(
         found.push(say::rear_of_no_house(origin));
     }
     let mut behind = vec![];
+    let built = footprints::footprints(&made.made, lot.shape.ring(), input);
+    site.built.replace(built);
     for made in made.made {
         let own = (site, &mut record);
         let Some(made) = outdoors::enter(made, own, (&layer, input), houses, found) else {

@@ -2,6 +2,7 @@
 
 mod footing;
 pub mod law;
+mod middle;
 mod outdoors;
 pub mod published;
 mod word;
@@ -83,6 +84,8 @@ pub struct LotSite<'p> {
     pub rear_decisions: RefCell<Vec<RearDecision>>,
     /// What the ground knows of the places of its houses.
     pub footing: Cell<Footing>,
+    /// The outlines of its houses as they are built, so that no tree stands in them.
+    pub built: RefCell<Vec<Vec<DVec2>>>,
 }
 
 impl<'p> LotSite<'p> {
@@ -96,6 +99,7 @@ impl<'p> LotSite<'p> {
             decisions: RefCell::default(),
             rear_decisions: RefCell::default(),
             footing: Cell::default(),
+            built: RefCell::default(),
         }
     }
 
@@ -359,45 +363,6 @@ impl<'p> LotSite<'p> {
             walls: Some(walls),
         }
     }
-
-    /// Puts a house at the centre of a feature, or in the middle of a line.
-    fn on_centre(&self, wish: &Wish<'_>, on: PlaceOn) -> Stood {
-        let centre = self.lot().shape.centre();
-        let pieces = self.plan.pieces(self.lot(), "");
-        let towards = super::street::nearest(&pieces, centre).map(|n| n.point - centre);
-        let own = self.frontage().map(|f| f.front.chord);
-        let along = self
-            .longest()
-            .filter(|_| on == PlaceOn::Line)
-            .map(Segment::normal);
-        let way = along
-            .or(own.map(Segment::normal))
-            .or(towards)
-            .unwrap_or(-DVec2::Y);
-        let front = own.unwrap_or(Segment::new(centre, centre));
-        let ring = self.lot().shape.ring();
-        let depth = ring
-            .map_or(0.0, |r| plot::depth_behind(r, front))
-            .min(cap(wish));
-        self.decisions.borrow_mut().push(Decision {
-            on,
-            front,
-            depth,
-            iou: None,
-            iou_full: None,
-            refused: None,
-        });
-        Stood {
-            at: centre,
-            z: self.lot().z,
-            plinth: 0.0,
-            azimuth: azimuth(way),
-            frontage: front.length(),
-            depth,
-            centred: true,
-            walls: None,
-        }
-    }
 }
 
 impl Site for LotSite<'_> {
@@ -469,6 +434,15 @@ impl LotSite<'_> {
         let shape = &self.lot().shape;
         match (shape, wish.on) {
             (_, Some(on @ (PlaceOn::Centre | PlaceOn::Line))) => Some(self.on_centre(wish, on)),
+            (Shape::Area(..), Some(PlaceOn::Gate)) => self.on_gate(),
+            (_, Some(PlaceOn::Gate)) => {
+                let at = shape.centre();
+                let why = text!(
+                    "a gate needs an area with a front",
+                    "門には正面のある面が要ります"
+                );
+                self.refuse(PlaceOn::Gate, Segment::new(at, at), why)
+            }
             (Shape::Area(ring, _), _) if ring.len() < 3 || area(ring, &[]) < 1.0 => {
                 let why = text!("its outline has no area", "輪郭に面積がありません");
                 self.refuse(PlaceOn::Outline, Segment::new(ring[0], ring[0]), why)

@@ -64,6 +64,7 @@ pub(super) fn routes(
         .route("/api/houses", post(houses))
         .route("/api/town/{id}/files/{*name}", get(towns::file))
         .route("/api/town/{id}/feature", get(towns::feature))
+        .route("/api/town/{id}/face", get(towns::face))
         .route("/api/town/{id}/skipped", get(towns::skipped))
         .route("/api/town/{id}/place", get(towns::place))
         .route("/api/town/{id}/keep", post(towns::keep))

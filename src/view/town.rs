@@ -6,13 +6,16 @@
 //! |---|---|
 //! | `difference` | what differs between two editions of a town |
 //! | `scratch` | the temporary folder of a town |
+//! | `faces` | what binds the face of an envelope |
 //! | `tables` | what the tables of decisions and the report of a town in tiles tell of a feature |
 
 mod difference;
+mod faces;
 mod scratch;
 mod tables;
 
 pub(super) use difference::Difference;
+pub(super) use faces::BoundFace;
 pub(super) use tables::{SkippedList, TownTables};
 
 use super::fingerprint::fingerprint;

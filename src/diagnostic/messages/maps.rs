@@ -188,6 +188,24 @@ pub fn other_geometry(origin: Origin, at: Text, name: &str) -> Diagnostic {
     ))
 }
 
+/// A feature that is no area, in a layer whose areas are divided.
+#[cold]
+pub fn not_divided(origin: Origin, at: Text, shape: &str) -> Diagnostic {
+    let ja = if shape == "point" { "点" } else { "線" };
+    Diagnostic::warning(
+        1005,
+        origin,
+        text!([at, shape, ja]
+            "{at}`Divide` divides areas, and the geometry is a {shape}: it is left out",
+            "{at}`Divide` は面を町割りします。形が{ja}なので除きます"
+        ),
+    )
+    .help(text!(
+        "keep areas alone with `where`, or put the others into a layer of their own",
+        "`where` で面だけを残すか、ほかの形を別のレイヤーにしてください"
+    ))
+}
+
 /// A line or ring of too few points.
 #[cold]
 pub fn too_few_points(origin: Origin, at: Text, points: usize) -> Diagnostic {

@@ -93,6 +93,7 @@ pub fn diagnostic(fault: &Fault, cases: usize, origin: Origin) -> Diagnostic {
         Kind::Malformed { what } => say::malformed(origin, at, what),
         Kind::NoGeometry => say::no_geometry(origin, at),
         Kind::OtherGeometry { name } => say::other_geometry(origin, at, name),
+        Kind::NotDivided { shape } => say::not_divided(origin, at, shape),
         Kind::TooFewPoints { points } => say::too_few_points(origin, at, *points),
         Kind::NotFinite => say::not_finite(origin, at),
         Kind::OutsideCrs { x, y, crs, seems } => say::outside_crs(origin, at, *x, *y, crs, *seems),

@@ -97,6 +97,8 @@ pub(in crate::parse) static FOR: Content = content(
         Tag::Lantern,
         Tag::Water,
         Tag::Farmland,
+        Tag::Residence,
+        Tag::Block,
         Tag::Zone,
         Tag::Envelope,
         Tag::Random,

@@ -381,6 +381,9 @@ impl<'a> Expander<'a, '_> {
             Some(Tag::Rear) if self.feature.site.is_some() => {
                 self.rear_at_feature(element_ref, scope, into)
             }
+            Some(Tag::Residence | Tag::Block) if self.feature.site.is_some() => {
+                self.grounds_at_feature(element_ref, scope, into)
+            }
             Some(Tag::House) if self.feature.site.is_some() && self.placed.is_empty() => {
                 self.house_at_feature(element_ref, scope, into)
             }

@@ -42,6 +42,9 @@ impl Lots {
             self.unread.push(fault);
             return;
         }
+        if part == DividedPart::Blocks {
+            self.tell_others(&areas);
+        }
         let (quarter, width) = (self.column(QUARTER), self.column(WIDTH));
         let parts = |lot: &Lot| -> Vec<Piece> {
             let Shape::Area(ring, holes) = &lot.shape else {
@@ -80,6 +83,22 @@ impl Lots {
             })
         });
         self.lots = made.collect();
+    }
+
+    /// Tells which features are no areas, and so are not divided.
+    fn tell_others(&mut self, lots: &[Lot]) {
+        for lot in lots {
+            let shape = match &lot.shape {
+                Shape::Area(..) => continue,
+                Shape::Lines(_) => "line",
+                Shape::Point(_) => "point",
+            };
+            let number = u64::from(lot.number);
+            let fault = Fault::of_file(&self.file, Kind::NotDivided { shape });
+            let fault = fault.of_feature(number, Some((&*lot.key).into()));
+            self.faults.push(fault.clone());
+            self.unread.push(fault);
+        }
     }
 
     /// Returns the column of a name, a new one if the map has none.

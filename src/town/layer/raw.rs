@@ -177,8 +177,8 @@ impl Raw {
         let key = key.and_then(|k| lots.columns.get(&*k.value).copied());
         let mut place = |feature: map::Feature| {
             let whose = (feature.number, feature.id.clone());
-            let divides = written.divided.is_some();
-            match placed_lots(feature, (&way, frame.origin), (key, lead), divides) {
+            let each = written.each_area;
+            match placed_lots(feature, (&way, frame.origin), (key, lead), each) {
                 Some(lots) => lots.into_iter().for_each(&mut *take),
                 None => {
                     // A place where the projection has none.
@@ -209,13 +209,13 @@ impl Raw {
     }
 }
 
-/// Puts a feature into the frame of a town; `None` if the projection has no such place. Where areas are divided, each of
-/// several of a feature counts, with a number behind the key; else it is one lot.
+/// Puts a feature into the frame of a town; `None` if the projection has no such place. Where each area counts, one of several
+/// has a number behind the key; else they are one lot.
 fn placed_lots(
     mut feature: map::Feature,
     (way, origin): (&Transform, DVec2),
     (key, lead): (Option<usize>, Option<&str>),
-    divides: bool,
+    each: bool,
 ) -> Option<Vec<Lot>> {
     for chain in feature.geometry.chains_mut() {
         for point in &mut chain.points {
@@ -234,9 +234,9 @@ fn placed_lots(
         fields,
     };
     match feature.geometry {
-        Geometry::Areas(areas) if divides && areas.len() > 1 => {
-            let each = areas.into_iter().enumerate();
-            let lots = each.map(|(n, area)| {
+        Geometry::Areas(areas) if each && areas.len() > 1 => {
+            let areas = areas.into_iter().enumerate();
+            let lots = areas.map(|(n, area)| {
                 let key = format!("{key}/{}", n + 1).into();
                 lot(Geometry::Areas(vec![area]), key, feature.fields.clone())
             });

@@ -2,7 +2,7 @@
 //! streets, blocks and heights round them. Whoever has these bytes and the town file needs no map.
 
 use super::blocks::Blocks;
-use super::{KnownPoles, LotId, Plan, Roads, Zones};
+use super::{LaidFirst, LotId, Plan};
 use crate::ast::town::{Layer, Town};
 use crate::map::pack::{Packer, Unpacker};
 use crate::town::grid::{Bounds, Grid};
@@ -57,9 +57,7 @@ impl Plan {
         }
         self.blocks.pack(bounds, &mut out);
         self.ground.pack(bounds, &mut out);
-        self.roads.pack(bounds, &mut out);
-        self.poles.pack(bounds, &mut out);
-        self.zones.pack(bounds, &mut out);
+        self.laid.pack(bounds, &mut out);
         bytes
     }
 
@@ -109,10 +107,8 @@ impl PartReader {
             unjoined: vec![],
             streets: Arc::default(),
             blocks: Arc::default(),
-            roads: Arc::default(),
+            laid: Arc::default(),
             font,
-            poles: Arc::default(),
-            zones: Arc::default(),
             lodged: None,
             outlines: vec![],
             index: Grid::default(),
@@ -145,9 +141,7 @@ impl PartReader {
         let streets = streets.collect::<io::Result<BTreeMap<String, Streets>>>()?;
         let blocks = Blocks::unpack(&mut from)?;
         let ground = Ground::unpack(&mut from, &self.head.frame, &self.written)?;
-        let roads = Roads::unpack(&mut from)?;
-        let poles = KnownPoles::unpack(&mut from)?;
-        let zones = Zones::unpack(&mut from)?;
+        let laid = LaidFirst::unpack(&mut from)?;
         if !from.rest().is_empty() {
             return Err(wrong());
         }
@@ -155,9 +149,7 @@ impl PartReader {
             streets: Arc::new(streets),
             blocks: Arc::new(blocks),
             ground: Arc::new(ground),
-            roads: Arc::new(roads),
-            poles: Arc::new(poles),
-            zones: Arc::new(zones),
+            laid: Arc::new(laid),
             ..self.head.with_layers(layers)
         };
         Ok((part, own))

@@ -79,8 +79,7 @@ pub fn plan_lodged(
     plan.unjoined = unjoined;
     plan.ground = Arc::new(ground);
     plan.font = font(input, town, out);
-    let (roads, poles, zones) = super::outdoors::laid_first(input, &plan);
-    (plan.roads, plan.poles, plan.zones) = (Arc::new(roads), Arc::new(poles), Arc::new(zones));
+    plan.laid = Arc::new(super::outdoors::laid_first(input, &plan));
     if let Some(lodger) = lodger {
         plan.lodge(lodger)?;
     }
@@ -139,8 +138,8 @@ fn passes_by(town: &Town, layer: &Layer, sheets: &[Sheet]) -> bool {
     let mut joins = town.layers.iter().flat_map(|l| &l.joins);
     let is_joined = !layer.joins.is_empty() || joins.any(|join| join.layer.value == *name);
     let has_lines = sheets.iter().any(|sheet| sheet.raw.has_lines());
-    // Zones are looked at before the lots in them.
-    let is_first = has_lines || town.zones.contains(name);
+    // Zones are looked at before the lots in them, ponds before streams.
+    let is_first = has_lines || town.zones.contains(name) || town.waters.contains(name);
     let is_made = layer.outline.is_some() || layer.divided.is_some();
     let is_alone = town.networks.is_empty() && has_no_streets(town, name);
     has_rules && !is_joined && !is_made && !is_first && is_alone

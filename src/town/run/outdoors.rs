@@ -11,7 +11,7 @@ use crate::parse::xml::{self, FeatureOf, RuleMade, Trees};
 use crate::rng::Place;
 use crate::source::Span;
 use crate::town::decision::{Outcome, Record};
-use crate::town::plan::{KnownPoles, LotId, RoadPiece, Roads, ZoneArea, Zones};
+use crate::town::plan::{KnownPoles, LaidFirst, LotId, RoadPiece, Roads, Waters, ZoneArea, Zones};
 use crate::town::site::LotSite;
 use crate::town::text;
 use crate::town::{Plan, TownInput};
@@ -19,13 +19,13 @@ use glam::DVec2;
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Finds the roads that rules make of lines, so that each knows those that it meets, the poles of networks, and the zones that
-/// lots lie in. What is wrong with a rule is told when its features are evaluated.
-pub(super) fn laid_first(input: TownInput<'_>, plan: &Plan) -> (Roads, KnownPoles, Zones) {
+/// Finds the roads that rules make of lines, so that each knows those that it meets, the poles of networks, the zones that lots
+/// lie in, and the water that streams flow into. What is wrong with a rule is told when its features are evaluated.
+pub(super) fn laid_first(input: TownInput<'_>, plan: &Plan) -> LaidFirst {
     let makes = |layer: &usize| {
         let name = &plan.layers[*layer].layer.name.value;
         let town = &plan.town;
-        [&town.roads, &town.networks, &town.zones]
+        [&town.roads, &town.networks, &town.zones, &town.waters]
             .iter()
             .any(|makers| makers.contains(name))
     };
@@ -54,14 +54,22 @@ pub(super) fn laid_first(input: TownInput<'_>, plan: &Plan) -> (Roads, KnownPole
         wishes.collect::<Vec<First>>()
     });
     let (mut roads, mut poles, mut zones) = (vec![], vec![], vec![]);
+    let (mut streams, mut ponds) = (vec![], vec![]);
     for first in pieces.collect::<Vec<First>>() {
         match first {
             First::Road(pieces) => roads.extend(pieces),
             First::Poles(lines) => poles.extend(lines),
             First::Zone(zone) => zones.push(zone),
+            First::Stream(pieces) => streams.extend(pieces),
+            First::Pond(rings) => ponds.extend(rings),
         }
     }
-    (Roads::new(roads), KnownPoles::new(poles), Zones::new(zones))
+    LaidFirst {
+        roads: Roads::new(roads),
+        poles: KnownPoles::new(poles),
+        zones: Zones::new(zones),
+        waters: Waters::new(Roads::new(streams), ponds),
+    }
 }
 
 /// What others look at before they are made.
@@ -69,6 +77,8 @@ enum First {
     Road(Vec<RoadPiece>),
     Poles(Vec<Vec<DVec2>>),
     Zone(ZoneArea),
+    Stream(Vec<RoadPiece>),
+    Pond(Vec<Vec<DVec2>>),
 }
 
 fn first(site: &LotSite<'_>, wish: Outdoor) -> Option<First> {
@@ -78,6 +88,10 @@ fn first(site: &LotSite<'_>, wish: Outdoor) -> Option<First> {
             Some(First::Poles(site.pole_places(&poles)))
         }
         Outdoor::Zone(terms) => site.zone_area(*terms).map(First::Zone),
+        Outdoor::Water(water) => Some(match site.pond() {
+            Some(rings) => First::Pond(rings),
+            None => First::Stream(site.stream(&water)),
+        }),
         _ => None,
     }
 }

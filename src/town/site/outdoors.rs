@@ -110,12 +110,7 @@ impl LotSite<'_> {
 
     /// Returns the walls of the houses round the feature.
     fn walls(&self) -> Walls<'_> {
-        let rings = self.neighbours().rings.iter();
-        Walls(
-            rings
-                .filter_map(|ring| Some((bounds(ring.iter().copied())?, *ring)))
-                .collect(),
-        )
+        Walls::new(self.neighbours().rings.iter().copied())
     }
 
     /// Returns the place from which shapes of the feature count.
@@ -207,7 +202,12 @@ impl LotSite<'_> {
 /// The outlines of houses, with their boxes.
 struct Walls<'t>(Vec<(Bounds, &'t [DVec2])>);
 
-impl Walls<'_> {
+impl<'t> Walls<'t> {
+    fn new(rings: impl Iterator<Item = &'t [DVec2]>) -> Walls<'t> {
+        let boxed = rings.filter_map(|ring| Some((bounds(ring.iter().copied())?, ring)));
+        Walls(boxed.collect())
+    }
+
     /// Returns true if a place lies in a house or no farther than `far` from its walls.
     fn near(&self, at: DVec2, far: f64) -> bool {
         self.0.iter().any(|(box_of, ring)| {

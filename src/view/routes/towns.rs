@@ -3,11 +3,11 @@
 use super::{ApiError, ApiResult, Shared, work};
 use crate::map::{Crs, Datums, Transform};
 use crate::view::model_file;
-use crate::view::town::{Difference, SkippedList};
+use crate::view::town::{BoundFace, Difference, SkippedList};
 use axum::extract::{Path, Query, State};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Json, Response};
-use glam::dvec2;
+use glam::{dvec2, dvec3};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::fs;
@@ -81,6 +81,30 @@ pub(super) async fn feature(
     let found = work(&workspace, move |workspace| {
         let town = workspace.town(id).ok_or_else(missing)?;
         Ok(town.tables.feature(&of.layer, &of.key)?)
+    });
+    found.await.map(Json)
+}
+
+/// A place of a feature, metres east, north and up in the town.
+#[derive(Deserialize)]
+pub(super) struct FaceQuery {
+    layer: String,
+    key: String,
+    east: f64,
+    north: f64,
+    up: f64,
+}
+
+/// Returns what binds the envelope of a lot at a place; `null` if none has a face there.
+pub(super) async fn face(
+    State(workspace): Shared,
+    Path(id): Path<u64>,
+    Query(of): Query<FaceQuery>,
+) -> ApiResult<Json<Option<BoundFace>>> {
+    let found = work(&workspace, move |workspace| {
+        let town = workspace.town(id).ok_or_else(missing)?;
+        let at = dvec3(of.east, of.north, of.up);
+        Ok(town.tables.face((&of.layer, &of.key), at)?)
     });
     found.await.map(Json)
 }

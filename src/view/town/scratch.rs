@@ -1,8 +1,9 @@
 //! The temporary folder in which the tiles of a town are built. Nothing in it is worth keeping, so nothing is synced; a file
 //! has its name only when it is complete.
 
-use crate::tiles::TileStore;
+use super::tables::{DECISIONS, ENVELOPES};
 use crate::tiles::run::TiledTown;
+use crate::tiles::{TileStore, envelopes};
 use std::collections::BTreeSet;
 use std::fs;
 use std::io;
@@ -86,6 +87,12 @@ impl Scratch {
         self.write(&names[2], &serde_json::to_vec(&made.ledger.report)?)?;
         let mut own = made.files();
         own.extend(names.clone());
+        let rows = &made.ledger.envelopes;
+        if !rows.is_empty() {
+            let name = names[1].replace(DECISIONS, ENVELOPES);
+            self.write(&name, envelopes::table(rows).as_bytes())?;
+            own.insert(name);
+        }
         own.extend(tree.branches.into_iter().map(|(name, _)| name));
         self.own.rotate_right(1);
         self.own[0] = own;

@@ -11,11 +11,17 @@ use std::path::{Path, PathBuf};
 /// The most skipped features that a page lists.
 const LISTED: usize = 500;
 
+/// How the names of the tables begin.
+pub(super) const DECISIONS: &str = "decisions";
+pub(super) const ENVELOPES: &str = "envelopes";
+
 /// The tables of a town.
 #[derive(Clone, Debug)]
 pub(in crate::view) struct TownTables {
     pub(in crate::view) folder: PathBuf,
     pub(super) decisions: PathBuf,
+    /// That of envelopes, which a town without any has not.
+    pub(super) envelopes: PathBuf,
     report: PathBuf,
 }
 
@@ -51,6 +57,7 @@ impl TownTables {
     pub(super) fn of(folder: PathBuf, decisions: &str, report: &str) -> TownTables {
         TownTables {
             decisions: folder.join(decisions),
+            envelopes: folder.join(decisions.replace(DECISIONS, ENVELOPES)),
             report: folder.join(report),
             folder,
         }

@@ -12,13 +12,14 @@ export function featureCard(app: App): HTMLElement {
     element.hidden = !selected && !ground;
     if (!selected && ground) element.replaceChildren(h('h2', {}, strings.ground), close(), h('p', { class: 'ground-place' }, placeText(ground)));
     if (!selected) return;
-    const { house, decision } = selected, rule = house?.rule || Number(decision?.['rule'] ?? 0);
+    const { house, decision, face } = selected, rule = house?.rule || Number(decision?.['rule'] ?? 0);
     const location = app.lineLocation(house?.line ?? 0) ?? app.ruleLocation(rule), line = location && app.lineAt(location);
     const of = (name: string) => decision?.[name];
     const metres = (name: string) => of(name) && `${Number(of(name)).toFixed(2)} m`;
     const size = [metres('width'), metres('depth')].filter(Boolean).join(' × ');
-    const rows: [string, string | undefined | false][] = [
+    const rows: [string, string | undefined | false | null][] = [
       [strings.layer, selected.layer], [strings.type, house?.type || of('type')], [strings.year, house?.year],
+      [strings.face, face && [face.scenario, strings.faceRule(face.rule), face.arithmetic, `${face.height.toFixed(2)} m`].filter(Boolean).join(': ')],
       [strings.evidence, house?.evidence],
       [strings.rule, rule > 0 && `${rule}${house?.line ? strings.comma + strings.lineNumber(house.line) : ''}`],
       [strings.parameters, of('parameters') || house?.parameters],

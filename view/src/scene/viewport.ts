@@ -39,6 +39,10 @@ const METALNESS_SCALE = 0.3;
 /** Frame time above which the machine counts as slow, milliseconds. */
 const SLOW_FRAME_MS = 40;
 
+/** Where the haze over a town begins and hides everything, seen from the ground, metres. */
+const HAZE_NEAR = 120;
+const HAZE_FAR = 3000;
+
 export class Viewport {
   readonly renderer: THREE.WebGLRenderer;
   readonly scene = new THREE.Scene();
@@ -76,6 +80,7 @@ export class Viewport {
   #waited = false;
   #wanted = false;
   #lowResolution: LowResolutionPass;
+  readonly #haze = new THREE.Fog(0);
   #sharpen = 0;
   #shadowsPending = false;
   #afterFrame: (() => void)[] = [];
@@ -93,6 +98,7 @@ export class Viewport {
     shadowMap.autoUpdate = false;
     this.#lowResolution = new LowResolutionPass(this.renderer);
     this.environment = new Environment();
+    this.#haze.color = this.environment.colours.horizon; // It follows the sun.
     this.scene.add(this.environment.group, this.marks);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.zoomToCursor = true;
@@ -144,6 +150,14 @@ export class Viewport {
 
   /** The bounds of what is shown. */
   get bounds(): THREE.Box3 | null { return this.extent ?? this.model?.box ?? null; }
+
+  /** Lets what is far off in a town fade into the horizon: from afar or above later than on the ground, as one sees farther. */
+  #fade() {
+    const { scene, extent, camera, controls } = this, away = camera.position.distanceTo(controls.target);
+    scene.fog = extent ? this.#haze : null;
+    this.#haze.near = Math.max(HAZE_NEAR, away * 2);
+    this.#haze.far = Math.max(HAZE_FAR, away * 10);
+  }
 
   /** Moves the near plane as far out as the nearest surface allows: the depth of distant surfaces is the finer for it. */
   #fitNear() {
@@ -217,6 +231,7 @@ export class Viewport {
     info.reset();
     for (const first of this.beforeFrame) first();
     this.#fitNear();
+    this.#fade();
     if (coarse) this.#lowResolution.begin(SLOW_FRAME_MS / this.frameTime);
     try {
       if (this.split) this.#paintBoth(this.split); else this.paint();

@@ -323,6 +323,15 @@ export interface TownFeature {
 /** The line of a feature in the table of decisions, by the names of its columns. */
 export type Decision = Record<string, string>;
 
+/** A face of the envelope of a lot: what binds it, and how its height comes about. */
+export interface EnvelopeFace {
+  rule: string;
+  /** Empty where the border of the lot binds. */
+  arithmetic: string;
+  /** The set of rules; empty for the only one. */
+  scenario: string;
+}
+
 /** A place in the system of a town's map. */
 export interface MapPlace {
   crs: string;
@@ -400,6 +409,10 @@ export const townFiles = (id: number) => `/api/town/${id}/files/`;
 /** Fetches the decision about a feature, of any layer if none is named; null if there is no such feature. */
 export const fetchFeature = async (id: number, layer: string, key: string) =>
   answer<Decision | null>(await fetch(`/api/town/${id}/feature?layer=${encodeURIComponent(layer)}&key=${encodeURIComponent(key)}`));
+
+/** Fetches what binds the envelope of a lot at a place, metres east, north and up in the town; null if none has a face there. */
+export const fetchFace = async (id: number, layer: string, key: string, [east, north, up]: [number, number, number]) =>
+  answer<EnvelopeFace | null>(await fetch(`/api/town/${id}/face?${new URLSearchParams({ layer, key, east: `${east}`, north: `${north}`, up: `${up}` })}`));
 
 /** Fetches a place, metres east and north of the town's origin, in the system of its map; null if that is not known. */
 export const fetchPlace = async (id: number, east: number, north: number) =>

@@ -4,7 +4,7 @@
 import * as THREE from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import type { App } from '../app.ts';
-import { fetchFeature, fetchPlace, fetchSkipped, townFiles, type Decision, type MapPlace, type Skipped, type TownFeature, type TownProgress, type TownState } from '../server/api.ts';
+import { fetchFace, fetchFeature, fetchPlace, fetchSkipped, townFiles, type Decision, type EnvelopeFace, type MapPlace, type Skipped, type TownFeature, type TownProgress, type TownState } from '../server/api.ts';
 import { EYE_HEIGHT } from '../scene/views.ts';
 import { strings } from '../ui/strings.ts';
 import type { TownTiles } from './tiles.ts';
@@ -28,6 +28,8 @@ export interface SelectedFeature {
   layer: string;
   key: string;
   decision: Decision | null;
+  /** What binds the face of its envelope that was clicked; null elsewhere. */
+  face: EnvelopeFace & { height: number } | null;
 }
 
 /** A place on the ground that was clicked: metres east and north of the town's origin, and its height above the lowest ground. */
@@ -177,7 +179,7 @@ export class Town {
   /** Selects what is drawn at a ray. */
   pick(ray: THREE.Raycaster) {
     const found = this.tiles?.hit(ray);
-    if (found?.feature) return void this.choose(found.feature.layer, found.feature.key, found.feature);
+    if (found?.feature) return void this.choose(found.feature.layer, found.feature.key, found.feature, found.point);
     this.clearSelection();
     const point = found?.point ?? this.surfaceAt(ray);
     if (point && this.box?.clone().expandByScalar(AROUND).containsPoint(point)) void this.#choosePlace(point);
@@ -208,15 +210,17 @@ export class Town {
     this.#app.emit('town');
   }
 
-  /** Selects a feature; returns false if there is none. */
-  async choose(layer: string, key: string, house: TownFeature | null = null): Promise<boolean> {
+  /** Selects a feature, or the face of its envelope at a place; returns false if there is none. */
+  async choose(layer: string, key: string, house: TownFeature | null = null, at: THREE.Vector3 | null = null): Promise<boolean> {
     const { state } = this;
     if (!state) return false;
-    const decision = await fetchFeature(state.id, layer, key).catch(() => null);
+    const [decision, face] = await Promise.all([
+      fetchFeature(state.id, layer, key).catch(() => null),
+      at && fetchFace(state.id, layer, key, [at.x, -at.z, at.y]).catch(() => null)]);
     if (this.state?.id !== state.id || !decision && !house) return false;
     const own = decision?.['layer'] ?? layer;
     this.#box = this.ground = null;
-    this.selected = { house, layer: own, key, decision };
+    this.selected = { house, layer: own, key, decision, face: face && at && { ...face, height: at.y } };
     this.#mark();
     this.#app.emit('town');
     this.#app.announce(strings.selected + this.title());

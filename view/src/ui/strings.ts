@@ -123,6 +123,7 @@ const en = {
   layer: 'Layer', type: 'Type', year: 'Year', evidence: 'Evidence', rule: 'Rule', parameters: 'Parameters', lineNumber: (n: number) => `line ${n}`,
   ground: 'Place on the ground', townOrigin: 'from the origin of the town', groundHeight: (height: string) => `height ${height} m`,
   groundAt: (east: string, north: string, crs: string) => `x ${east} m, y ${north} m (${crs})`, degreesAt: (latitude: string, longitude: string) => `${latitude}° N, ${longitude}° E`,
+  face: 'Face of the envelope', faceRule: (rule: string) => rule === 'border' ? 'border of the lot' : rule,
   what: 'Decision', facing: 'Front faces', plot: 'Plot', access: 'Access', measures: 'Measures', frameHouse: 'Zoom to house', fromStreet: 'From the street',
   photos: {
     pane: 'Photograph', report: 'Report', sheet: (name: string) => `The photograph ${name} with the corners of the wall. With a brush: arrow keys lead it (Shift: ten times as far), Space lowers and lifts it, [ and ] change its width.`, wall: 'The wall seen straight, with its lattice',
@@ -266,6 +267,7 @@ const ja: Strings = {
   layer: 'レイヤー', type: '型', year: '年', evidence: '出典', rule: '規則', parameters: '変数', lineNumber: n => `${n} 行`,
   ground: '地面の位置', townOrigin: '町の原点から', groundHeight: height => `高さ ${height} m`,
   groundAt: (east, north, crs) => `x ${east} m、y ${north} m (${crs})`, degreesAt: (latitude, longitude) => `北緯 ${latitude}°、東経 ${longitude}°`,
+  face: 'エンベロープの面', faceRule: rule => rule === 'border' ? '敷地の境界' : rule.replace(/^end of (.*)$/, '$1の及ぶ限り').replace(/^road (\d+)/, '道路 $1 の斜線').replace(/^side (\d+)/, '隣地 $1 の斜線').replace(/^height$/, '高さの限度').replace(/^ratio$/, '容積率'),
   what: '判断', facing: '正面の方位', plot: '敷地', access: '接道', measures: '測った値', frameHouse: '家に寄る', fromStreet: '道から見る',
   photos: {
     pane: '写真', report: '報告', sheet: name => `壁面の四隅を示した写真 ${name}。筆のときは、矢印キーで動かし (Shift で十倍)、スペースで下ろしたり上げたりし、[ と ] で太さを変えます。`, wall: '正面から見た壁面と格子',

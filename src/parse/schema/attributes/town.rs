@@ -5,7 +5,7 @@ mod outdoors;
 
 pub(in crate::parse::schema) use law::{ENVELOPE, ZONE};
 pub(in crate::parse::schema) use outdoors::{
-    ARCADE, FARMLAND, LANTERN, NETWORK, POLE, SIGN, SIGNAL, TORII, WATER, WIRE,
+    ARCADE, BLOCK, FARMLAND, LANTERN, NETWORK, POLE, RESIDENCE, SIGN, SIGNAL, TORII, WATER, WIRE,
 };
 
 use super::{FAR, LENGTH, TRUTH};
@@ -175,7 +175,7 @@ pub(in crate::parse::schema) const TILES: &[AttributeSchema] = &[
 /// The attributes of a `Place` that only mean something in a `for`; elsewhere they are parameters like any other.
 #[rustfmt::skip]
 pub(in crate::parse::schema) const PLACEMENT: [AttributeSchema; 8] = [
-    may("on", Choice(ON), "", "in a town: on a rectangle behind the front (`plot`), on the walls of the outline, at its centre, or along the line; without, a rectangle where one fits", "町で: 正面の後ろの矩形 `plot`、輪郭どおり `outline`、中心 `centre`、線の上 `line`。無ければ矩形が合うかどうかによる"),
+    may("on", Choice(ON), "", "in a town: on a rectangle behind the front (`plot`), on the walls of the outline, at its centre, along the line, or where the gate of its wall is (`gate`); without, a rectangle where one fits", "町で: 正面の後ろの矩形 `plot`、輪郭どおり `outline`、中心 `centre`、線の上 `line`、塀の門口 `gate`。無ければ矩形が合うかどうかによる"),
     may("front", Text, "", "in a town: the layer of streets that it fronts, or `published` for the rule of the machiya macro; any other word is for the type", "町で: 正面が向く通りのレイヤー。`published` なら町家マクロの規則。ほかの語は型の変数"),
     may("cap", LENGTH, "", "in a town: the greatest depth behind the front, metres; 12 for chu-nikai, 8 for the other town houses", "町で: 正面からの奥行の上限(m)。中二階は 12、ほかの町家は 8").metres(),
     may("gap", LENGTH, "", "in a town: how much narrower than its front it is, metres", "町で: 間口をどれだけ狭めるか(m)").metres(),

@@ -210,6 +210,9 @@ impl<'a, 'f> Expander<'a, 'f> {
             if has(element_ref, Tag::Network) {
                 facts.networks.push(name.clone());
             }
+            if has(element_ref, Tag::Water) {
+                facts.waters.push(name.clone());
+            }
             if has(element_ref, Tag::Zone) {
                 facts.zones.push(name);
             }

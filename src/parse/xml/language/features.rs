@@ -1,8 +1,10 @@
 //! What the elements of a `for` do at a feature: `Place` and `House` ask its site where they stand.
 
+use super::super::read::check;
 use super::super::tree::token::Attribute;
 use super::super::tree::{Child, Element};
 use super::places::{Arguments, Filled, Origin, Placed, bare};
+use super::scope::Frame;
 use super::{ELEMENT, ElementRef, Expander, Scope};
 use crate::ast::Parameter;
 use crate::ast::town::{GapAt, PlaceOn, Stood, Wish};
@@ -11,6 +13,12 @@ use crate::parse::schema;
 use crate::parse::schema::Kind;
 use crate::parse::schema::lengths::{Measure, length};
 use crate::parse::xml::tree::text::Text;
+use crate::source::Spanned;
+use crate::templates::GROUNDS;
+use std::collections::BTreeMap;
+
+/// The attribute that says where something comes from.
+const EVIDENCE: &str = "evidence";
 
 impl<'a> Expander<'a, '_> {
     /// Replaces a `Place` in a `for` by the houses that it means, at the place that the site of the feature finds.
@@ -101,6 +109,67 @@ impl<'a> Expander<'a, '_> {
         let filled = self.fill(element, placed, origin, made);
         self.leave();
         Some((made, filled?))
+    }
+
+    /// Replaces a `Residence` or a `Block` by what the library says of it: walls, a gate, houses and trees.
+    pub(super) fn grounds_at_feature(
+        &mut self,
+        element_ref: &ElementRef<'_, 'a>,
+        scope: &Scope<'a>,
+        into: usize,
+    ) {
+        let element = element_ref.element();
+        let Some(schema) = schema::named(element.name) else {
+            return;
+        };
+        let named_only = Element {
+            attributes: element.attributes.clone(),
+            ..bare(element)
+        };
+        check(self.reporter, &mut self.suggest, schema, &named_only);
+        let (mut arguments, mut evidence) = (BTreeMap::new(), None);
+        for attribute in &element.attributes {
+            let before = self.key_draws(element.name, attribute.name);
+            if attribute.name == EVIDENCE {
+                let mut filled = attribute.clone();
+                self.fill_attribute(&mut filled, scope);
+                evidence = Some(filled);
+            } else if schema.attribute(attribute.name).is_some() {
+                let value = self.value(&attribute.value, scope);
+                arguments.insert(attribute.name.to_owned(), (attribute, value));
+            }
+            self.restore_draws(before);
+        }
+        let span = self.reporter.span(&element.name_range);
+        let Some(path) = self.template(&GROUNDS) else {
+            return;
+        };
+        let Some(source) = self.setting.cache.find(&path) else {
+            return;
+        };
+        let Some(tree) = self.placed_tree(&path, source) else {
+            return;
+        };
+        let first = self.made.elements[into].children.len();
+        let place = self.reporter.span(&element.tag);
+        let outside = self.reporter.instead(Some((source.id(), place)));
+        self.files.open.push((path, span));
+        // Types that the town defines are known there too.
+        let home = Frame::within(scope);
+        self.definitions(&tree, &home);
+        let name = Spanned::new(element.name.to_owned(), span);
+        if let Some((piece, home)) = home.piece(&name.value) {
+            self.put_piece(element, (&name, piece, &home), arguments, into);
+        }
+        self.files.open.pop();
+        self.reporter.instead(outside);
+        let Some(evidence) = evidence else { return };
+        for n in first..self.made.elements[into].children.len() {
+            let Child::Element(index) = self.made.elements[into].children[n] else {
+                continue;
+            };
+            self.made.elements[index].attributes.push(evidence.clone());
+        }
     }
 
     /// Copies a house that is written in a `for`.

@@ -183,7 +183,7 @@ impl<'a> Expander<'a, '_> {
     }
 
     /// Evaluates the definitions in the outermost element of a file; returns its custom parts.
-    fn definitions(&mut self, tree: &Rc<Tree<'a>>, scope: &Scope<'a>) -> Vec<usize> {
+    pub(super) fn definitions(&mut self, tree: &Rc<Tree<'a>>, scope: &Scope<'a>) -> Vec<usize> {
         let Some(root) = tree.roots.first() else {
             return vec![];
         };

@@ -25,7 +25,7 @@ pub(super) struct Used<'a> {
 }
 
 /// The arguments of a `use`, by name. `None` = an error was reported.
-type Arguments<'s, 'a> = BTreeMap<String, (&'s Attribute<'a>, Option<Value>)>;
+pub(super) type Arguments<'s, 'a> = BTreeMap<String, (&'s Attribute<'a>, Option<Value>)>;
 
 impl<'a> Expander<'a, '_> {
     /// Returns the names of the active uses and their places.
@@ -85,6 +85,17 @@ impl<'a> Expander<'a, '_> {
             return;
         }
         let arguments = self.arguments(element, scope);
+        self.put_piece(element, (&name, piece, &home), arguments, into);
+    }
+
+    /// Puts the content of a definition in the place of an element, with these arguments.
+    pub(super) fn put_piece(
+        &mut self,
+        element: &Element<'a>,
+        (name, piece, home): (&Spanned<String>, DefinedPiece<'a>, &Scope<'a>),
+        arguments: Arguments<'_, 'a>,
+        into: usize,
+    ) {
         let tree = Rc::clone(&piece.tree);
         let body = ElementRef {
             tree: &tree,
@@ -97,8 +108,8 @@ impl<'a> Expander<'a, '_> {
             tag: self.reporter.span(&element.name_range),
         });
         if self.take(ELEMENT, &element.name_range) {
-            let frame = Frame::within(&home);
-            self.parameters_of(&body, &name, arguments, &frame);
+            let frame = Frame::within(home);
+            self.parameters_of(&body, name, arguments, &frame);
             self.inside(&element.name_range, into, |expander| {
                 expander.list(&body, &frame, into);
             });

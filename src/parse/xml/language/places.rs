@@ -368,7 +368,7 @@ impl<'a> Expander<'a, '_> {
     }
 
     /// Adds a type of the library to the sources; returns its name among them.
-    fn template(&mut self, template: &Template) -> Option<String> {
+    pub(super) fn template(&mut self, template: &Template) -> Option<String> {
         let (path, cache) = (template.source_name(), self.setting.cache);
         if cache.find(&path).is_none() {
             cache.add_own(&path, template.text().as_bytes()).ok()?;
@@ -377,7 +377,7 @@ impl<'a> Expander<'a, '_> {
     }
 
     /// Returns the tree of a file that is placed, which is read once.
-    fn placed_tree(&mut self, path: &str, source: &'a Source) -> Option<Rc<Tree<'a>>> {
+    pub(super) fn placed_tree(&mut self, path: &str, source: &'a Source) -> Option<Rc<Tree<'a>>> {
         if let Some(tree) = self.files.placed.get(path) {
             return tree.clone();
         }

@@ -39,6 +39,7 @@ impl<'t> Reader<'t, '_> {
             roads: facts.roads,
             networks: facts.networks,
             zones: facts.zones,
+            waters: facts.waters,
             ..Town::default()
         };
         let mut divides = vec![];
@@ -58,6 +59,12 @@ impl<'t> Reader<'t, '_> {
         for (schema, child) in divides {
             let layers = self.divide(schema, child, &town.layers);
             town.layers.extend(layers);
+        }
+        let rules: Vec<&str> = town.rules.iter().map(|rule| &*rule.each.value).collect();
+        for layer in &mut town.layers {
+            let name = &layer.name.value;
+            let is_open = rules.contains(&name.as_str()) && !town.housed.contains(name);
+            layer.each_area = layer.divided.is_some() || is_open;
         }
         self.check_town(&town);
         town
@@ -140,6 +147,7 @@ impl<'t> Reader<'t, '_> {
             fields,
             joins,
             divided: None,
+            each_area: false,
         })
     }
 

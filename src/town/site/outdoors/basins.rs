@@ -11,10 +11,10 @@ use crate::geometry::clip::{inside, without};
 use crate::geometry::triangulate::triangles;
 use crate::source::{Span, Spanned};
 use crate::text;
-use crate::town::grid::{Bounds, Grid, bounds};
+use crate::town::grid::{Bounds, Grid, bounds, wider};
 use crate::town::layer::Shape;
-use crate::town::plan::BORDERS;
-use crate::town::shape::{area, contains, sides};
+use crate::town::plan::{BORDERS, RoadPiece};
+use crate::town::shape::{Segment, area, contains, sides};
 use glam::{DVec2, DVec3, dvec2};
 
 /// Heights over the ground: of water, of the top of its banks, metres.
@@ -30,6 +30,9 @@ const BEYOND: f64 = 0.02;
 /// The most fields of a feature.
 const MOST: f64 = 20_000.0;
 
+/// The border of a stream inside which there is water.
+const WET: usize = 1;
+
 /// Convex rings.
 type Rings = Vec<Vec<DVec2>>;
 
@@ -37,6 +40,8 @@ type Rings = Vec<Vec<DVec2>>;
 struct Basin {
     filled: Rings,
     banks: Rings,
+    /// Water of others, into which it opens.
+    beyond: Rings,
 }
 
 impl Basin {
@@ -57,6 +62,7 @@ impl Basin {
         Basin {
             banks: rest.collect(),
             filled: filled.into_iter().flatten().collect(),
+            beyond: vec![],
         }
     }
 
@@ -64,9 +70,9 @@ impl Basin {
     fn shores(&self) -> Vec<[DVec2; 2]> {
         let index = index(&self.filled);
         let is_filled = |at: DVec2| {
-            let near = index.near([at; 2]).into_iter();
-            near.into_iter()
-                .any(|n| contains(&self.filled[n as usize], at))
+            let mut near = index.near([at; 2]).into_iter();
+            near.any(|n| contains(&self.filled[n as usize], at))
+                || self.beyond.iter().any(|ring| contains(ring, at))
         };
         let all = self.filled.iter().flat_map(|ring| sides(ring));
         let beyond = all.filter(|side| {
@@ -79,35 +85,33 @@ impl Basin {
 impl LotSite<'_> {
     /// Fills an area, or a strip along lines, with water.
     pub(super) fn water(&self, wish: &Water, span: Span) -> Result<Laid, Text> {
-        let bank = match wish.bank {
-            Bank::None => 0.0,
-            Bank::Stone | Bank::Earth => wish.bank_width,
-        };
+        let bank = bank_width(wish);
+        let bounds = wider(self.lot().shape.bounds(), wish.width);
+        let others = self.others_water(wish);
         let (basin, square) = match &self.lot().shape {
             Shape::Area(ring, holes) => {
-                let pieces = pieces(ring, holes);
                 let around = std::iter::once(ring).chain(holes);
                 let around = around.flat_map(|ring| sides(ring));
                 let strips: Rings = match bank > 0.0 {
                     true => around.map(|side| strip(side.from, side.to, bank)).collect(),
                     false => vec![],
                 };
-                (Basin::new(pieces, &strips), area(ring, holes))
+                // A bank is open where a stream flows in.
+                let mouths: Rings = others.others(WET).cloned().collect();
+                let mut basin = Basin::new(pieces(ring, holes), &without(strips, &mouths));
+                basin.beyond = mouths;
+                (basin, area(ring, holes))
             }
             _ => {
-                let ways = self.ways();
-                let half = wish.width / 2.0;
-                let inner = (half - bank).max(half / 2.0);
-                let own = ways.iter().flat_map(|way| segments(way)).map(|line| Way {
-                    line,
-                    half: [half, inner, 0.0],
-                    own: true,
-                });
-                let all = Ways::new(own.collect());
-                let basin = Basin {
-                    filled: all.band(1),
-                    banks: if bank > 0.0 { all.band(0) } else { vec![] },
+                let ponds = self.plan.laid.waters.ponds_near(bounds, 0.0);
+                let ponds: Rings = ponds.into_iter().cloned().collect();
+                let band = |border| without(others.band(border), &ponds);
+                let mut basin = Basin {
+                    filled: band(WET),
+                    banks: if bank > 0.0 { band(0) } else { vec![] },
+                    beyond: ponds,
                 };
+                basin.beyond.extend(others.others(WET).cloned());
                 (basin, 0.0)
             }
         };
@@ -130,6 +134,47 @@ impl LotSite<'_> {
         ))
     }
 
+    /// Returns the pieces of the stream along the lines of the feature.
+    pub fn stream(&self, wish: &Water) -> Vec<RoadPiece> {
+        let half = wish.width / 2.0;
+        let inner = (half - bank_width(wish)).max(half / 2.0);
+        let ways = self.ways();
+        let lines = ways.iter().flat_map(|way| segments(way));
+        let half = [half, inner, 0.0];
+        lines.map(|line| RoadPiece { line, half }).collect()
+    }
+
+    /// Returns the convex pieces of the pond that the feature is; none if it is no area.
+    pub fn pond(&self) -> Option<Vec<Vec<DVec2>>> {
+        match &self.lot().shape {
+            Shape::Area(ring, holes) => Some(pieces(ring, holes)),
+            Shape::Lines(_) | Shape::Point(_) => None,
+        }
+    }
+
+    /// Returns the stream of the feature, if it is one, with the streams round it.
+    fn others_water(&self, wish: &Water) -> Ways {
+        let way = |piece: RoadPiece, own: bool| Way {
+            line: piece.line,
+            half: piece.half,
+            own,
+        };
+        let own: Vec<Way> = match self.pond() {
+            Some(_) => vec![],
+            None => self
+                .stream(wish)
+                .into_iter()
+                .map(|p| way(p, true))
+                .collect(),
+        };
+        let lines: Vec<Segment> = own.iter().map(|way| way.line).collect();
+        let near = &self.plan.laid.waters.streams;
+        let near = near.near(self.lot().shape.bounds(), wish.width);
+        let others = near.filter(|piece| !lines.contains(&piece.line));
+        let others: Vec<Way> = others.map(|piece| way(piece, false)).collect();
+        Ways::new(own.into_iter().chain(others).collect())
+    }
+
     /// Lays water and its banks on the ground.
     fn between_banks(&self, wish: &Water, basin: &Basin) -> Vec<Sheet> {
         let finish = match wish.bank {
@@ -137,7 +182,7 @@ impl LotSite<'_> {
             Bank::Stone | Bank::None => "stone",
         };
         // Roads cross over banks.
-        let roads = self.plan.roads.near(self.lot().shape.bounds(), 1.0);
+        let roads = self.plan.laid.roads.near(self.lot().shape.bounds(), 1.0);
         let roads: Rings = roads
             .map(|road| road_ring(road.line.from, road.line.to, road.half[BORDERS - 1]))
             .collect();
@@ -363,6 +408,14 @@ impl Fields {
         if !basin.filled.is_empty() {
             self.found.push(basin);
         }
+    }
+}
+
+/// Returns the width of its banks, metres.
+fn bank_width(wish: &Water) -> f64 {
+    match wish.bank {
+        Bank::None => 0.0,
+        Bank::Stone | Bank::Earth => wish.bank_width,
     }
 }
 

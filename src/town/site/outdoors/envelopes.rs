@@ -74,7 +74,7 @@ impl LotSite<'_> {
                 text!([roads] "there is no layer `{roads}`", "`{roads}` というレイヤーはありません"),
             );
         }
-        let zone = self.plan.zones.at(lot.shape.centre());
+        let zone = self.plan.laid.zones.at(lot.shape.centre());
         let given = zone.map_or(wish.own.clone(), |zone| wish.own.or(zone));
         let terms = given.terms();
         let pieces = self.plan.road_pieces(lot, roads);

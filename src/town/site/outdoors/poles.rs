@@ -3,7 +3,7 @@
 //! belongs to.
 
 use super::solids::{Faces, beam, column, ribbon};
-use super::{Laid, LotSite, lines, segments, told};
+use super::{Laid, LotSite, Walls, lines, segments, told};
 use crate::ast::Sheet;
 use crate::ast::street::{PoleMade, Poles, WireLine, Wires};
 use crate::diagnostic::Text;
@@ -11,9 +11,10 @@ use crate::source::Span;
 use crate::text;
 use crate::town::grid::bounds;
 use crate::town::layer::Shape;
-use crate::town::plan::SERVED;
+use crate::town::plan::{LotId, SERVED};
 use crate::town::shape::{distance, sides};
 use glam::{DVec2, DVec3, dvec2};
+use std::f64::consts::TAU;
 
 /// Half the width of a pole at its foot and top, metres.
 const RADIUS: [f64; 2] = [0.16, 0.10];
@@ -21,6 +22,8 @@ const RADIUS: [f64; 2] = [0.16, 0.10];
 const BESIDE: f64 = 0.25;
 /// How far it stands from walls, metres.
 const CLEAR: f64 = 0.2;
+/// How far a pole between houses is put aside to find a place, metres.
+const ASIDE: u32 = 14;
 /// How far a pole is moved along its street to find a place, as shares of the span.
 const MOVED: [f64; 7] = [0.0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3];
 /// The length of a cross-arm and its distance from the top, metres.
@@ -183,9 +186,13 @@ impl LotSite<'_> {
             }
         }
         let own: Vec<DVec3> = line.poles.clone();
+        let farthest = line.wish.spacing.max(reach);
         let (mut served, mut between) = (0, 0);
-        for id in self.plan.around(self.id, SERVED) {
-            let ring = self.plan.lot(id).shape.ring().unwrap_or_default();
+        let around = self.plan.around(self.id, SERVED);
+        let ring = |id: LotId| self.plan.lot(id).shape.ring();
+        let walls = Walls::new(around.iter().filter_map(|id| ring(*id)));
+        for id in around {
+            let ring = ring(id).unwrap_or_default();
             let Some((pole, wall)) = self.served_from(ring) else {
                 continue;
             };
@@ -197,6 +204,12 @@ impl LotSite<'_> {
             let mut last = pole;
             for n in 1..=more.max(0.0) as usize {
                 let at = pole.lerp(wall, n as f64 / (more + 1.0));
+                let is_last = n as f64 == more;
+                let fits = |at: DVec2| {
+                    let reaches = !is_last || distance(ring, at) <= reach;
+                    reaches && at.distance(last) <= farthest && self.is_beside_streets(at)
+                };
+                let at = beside(&walls, at, fits);
                 line.poles.push(self.stands(at));
                 line.spans
                     .push([last, at].map(|at| line.top(self.stands(at))));
@@ -210,10 +223,16 @@ impl LotSite<'_> {
         (served, between)
     }
 
+    /// Returns true if a pole at a place stands in no street.
+    fn is_beside_streets(&self, at: DVec2) -> bool {
+        let mut streets = self.street_pieces().into_iter();
+        !streets.any(|piece| piece.line.nearest(at).distance(at) < piece.half + RADIUS[0])
+    }
+
     /// Returns the pole of another street to which wires go on from the end of one, away from its `next` pole; of two ends one
     /// leads to the other.
     fn other_street(&self, (end, next): (DVec2, Option<DVec2>), far: f64) -> Option<DVec2> {
-        let known = &self.plan.poles;
+        let known = &self.plan.laid.poles;
         let own = known.at(end)?;
         let other = known.next_line(own, far)?;
         if next.is_some_and(|next| (end - next).dot(other.at - end) < 0.0) {
@@ -228,7 +247,7 @@ impl LotSite<'_> {
     fn served_from(&self, ring: &[DVec2]) -> Option<(DVec2, DVec2)> {
         let house = bounds(ring.iter().copied())?;
         let off = |at: DVec2| distance(ring, at);
-        let poles = self.plan.poles.near(house, SERVED).map(|pole| pole.at);
+        let poles = self.plan.laid.poles.near(house, SERVED).map(|pole| pole.at);
         let pole = poles.min_by(|p, q| off(*p).total_cmp(&off(*q)))?;
         let wall = sides(ring).map(|side| side.nearest(pole));
         let wall = wall.min_by(|p, q| p.distance(pole).total_cmp(&q.distance(pole)))?;
@@ -305,6 +324,19 @@ impl LotSite<'_> {
             self.sheet("iron", 2, hang(PIECES[0], THICK[0], wires.count)),
         ]
     }
+}
+
+/// Returns the place nearest to another that fits and is clear of walls; that itself if there is none.
+fn beside(walls: &Walls<'_>, at: DVec2, fits: impl Fn(DVec2) -> bool) -> DVec2 {
+    let round = (0..=ASIDE).flat_map(|ring| {
+        let count = (8 * ring).max(1);
+        (0..count).map(move |n| {
+            let angle = TAU * f64::from(n) / f64::from(count);
+            at + dvec2(libm::cos(angle), libm::sin(angle)) * f64::from(ring)
+        })
+    });
+    let mut free = round.filter(|at| !walls.near(*at, CLEAR) && fits(*at));
+    free.next().unwrap_or(at)
 }
 
 impl Line<'_> {

@@ -129,8 +129,8 @@ impl LotSite<'_> {
             .collect();
         let mine: Vec<_> = all.iter().map(|way| way.line).collect();
         let bounds = self.lot().shape.bounds();
-        let others: Vec<RoadPiece> = match self.plan.roads.is_empty() {
-            false => self.plan.roads.near(bounds, width + BESIDE).collect(),
+        let others: Vec<RoadPiece> = match self.plan.laid.roads.is_empty() {
+            false => self.plan.laid.roads.near(bounds, width + BESIDE).collect(),
             true => {
                 let streets = self
                     .street_pieces()

@@ -1,6 +1,7 @@
 //! Trees: at a point, along a line, over an area. Species, height, width and turn are drawn by the place of each (000-69).
 
-use super::{Laid, LotSite, lines, segments, told};
+use super::{Laid, LotSite, Walls, lines, segments, told};
+use crate::ast::town::PlaceOn;
 use crate::ast::{House, Species, Tree, TreeWish, Value};
 use crate::diagnostic::Text;
 use crate::rng::Place;
@@ -8,12 +9,17 @@ use crate::source::Span;
 use crate::text;
 use crate::town::grid::bounds;
 use crate::town::layer::Shape;
-use crate::town::shape::{Segment, contains};
+use crate::town::shape::{Segment, contains, distance};
 use glam::{DVec2, dvec2};
 use std::f64::consts::TAU;
 
 /// How far the middle of a trunk stands from walls at least, metres.
 const CLEAR: f64 = 0.5;
+/// How far from the walls of the house of its own feature, whose eaves reach over them, metres.
+const FROM_EAVES: f64 = 2.0;
+/// How far it stands from the outline of its area, where a fence may be, and from a gate, metres.
+const FROM_EDGE: f64 = 1.0;
+const FROM_GATE: f64 = 4.0;
 /// The most trees of a feature.
 const MOST: f64 = 20_000.0;
 /// The number of trees that are one object of the model.
@@ -27,7 +33,9 @@ impl LotSite<'_> {
         let spots = self.spots(wish, draws)?;
         let alone = matches!(self.lot().shape, Shape::Point(_));
         let walls = self.walls();
-        let free = |at: &DVec2| !walls.near(*at, CLEAR);
+        let built = self.built.borrow();
+        let own = Walls::new(built.iter().map(Vec::as_slice));
+        let free = |at: &DVec2| !walls.near(*at, CLEAR) && !own.near(*at, FROM_EAVES);
         let base = self.base();
         let grown = spots.iter().filter(|(at, _)| free(at)).map(|(at, draws)| {
             let place = (*at - base).extend(self.height(*at));
@@ -86,13 +94,21 @@ impl LotSite<'_> {
                 if cells.x * cells.y > 4.0 * MOST {
                     return too_many(cells.x * cells.y);
                 }
+                let gate = self.open_gate();
+                let is_free = |at: DVec2| {
+                    let rings = || std::iter::once(ring).chain(holes);
+                    contains(ring, at)
+                        && !holes.iter().any(|hole| contains(hole, at))
+                        && rings().all(|ring| distance(ring, at) > FROM_EDGE)
+                        && gate.is_none_or(|gate| gate.distance(at) > FROM_GATE)
+                };
                 let mut spots = vec![];
                 for y in from.y as i64..=to.y as i64 {
                     for x in from.x as i64..=to.x as i64 {
                         let draws = draws.at(x.cast_unsigned()).at(y.cast_unsigned());
                         let [east, north] = ["east", "north"].map(|way| draws.named(way).share());
                         let at = (dvec2(x as f64, y as f64) + dvec2(east, north)) * spacing;
-                        if contains(ring, at) && !holes.iter().any(|hole| contains(hole, at)) {
+                        if is_free(at) {
                             spots.push((at, draws));
                         }
                     }
@@ -107,6 +123,14 @@ impl LotSite<'_> {
 }
 
 impl LotSite<'_> {
+    /// Returns the place of the gate of the feature, if one was built.
+    fn open_gate(&self) -> Option<DVec2> {
+        let decisions = self.decisions.borrow();
+        let has_gate = decisions.iter().any(|d| d.on == PlaceOn::Gate);
+        let (at, _) = self.gate().filter(|_| has_gate)?;
+        Some(at)
+    }
+
     /// Returns places along lines: on them, or beside them on both sides, where no other street is.
     fn along(&self, ways: &[Vec<DVec2>], wish: &TreeWish, draws: Place) -> Vec<(DVec2, Place)> {
         let own: Vec<Segment> = ways.iter().flat_map(|way| segments(way)).collect();

@@ -1,6 +1,7 @@
-//! The attributes of what stands in streets, of water and of farmland (docs/contract.md 10.4).
+//! The attributes of what stands in streets, of water, of farmland and of residences (docs/contract.md 10.4).
 
 use super::EVIDENCE;
+use crate::ast::Species;
 use crate::ast::land::{Bank, Crop};
 use crate::ast::street::{Board, PoleMade};
 use crate::parse::schema::kinds::Kind::{Choice, Number, Text, Whole};
@@ -120,5 +121,31 @@ pub(in crate::parse::schema) const FARMLAND: &[AttributeSchema] = &[
     may("azimuth", Number(-3600.0, 3600.0), "0", "the direction of the grid, degrees clockwise from north: fields of one direction line up over the whole town", "格子の向き。北から時計回りの度。同じ向きの田畑は町全体で揃う"),
     may("ridge", Number(0.1, 10.0), "0.5", "width of the ridges between fields, metres", "畦の幅(m)").metres(),
     may("way", Number(0.0, 30.0), "1.8", "width of the ways between the squares of the grid, metres", "1 町ごとの道の幅(m)").metres(),
+    EVIDENCE,
+];
+const GATES: &[&str] = &[
+    "none",
+    "kabuki-mon",
+    "kido",
+    "munamon",
+    "yakui-mon",
+    "korai-mon",
+    "shikyaku-mon",
+];
+const GROWN: &[&str] = &words(&Species::WORDS);
+#[rustfmt::skip]
+pub(in crate::parse::schema) const RESIDENCE: &[AttributeSchema] = &[
+    may("house", Text, "shoin", "the type of the house at its centre: one of the library or of the town, or `shoin`, two wings as large as the plot has room for", "中央の家の型。型紙か町で定義したもの、または敷地に応じた大きさの二翼の `shoin`"),
+    may("code", Text, "KDB", "the units of the wall round it, or `none`", "まわりの塀の部材。`none` なら塀なし"),
+    may("height", Number(0.5, 100.0), "7.5", "of the wall, shaku", "塀の高さ(尺)").shaku(),
+    may("gate", Number(0.0, 30.0), "4.5", "how wide the opening for its gate is, in the middle of its front, metres; 0 for none", "正面の中央にあける門口の幅(m)。0 なら無し").metres(),
+    may("gatehouse", Choice(GATES), "yakui-mon", "the gate that stands there", "そこに立つ門の格式"),
+    may("species", Choice(GROWN), "pine", "the trees of its garden", "庭木の種類"),
+    may("spacing", Number(0.0, 500.0), "9", "how far they stand apart, metres; 0 for none", "庭木の間隔(m)。0 なら無し").metres(),
+    EVIDENCE,
+];
+#[rustfmt::skip]
+pub(in crate::parse::schema) const BLOCK: &[AttributeSchema] = &[
+    may("side", Number(20.0, 1000.0), "119.2", "the side of a whole block, metres: 40 jo of 2.98 m. By the share of it that the area is it bears a shinden with three halls (over 0.7), one with as many as its front has room for (over 0.35), a hall behind a board fence (over 0.12), or a row of dwellings", "町一つの一辺(m)。40 丈、1 丈は 2.98 m。面積がその 0.7 を超えれば三殿の寝殿造、0.35 を超えれば間口に応じた寝殿造、0.12 を超えれば板塀の中の一殿、それ以下は小家になる").metres(),
     EVIDENCE,
 ];
