@@ -225,3 +225,25 @@ fn citations_are_read_as_they_are_written() {
     let found: Vec<&str> = statements_in("(000-37 to 000-40), 1000-22").collect();
     assert_eq!(found, ["000-37", "000-40"]);
 }
+
+/// Tests that `docs/testing.md` names, as `file::test`, are there.
+#[test]
+fn tests_that_are_named_exist() {
+    let page = fs::read_to_string(root().join("docs/testing.md")).expect("can be read");
+    let named: Vec<(&str, &str)> = page
+        .split('`')
+        .filter(|word| !word.contains([' ', '/', '\n']))
+        .filter_map(|word| word.split_once("::"))
+        .filter(|(file, _)| root().join(format!("tests/{file}.rs")).is_file())
+        .collect();
+    assert!(named.len() > 25, "{}", named.len());
+    let missing = named.iter().filter(|(file, test)| {
+        let path = root().join(format!("tests/{file}.rs"));
+        let text = fs::read_to_string(path).expect("can be read");
+        !text.contains(&format!("#[test]\nfn {test}(")) && !text.contains(&format!("]\nfn {test}("))
+    });
+    let missing: Vec<String> = missing
+        .map(|(file, test)| format!("{file}::{test}"))
+        .collect();
+    assert_none(&missing);
+}

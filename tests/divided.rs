@@ -121,8 +121,12 @@ proptest! {
 }
 
 fn example(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/towns/{name}.hsd"));
-    fs::read_to_string(path).expect("the example is there")
+    example_file(&format!("{name}.hsd"))
+}
+
+fn example_file(name: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/towns");
+    fs::read_to_string(folder.join(name)).expect("can be read")
 }
 
 /// Evaluates a text beside the maps of the examples.
@@ -185,6 +189,29 @@ fn a_place_of_kyoto_keeps_its_house_over_all_dates() {
         }
     }
     assert_eq!((kept, changed), (11, 4));
+}
+
+#[test]
+fn lots_of_1912_bear_no_fronts_of_mortar_and_have_more_behind_them_the_deeper_they_are() {
+    let built = beside_examples(&example("kyoto-taisho"));
+    assert_eq!(built.features, built.built + built.skipped);
+    let of = |what: &'static str| built.rows.iter().filter(move |row| row["what"] == what);
+    let kinds: BTreeSet<&str> = of("plot").map(|row| &*row["type"]).collect();
+    assert!(kinds.contains("chu-nikai") && !kinds.contains("kanban"));
+    assert!(of("rear").count() > 0, "{}", built.houses);
+    let asphalt = of("built").filter(|row| row["parameters"].contains("asphalt"));
+    assert_eq!(asphalt.count(), 0);
+    // The share of the fronts of mortar of 1998 belongs to the chu-nikai behind them.
+    let shares = example_file("kyoto-shares.csv");
+    let rows: Vec<Vec<&str>> = shares.lines().map(|l| l.split(',').collect()).collect();
+    let share = |year: &str, kind: &str| -> f64 {
+        let column = rows[0].iter().position(|name| *name == kind);
+        let row = rows.iter().find(|row| row[0] == year).expect("a year");
+        row[column.expect("a type")].parse().expect("a number")
+    };
+    let late = share("1998", "chu-nikai") + share("1998", "kanban");
+    assert!((share("1912", "chu-nikai") - late).abs() < 0.11);
+    assert!(share("1912", "kanban") < 1e-9);
 }
 
 #[test]

@@ -201,3 +201,89 @@ fn what_is_no_area_is_told_where_areas_are_divided() {
     assert_eq!(told.len(), 1, "{:?}", built.told);
     assert!(told[0][2].contains("a point"), "{:?}", told[0]);
 }
+
+/// The meshes of the only tree of a town at a detail, with the materials of their pieces.
+fn tree_at(detail: &str) -> (usize, Vec<serde_json::Value>) {
+    let folder = folder(&[("trees", &[point("", (3.0, 3.0))])]);
+    let town = "<Town seed=\"1\"><Layer name=\"trees\" src=\"trees.geojson\" crs=\"local\"/>\
+        <for each=\"trees\"><Tree species=\"cherry\"/></for></Town>";
+    let built = crate::tiles::build(town, folder.path(), &crate::tiles::Memory::default(), 1);
+    let built = built.expect("nothing fails");
+    let all = built.all().1.into_iter();
+    let ending = format!("-{detail}.glb");
+    let (_, glb) = all
+        .into_iter()
+        .find(|(name, _)| name.ends_with(&ending))
+        .expect("a tile");
+    let length = u32::from_le_bytes(glb[12..16].try_into().expect("four")) as usize;
+    let json: serde_json::Value = serde_json::from_slice(&glb[20..20 + length]).expect("is JSON");
+    let primitives = json["meshes"].as_array().expect("meshes").iter();
+    let primitives: Vec<&serde_json::Value> = primitives
+        .flat_map(|mesh| mesh["primitives"].as_array().expect("primitives"))
+        .collect();
+    let indices = primitives.iter().map(|p| {
+        let accessor = p["indices"].as_u64().expect("indices") as usize;
+        json["accessors"][accessor]["count"]
+            .as_u64()
+            .expect("a count") as usize
+    });
+    let materials = primitives.iter().map(|p| {
+        let material = p["material"].as_u64().expect("a material") as usize;
+        json["materials"][material].clone()
+    });
+    (indices.sum::<usize>() / 3, materials.collect())
+}
+
+#[test]
+fn a_tree_from_afar_is_two_crossed_upright_shapes_cut_out_of_their_picture() {
+    let (triangles, materials) = tree_at("0");
+    for material in materials {
+        assert_eq!(material["alphaMode"], "MASK", "{material}");
+        assert!(material["pbrMetallicRoughness"]["baseColorTexture"].is_object());
+    }
+    // Two shapes, seen from both sides.
+    assert!(triangles == 4 || triangles == 8, "{triangles} triangles");
+    let (near, _) = tree_at("3");
+    assert!(near > 40, "a trunk with a crown near by: {near} triangles");
+}
+
+#[test]
+fn a_road_on_a_slope_rises_along_its_way() {
+    let road = line(r#""width":6"#, &[(-60.0, -20.0), (60.0, 30.0)]);
+    let folder = folder(&[("roads", &[road])]);
+    let mut grid = "ncols 100\nnrows 100\nxllcorner -100\nyllcorner -100\ncellsize 2\n".to_owned();
+    let slope = |x: f64, y: f64| 30.0 + 0.08 * x - 0.03 * y;
+    for row in 0..100 {
+        for column in 0..100 {
+            let (x, y) = (f64::from(column) * 2.0 - 99.0, 99.0 - f64::from(row) * 2.0);
+            grid += &format!("{:.6} ", slope(x, y));
+        }
+        grid.push('\n');
+    }
+    std::fs::write(folder.path().join("ground.asc"), grid).expect("is written");
+    let town = "<Town seed=\"1\" origin=\"0 0\"><Layer name=\"ground\" src=\"ground.asc\" crs=\"local\"/>\
+        <Layer name=\"roads\" src=\"roads.geojson\" crs=\"local\"/><for each=\"roads\"><Road/></for></Town>";
+    let houses = made(town, folder.path());
+    let mut seen = 0;
+    for house in &houses {
+        let of = |v: &Option<hsd::source::Spanned<f64>>| v.as_ref().map_or(0.0, |v| v.value);
+        let base = dvec2(of(&house.settings.x), of(&house.settings.y));
+        let sheets = house.fittings.outdoors.iter().flat_map(|o| &o.sheets);
+        for face in sheets
+            .filter(|s| s.finish == "asphalt")
+            .flat_map(|s| &s.faces)
+        {
+            for p in face {
+                let at = p.truncate() + base;
+                // On the ground, or under it at the sides.
+                let over = p.z - slope(at.x, at.y);
+                assert!(
+                    (over - 0.03).abs() < 0.01 || (over + 0.97).abs() < 0.01,
+                    "{over} at {at}"
+                );
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 100, "{seen} corners");
+}

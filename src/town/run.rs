@@ -8,6 +8,8 @@ mod outdoors;
 
 pub use maps::{plan, plan_lodged};
 
+use footprints::footprints;
+
 use super::decision::{Outcome, Record};
 use super::layer::KeptMaps;
 use super::plan::{LotId, Plan};
@@ -232,9 +234,8 @@ fn record(
     {
         found.push(say::rear_of_no_house(origin));
     }
-    let mut behind = vec![];
-    let built = footprints::footprints(&made.made, lot.shape.ring(), input);
-    site.built.replace(built);
+    let (mut behind, ring) = (vec![], lot.shape.ring());
+    site.built.replace(footprints(&made.made, ring, input));
     for made in made.made {
         let own = (site, &mut record);
         let Some(made) = outdoors::enter(made, own, (&layer, input), houses, found) else {
@@ -246,7 +247,6 @@ fn record(
             _ => None,
         };
         let Some(unit) = unit else {
-            let ring = lot.shape.ring();
             enter(made.made, rule, &mut record, (ring, &layer, input), houses);
             continue;
         };
