@@ -4,7 +4,7 @@ use crate::towns::in_folder;
 use hsd::backend::gltf;
 use hsd::backend::images::Library;
 use hsd::driver::Options;
-use hsd::tiles::envelopes::{scenarios, scene, table};
+use hsd::tiles::envelopes::{page, scenarios, scene, table};
 use hsd::town::site::law::EnvelopeRow;
 use hsd::town::stream::{Ledger, TownStream};
 use hsd::town::{TownInput, run};
@@ -100,6 +100,20 @@ fn scenarios_stand_side_by_side() {
         scenarios(&ledger.envelopes),
         ["present law", "plan of 1994"]
     );
+    // A picture for each of them, lots one after another, scenarios side by side.
+    let page = page(&ledger.envelopes);
+    assert_eq!(page.matches("<figure>").count(), 28);
+    assert_eq!(page.matches("<article>").count(), 14);
+    assert!(page.contains("1.25 x d; d = 4 + x &lt;= 25"));
+    assert!(page.contains("class=\"above\""));
+    let paths: Vec<&str> = page.split(" d=\"M").skip(1).collect();
+    assert!(paths.len() > 3 * 28, "{} faces", paths.len());
+    for path in paths {
+        let path = path.split("Z\"").next().expect("is closed");
+        let numbers = path.split(['L', ' ']).map(|n| n.parse::<f64>());
+        let numbers: Vec<f64> = numbers.map(|n| n.expect("a number")).collect();
+        assert!(numbers.len() >= 6 && numbers.iter().all(|n| (0.0..=260.0).contains(n)));
+    }
     let scene = scene(&ledger.envelopes);
     let roots: Vec<f64> = scene
         .nodes

@@ -2,6 +2,10 @@
 //! that each face tells what binds it. Scenarios stand side by side from west to east, in the order of their names' first use
 //! (002-32, figures 10 and 11).
 
+mod pictures;
+
+pub use pictures::page;
+
 use crate::scene::{
     Image, Kind, Material, MaterialId, Mesh, MeshId, Node, NodeId, Primitive, Scene,
 };

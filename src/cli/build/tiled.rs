@@ -65,6 +65,7 @@ pub(super) fn tables(output: &Path, ledger: &mut Ledger) -> Result<(), Failure> 
         let mut files: Vec<(PathBuf, Vec<u8>)> = own.collect();
         files.push((beside("envelopes.glb"), gltf::glb(&scene, &library)));
         files.push((beside("envelopes.csv"), envelopes::table(rows).into_bytes()));
+        files.push((beside("envelopes.html"), envelopes::page(rows).into_bytes()));
         write_all(files)?;
     }
     let (table, report) = (&mut ledger.decisions, &ledger.report);

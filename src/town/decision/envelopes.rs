@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 const ABOVE: f64 = 0.01;
 
 /// The first line of the table of envelopes.
-pub const ENVELOPES_HEAD: &str = "key,layer,scenario,volume,floor_area,height,rules,lot_area,roads,road_width,ratio,floors,built,above,arithmetic,planes\n";
+pub const ENVELOPES_HEAD: &str = "key,layer,scenario,volume,floor_area,height,rules,lot_area,roads,road_width,ratio,floors,built,above,arithmetic,planes,block\n";
 
 impl EnvelopeRow {
     /// Returns its floor area, square metres.
@@ -79,6 +79,7 @@ impl EnvelopeRow {
             number(self.above),
             self.arithmetic.join("; "),
             self.planes(),
+            self.block.clone(),
         ];
         let cells: Vec<String> = cells.iter().map(|cell| quoted(cell)).collect();
         cells.join(",") + "\n"

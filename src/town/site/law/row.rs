@@ -18,6 +18,8 @@ pub struct EnvelopeRow {
     pub key: String,
     /// Its layer.
     pub layer: String,
+    /// The key of the block that it lies in; empty if that is not known.
+    pub block: String,
     /// The name of the set of rules; empty for none.
     pub scenario: String,
     /// Its volume, cubic metres.

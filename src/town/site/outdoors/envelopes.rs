@@ -138,6 +138,11 @@ impl LotSite<'_> {
         EnvelopeRow {
             key: self.lot().key.to_string(),
             layer: self.plan.layers[self.id.0].layer.name.value.clone(),
+            block: self
+                .plan
+                .block(self.lot().shape.centre())
+                .unwrap_or("")
+                .to_owned(),
             scenario: wish.scenario.clone(),
             volume: made.volume(),
             floors: made.floors(),
