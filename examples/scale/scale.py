@@ -23,6 +23,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Iterator
 
+from upload import upload
+
 #: How often a task is tried again after its worker died or a file could not be written.
 RETRIES = 5
 
@@ -182,6 +184,9 @@ def build(client: Any, options: argparse.Namespace) -> Run:
                 sys.exit(planned.returncode)
     with run.step("tiles"):
         make_all(client, command, work, options.features, run, fresh=False)
+    if run.failed and not options.lacking:
+        print(f"not put together, since tiles cannot be made (--lacking leaves them out): {' '.join(run.failed)}", file=sys.stderr)
+        return run
     with run.step("seal"):
         lacking = ["--lacking"] if options.lacking else []
         seal = ["seal", str(work), "-o", options.output, *lacking]
@@ -232,6 +237,7 @@ def arguments(given: list[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--planned", action="store_true", help="go on with what is planned; no map is read")
     parser.add_argument("--lacking", action="store_true", help="leave out tiles that cannot be made")
     parser.add_argument("--hsd", nargs=1, default=[os.environ.get("HSD", "hsd")], help="the program [$HSD or hsd]")
+    parser.add_argument("--upload", metavar="URL", help="put the town into a store that fsspec knows, what is not there yet")
     parser.add_argument("--figures", help="write times and memory to this file")
     parser.add_argument("more", nargs="*", help="after --: more for `hsd town plan`, such as --detail 0,1")
     options = parser.parse_args(given)
@@ -255,6 +261,9 @@ def main(given: list[str] | None = None) -> None:
             started = time.time() - begun
             run = build(client, options)
             run.seconds["start"] = started
+    if options.upload and (options.lacking or not run.failed):
+        counted = upload(Path(options.output), options.upload)
+        print(", ".join(f"{count} {word}" for word, count in counted.items()), file=sys.stderr)
     tell(run, options.figures)
     if run.failed and not options.lacking:
         sys.exit(1)
