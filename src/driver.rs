@@ -38,7 +38,7 @@ pub use pieces::Feed;
 #[cfg(feature = "models")]
 pub use stream::{Outlet, Sink, Streamed, stream, stream_town};
 #[cfg(feature = "models")]
-pub use tile::{TileDriver, TileHouses, TileScene};
+pub use tile::{TileDriver, TileHouses, TileLooks, TileScene};
 
 use crate::ast::{Document, NamedView, Parameter};
 use crate::building::Building;

@@ -18,21 +18,31 @@ import subprocess
 import sys
 import time
 from collections import defaultdict
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Iterator
+
+from upload import upload
 
 #: How often a task is tried again after its worker died or a file could not be written.
 RETRIES = 5
 
-#: What dask is told. A tile that kills its worker is no reason to give up on the other tiles of its task. What dask does besides,
-#: such as looking a hundred times a second where a worker is, took a tenth of a processor beside one that makes tiles.
+#: What dask is told. A tile that kills its worker is no reason to give up on the other tiles of its task. What dask does besides
+#: goes by the clock, and took a tenth of a processor beside one that makes tiles: it looks a hundred times a second where a worker is,
+#: ten times how much memory it has, though tiles are made by other processes.
 SETTINGS = {
     "distributed.scheduler.allowed-failures": 20,
     "distributed.worker.profile.enabled": False,
     "distributed.admin.tick.interval": "2s",
     "distributed.admin.tick.limit": "1m",
     "distributed.admin.system-monitor.interval": "10s",
+    "distributed.scheduler.active-memory-manager.start": False,
+    "distributed.scheduler.work-stealing-interval": "2s",
+    "distributed.worker.memory.target": False,
+    "distributed.worker.memory.spill": False,
+    "distributed.worker.memory.pause": False,
+    "distributed.worker.memory.terminate": False,
 }
 
 #: The unit of memory in the figures of processes, bytes.
@@ -47,11 +57,16 @@ def hsd(command: list[str], arguments: list[str], **more: Any) -> subprocess.Com
     return subprocess.run([*command, "town", *arguments], text=True, check=False, **more)
 
 
+def processor(whose: int) -> float:
+    """The processor seconds of this process or of those that it waited for."""
+    used = resource.getrusage(whose)
+    return used.ru_utime + used.ru_stime
+
+
 def make(command: list[str], work: str, keys: list[str]) -> dict[str, Any]:
     """Makes some tiles; runs on a worker. A process of its own, so that nothing a house does can end the worker."""
-    begun, before = time.time(), resource.getrusage(resource.RUSAGE_CHILDREN)
+    begun, before = time.time(), processor(resource.RUSAGE_CHILDREN)
     done = hsd(command, ["tile", work, "--threads", "1", *keys], capture_output=True)
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
     if done.returncode not in (0, 1, 2):
         raise TryAgain(f"status {done.returncode}: {done.stderr.strip()[-500:]}")
     if done.returncode == 2:
@@ -63,8 +78,8 @@ def make(command: list[str], work: str, keys: list[str]) -> dict[str, Any]:
         "why": done.stderr.strip(),
         "from": begun,
         "to": time.time(),
-        "processor": used.ru_utime + used.ru_stime - before.ru_utime - before.ru_stime,
-        "memory": used.ru_maxrss * UNIT,
+        "processor": processor(resource.RUSAGE_CHILDREN) - before,
+        "memory": resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * UNIT,
         "worker": os.getpid(),
         "own": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * UNIT,
     }
@@ -79,6 +94,15 @@ class Run:
     failed: list[str] = field(default_factory=list)
     tasks: list[dict[str, Any]] = field(default_factory=list)
     seconds: dict[str, float] = field(default_factory=dict)
+    processor_of: dict[str, float] = field(default_factory=dict)
+
+    @contextmanager
+    def step(self, name: str) -> Iterator[None]:
+        """Notes what a step takes, by the clock and of a processor in processes of the driver."""
+        begun, before = time.time(), processor(resource.RUSAGE_CHILDREN)
+        yield
+        self.seconds[name] = time.time() - begun
+        self.processor_of[name] = processor(resource.RUSAGE_CHILDREN) - before
 
 
 def batches(tiles: list[dict[str, Any]], features: int) -> list[list[str]]:
@@ -153,24 +177,24 @@ def make_all(client: Any, command: list[str], work: Path, features: int, run: Ru
 def build(client: Any, options: argparse.Namespace) -> Run:
     """Plans the town, has its tiles made and puts it together. Raises `SystemExit` with the status of what failed."""
     run, command, work = Run(), options.hsd, Path(options.work).resolve()
-    begun = time.time()
-    if not options.planned:
-        planned = hsd(command, ["plan", options.town, "-o", str(work), "--quiet", *options.more])
-        if planned.returncode:
-            sys.exit(planned.returncode)
-    run.seconds["plan"] = time.time() - begun
-    begun = time.time()
-    make_all(client, command, work, options.features, run, fresh=False)
-    run.seconds["tiles"] = time.time() - begun
-    begun = time.time()
-    lacking = ["--lacking"] if options.lacking else []
-    seal = ["seal", str(work), "-o", options.output, *lacking]
-    sealed = hsd(command, seal)
-    if sealed.returncode == 2 and not run.failed:
-        # An image or a file that rules read has changed since a tile was made: all are looked at again.
-        make_all(client, command, work, options.features, run, fresh=True)
+    with run.step("plan"):
+        if not options.planned:
+            planned = hsd(command, ["plan", options.town, "-o", str(work), "--quiet", *options.more])
+            if planned.returncode:
+                sys.exit(planned.returncode)
+    with run.step("tiles"):
+        make_all(client, command, work, options.features, run, fresh=False)
+    if run.failed and not options.lacking:
+        print(f"not put together, since tiles cannot be made (--lacking leaves them out): {' '.join(run.failed)}", file=sys.stderr)
+        return run
+    with run.step("seal"):
+        lacking = ["--lacking"] if options.lacking else []
+        seal = ["seal", str(work), "-o", options.output, *lacking]
         sealed = hsd(command, seal)
-    run.seconds["seal"] = time.time() - begun
+        if sealed.returncode == 2 and not run.failed:
+            # An image or a file that rules read has changed since a tile was made: all are looked at again.
+            make_all(client, command, work, options.features, run, fresh=True)
+            sealed = hsd(command, seal)
     if sealed.returncode > 1:
         sys.exit(sealed.returncode)
     return run
@@ -187,6 +211,7 @@ def tell(run: Run, file: str | None) -> None:
         "there": run.kept,
         "failed": run.failed,
         "seconds": {name: round(value, 2) for name, value in run.seconds.items()},
+        "processor_of": {name: round(value, 2) for name, value in run.processor_of.items()},
         "tasks": len(run.tasks),
         "busy": round(busy, 2),
         "processor": round(sum(task["processor"] for task in run.tasks), 2),
@@ -212,6 +237,7 @@ def arguments(given: list[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--planned", action="store_true", help="go on with what is planned; no map is read")
     parser.add_argument("--lacking", action="store_true", help="leave out tiles that cannot be made")
     parser.add_argument("--hsd", nargs=1, default=[os.environ.get("HSD", "hsd")], help="the program [$HSD or hsd]")
+    parser.add_argument("--upload", metavar="URL", help="put the town into a store that fsspec knows, what is not there yet")
     parser.add_argument("--figures", help="write times and memory to this file")
     parser.add_argument("more", nargs="*", help="after --: more for `hsd town plan`, such as --detail 0,1")
     options = parser.parse_args(given)
@@ -235,6 +261,9 @@ def main(given: list[str] | None = None) -> None:
             started = time.time() - begun
             run = build(client, options)
             run.seconds["start"] = started
+    if options.upload and (options.lacking or not run.failed):
+        counted = upload(Path(options.output), options.upload)
+        print(", ".join(f"{count} {word}" for word, count in counted.items()), file=sys.stderr)
     tell(run, options.figures)
     if run.failed and not options.lacking:
         sys.exit(1)

@@ -19,11 +19,17 @@ from pathlib import Path
 
 import rows
 import scale
+import upload
 from trees import faults, tree
 
 HERE = Path(__file__).resolve().parent
 HSD = str(Path(os.environ.get("HSD", "hsd")).resolve()) if "/" in os.environ.get("HSD", "hsd") else "hsd"
 HOUSES = int(os.environ.get("HSD_HOUSES", "1200"))
+
+
+def reads_parquet() -> bool:
+    said = subprocess.run([HSD, "--version"], capture_output=True, text=True).stdout
+    return any(line.split() == ["GeoParquet:", "yes"] for line in said.splitlines())
 
 
 class Scale(unittest.TestCase):
@@ -125,6 +131,51 @@ class Scale(unittest.TestCase):
         for path in (self.work / "tiles").iterdir():
             self.assertEqual(path.read_bytes(), whole[path.name], "half a file")
         self.scale("--planned")
+        self.assert_right()
+
+    def test_a_poison_tile_takes_no_others_with_it(self):
+        subprocess.run([HSD, "town", "plan", str(self.town), "-o", str(self.work), "-q"], check=True)
+        bad = scale.tiles_of(self.work)[0]
+        program = self.folder / "hsd"
+        # It ends each process that is to make this tile.
+        program.write_text(f'#!/bin/sh\ncase "$* " in *" {bad["key"]} "*) kill -SEGV $$ ;; esac\nexec {HSD} "$@"\n')
+        program.chmod(0o755)
+        told = self.scale("--planned", "--hsd", str(program), check=False)
+        self.assertEqual(told["failed"], [bad["key"]])
+        self.assertEqual(told["made"], len(scale.tiles_of(self.work)) - 1)
+        self.assertFalse((self.out / "tileset.json").exists())
+        self.scale("--planned", "--hsd", str(program), "--lacking")
+        report = json.loads((self.out / "report.json").read_text())
+        self.assertEqual((report["built"], report["features"]), (HOUSES - bad["features"], HOUSES))
+        self.assertEqual(faults(self.out), [])
+
+    def test_a_town_is_put_into_a_store_once(self):
+        store = self.folder / "store"
+        self.scale("--upload", f"file://{store}")
+        self.assertEqual(tree(store), self.wanted)
+        tile = next((store / "tiles").glob("*.glb"))
+        tile.unlink()
+        first = tile.parent.joinpath(sorted(path.name for path in tile.parent.iterdir())[0])
+        first.write_bytes(b"who was first stays")
+        counted = upload.upload(self.out, f"file://{store}")
+        self.assertEqual((counted["put"], first.read_bytes()), (1, b"who was first stays"))
+        memory = [upload.upload(self.out, "memory://town") for _ in range(2)]
+        self.assertEqual((memory[0]["there"], memory[1]["put"]), (0, 0))
+
+    @unittest.skipUnless(importlib.util.find_spec("pyarrow"), "pyarrow is not installed")
+    @unittest.skipUnless(reads_parquet(), "this hsd is built without `--features geoparquet`")
+    def test_geoparquet_in_row_groups_gives_the_same_town(self):
+        import pyarrow.parquet
+
+        town = rows.write(HOUSES, self.folder / "town", size=100, kind="parquet")
+        self.assertEqual(pyarrow.parquet.ParquetFile(town.with_name("houses.parquet")).num_row_groups, -(-HOUSES // rows.ROW))
+        before, self.town = self.town, town
+        try:
+            told = self.scale()
+        finally:
+            self.town = before
+        self.assertEqual(told["failed"], [])
+        # The hashes in names know the line of the rule, which is the same.
         self.assert_right()
 
     @unittest.skipUnless(importlib.util.find_spec("hsd"), "the wheel of hsd is not installed")

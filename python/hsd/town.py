@@ -25,7 +25,7 @@ from . import _native
 from ._show import Model
 from ._text import Error, Message, Parameters, Text, is_text, job, messages_of, pairs, require
 
-__all__ = ["Sealed", "StepError", "Tile", "Town", "plan", "planned", "seal", "show", "tile"]
+__all__ = ["Sealed", "StepError", "Tile", "Town", "plan", "planned", "seal", "show", "tile", "write"]
 
 _Path = Union[str, "os.PathLike[str]"]
 
@@ -37,8 +37,12 @@ class Town(Model):
         super().__init__(glb, messages, height)
         #: The text, also where `hsd town init` has written it.
         self.text = text
-        #: The lines of `decisions.csv`; `pandas.DataFrame(town.decisions)` is a table of them.
+        #: The lines of `decisions.csv`.
         self.decisions = decisions
+
+    def frame(self) -> Any:
+        """The decisions as a DataFrame of pandas, which `houses.merge(town.frame(), on="key")` joins to their features."""
+        return _frame(self.decisions)
 
 
 class StepError(Error):
@@ -90,10 +94,26 @@ class Sealed:
         """A line for each feature: what was built on it and why."""
         return _decisions(self.folder / "decisions.csv")
 
+    def frame(self) -> Any:
+        """The same as a DataFrame of pandas, which `houses.merge(sealed.frame(), on="key")` joins to their features."""
+        return _frame(self.decisions())
+
 
 def _decisions(path: Path) -> list[dict[str, str]]:
     with open(path, encoding="utf-8-sig", newline="") as file:
         return list(csv.DictReader(file))
+
+
+def _frame(decisions: list[dict[str, str]]) -> Any:
+    import pandas
+
+    frame = pandas.DataFrame(decisions)
+    for name in frame.columns.difference(["layer", "key"]):
+        # Keys stay texts: 007 is no 7.
+        numbers = pandas.to_numeric(frame[name].replace("", None), errors="coerce")
+        if numbers.notna().any() and (numbers.notna() == (frame[name].fillna("") != "")).all():
+            frame[name] = numbers
+    return frame
 
 
 def _call(words: Sequence[object], threads: int | None = None) -> tuple[int, str]:
@@ -160,12 +180,28 @@ def seal(work: _Path, out: _Path, *, lacking: bool = False) -> Sealed:
 
 
 def _write(layer: Any, path: Path) -> None:
-    """Writes a map: a GeoDataFrame, an object that is GeoJSON, or its text."""
+    """Writes a map: a GeoDataFrame, a table of Arrow with geometries, an object that is GeoJSON, or its text."""
+    if hasattr(layer, "__arrow_c_stream__") and not hasattr(layer, "to_json"):
+        import geopandas
+
+        layer = geopandas.GeoDataFrame.from_arrow(layer)
     if hasattr(layer, "to_json"):
         layer = (layer.to_crs(4326) if getattr(layer, "crs", None) is not None else layer).to_json()
     elif hasattr(layer, "__geo_interface__") or isinstance(layer, dict):
         layer = json.dumps(getattr(layer, "__geo_interface__", layer))
     path.write_text(layer, encoding="utf-8")
+
+
+def write(layers: Mapping[str, Any], folder: _Path) -> list[Path]:
+    """Writes maps into a folder, as NAME.geojson, for a town file there to name: GeoDataFrames, tables of Arrow with geometries (such
+    as `geopandas.to_arrow` gives), or GeoJSON. In degrees where a layer knows its reference system."""
+    maps = []
+    for name, layer in layers.items():
+        if not re.fullmatch(r"[\w-]+", name):
+            raise Error(f"{name!r} is no name for a file: use letters, digits and -")
+        maps.append(Path(folder, f"{name}.geojson"))
+        _write(layer, maps[-1])
+    return maps
 
 
 def show(
@@ -177,18 +213,13 @@ def show(
     seed: int | None = None,
     height: int = 480,
 ) -> Town:
-    """Shows a town in a notebook: `layers` are maps by name, GeoDataFrames for example, which the text names as NAME.geojson.
+    """Shows a town in a notebook: `layers` are maps by name as `write` takes them, which the text names as NAME.geojson.
 
     Without a text `hsd town init` writes a first one from the maps; it is the `text` of the result.
     """
     with tempfile.TemporaryDirectory(prefix="hsd-") as temporary:
         folder = Path(temporary)
-        maps = []
-        for name, layer in (layers or {}).items():
-            if not re.fullmatch(r"[\w-]+", name):
-                raise Error(f"{name!r} is no name for a file: use letters, digits and -")
-            maps.append(folder / f"{name}.geojson")
-            _write(layer, maps[-1])
+        maps = write(layers or {}, folder)
         path = folder / "town.hsd"
         if source is None:
             status, message = _call(["init", *maps, "-o", path])

@@ -1,5 +1,7 @@
-"""Tests of the installed wheel: `python -m unittest discover -s python/test`. They need no other package."""
+"""Tests of the installed wheel: `python -m unittest discover -s python/test`. They need no other package; frames are tested where
+geopandas is."""
 
+import importlib.util
 import json
 import multiprocessing
 import pathlib
@@ -134,6 +136,20 @@ class Town(unittest.TestCase):
         with self.assertRaises(hsd.town.StepError) as raised:
             hsd.town.plan(self.town, self.work)
         self.assertEqual([m.line for m in raised.exception.messages if m.severity == "error"], [1])
+
+    @unittest.skipUnless(importlib.util.find_spec("geopandas"), "geopandas is not installed")
+    def test_frames_in_and_out(self):
+        import geopandas
+
+        ask = geopandas.GeoDataFrame.from_features(squares(0, 300)["features"])
+        hsd.town.write({"houses": ask}, self.folder)
+        tiles = hsd.town.plan(self.town, self.work, detail=[0])
+        hsd.town.tile(self.work, [tile.key for tile in tiles])
+        told = ask.merge(hsd.town.seal(self.work, self.folder / "out").frame(), on="key")
+        self.assertEqual((list(told["type"]), len(told.geometry)), (["hiraya", "hiraya"], 2))
+        self.assertTrue((told["width"] > 0).all())
+        frames = {"houses": ask.to_arrow()} if hasattr(ask, "to_arrow") and importlib.util.find_spec("pyarrow") else {"houses": ask}
+        self.assertEqual(len(hsd.town.show(TOWN, frames, detail=0).frame()), 2)
 
     def test_a_notebook_shows_one(self):
         town = hsd.town.show(TOWN, {"houses": squares(0)}, detail=0)

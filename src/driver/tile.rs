@@ -1,5 +1,5 @@
 //! The houses of a tile: made once, and shown at each level of detail. A tile is small, so its houses are kept while its
-//! levels are made; nothing else is.
+//! levels are made; what they look like is made some houses at a time.
 
 use super::Options;
 use super::house::{Expansion, FeatureHouse};
@@ -12,11 +12,14 @@ use crate::diagnostic::messages::limits::too_many_triangles;
 use crate::diagnostic::messages::pictures as say;
 use crate::diagnostic::{Diagnostics, Origin};
 use crate::program::PictureId;
-use crate::scene::{Detail, Scene};
+use crate::scene::{Detail, Material, Scene, ScenePart};
 use crate::source::{Source, World};
 use crate::tessellate::{self, SceneBuilder, Tessellator};
 use std::ops::Range;
 use std::{io, slice};
+
+/// The bytes of meshes that are kept at a time where houses are handed on.
+const BYTES: usize = 16 << 20;
 
 /// What the tiles of a town have in common.
 pub struct TileDriver<'a> {
@@ -44,6 +47,16 @@ pub struct TileScene {
     pub scene: Scene,
     /// The nodes of each house, by its number in the tile; empty for one that is left out.
     pub houses: Vec<Range<usize>>,
+    /// The images, with the pages that were baked for this level.
+    pub library: Library,
+}
+
+/// What the houses of a level look like that have been handed on.
+pub struct TileLooks {
+    /// Their materials.
+    pub materials: Vec<Material>,
+    /// The factor by which distances from the upper edge of each baked page have grown.
+    pub grown: Vec<f32>,
     /// The images, with the pages that were baked for this level.
     pub library: Library,
 }
@@ -124,40 +137,111 @@ impl<'a> TileDriver<'a> {
 
     /// Returns the houses of a tile at a level of detail.
     pub fn level(&self, made: &TileHouses, detail: Detail, out: &mut Diagnostics) -> TileScene {
-        let found = self.tessellators.iter().find(|(own, _)| *own == detail);
-        let (_, tessellator) = found.expect("levels are those of the town");
+        let tessellator = self.tessellator(detail);
         let mut scene = SceneBuilder::new(detail).without_relief();
-        let most = self.options.expand.limits.triangles;
         let mut houses = vec![];
-        for (number, (built, origin)) in made.houses.iter().enumerate() {
+        for number in 0..made.houses.len() {
             let before = scene.part().nodes.len();
-            if let Some(built) = built {
-                scene.add(tessellator.houses(slice::from_ref(built), number + 1));
-            }
-            let mut found = Diagnostics::new();
-            for place in scene.take_oversized() {
-                found.push(too_many_triangles(place, most));
-            }
-            out.append(found.of_feature(origin));
-            houses.push(before..scene.part().nodes.len());
+            self.add(made, number, (tessellator, &mut scene), out);
+            houses.push((number, before..scene.part().nodes.len()));
         }
+        tell_flaws(made, scene.part(), &houses, out);
         let scene = scene.finish(made.pictures.clone());
-        // To look at a house is to look at all meshes; nearly always nothing is wrong with any.
-        let flawed = sound::flaws(scene.whole()).next().is_some();
-        for (nodes, (_, origin)) in houses.iter().zip(&made.houses).filter(|_| flawed) {
-            if let Some(flaw) = sound::flaws(scene.part(nodes.clone())).next() {
-                let mut found = Diagnostics::new();
-                let place = flaw.span.unwrap_or_default();
-                found.push(say::shape_left_out(place, &flaw.name));
-                out.append(found.of_feature(origin));
-            }
-        }
         let mut library = made.library.clone();
         library.bake(&scene.baked);
         TileScene {
             scene,
-            houses,
+            houses: houses.into_iter().map(|(_, nodes)| nodes).collect(),
             library,
+        }
+    }
+
+    /// Hands the houses of a tile on at a level of detail, each with its number in the tile, and keeps only some at a time;
+    /// returns what they look like.
+    pub fn hand_on(
+        &self,
+        made: &TileHouses,
+        detail: Detail,
+        take: &mut dyn FnMut(usize, ScenePart<'_>),
+        out: &mut Diagnostics,
+    ) -> TileLooks {
+        let tessellator = self.tessellator(detail);
+        let mut scene = SceneBuilder::new(detail).without_relief();
+        scene.forget_twins();
+        let (mut houses, mut bytes) = (vec![], 0);
+        for number in 0..made.houses.len() {
+            let before = scene.part().nodes.len();
+            bytes += self.add(made, number, (tessellator, &mut scene), out);
+            houses.push((number, before..scene.part().nodes.len()));
+            if bytes < BYTES && number + 1 < made.houses.len() {
+                continue;
+            }
+            let part = scene.part();
+            tell_flaws(made, part, &houses, out);
+            for (number, nodes) in houses.drain(..) {
+                take(number, part.part(nodes));
+            }
+            scene.forget();
+            bytes = 0;
+        }
+        let (materials, baked, grown) = scene.into_images();
+        let mut library = made.library.clone();
+        library.bake(&baked);
+        TileLooks {
+            materials,
+            grown,
+            library,
+        }
+    }
+
+    fn tessellator(&self, detail: Detail) -> &Tessellator<'a> {
+        let found = self.tessellators.iter().find(|(own, _)| *own == detail);
+        &found.expect("levels are those of the town").1
+    }
+
+    /// Adds a house to a scene; returns about how many bytes it takes there.
+    fn add(
+        &self,
+        made: &TileHouses,
+        number: usize,
+        (tessellator, scene): (&Tessellator<'_>, &mut SceneBuilder),
+        out: &mut Diagnostics,
+    ) -> usize {
+        let (Some(built), origin) = &made.houses[number] else {
+            return 0;
+        };
+        let drafts = tessellator.houses(slice::from_ref(built), number + 1);
+        let bytes = drafts.bytes();
+        scene.add(drafts);
+        let mut found = Diagnostics::new();
+        for place in scene.take_oversized() {
+            found.push(too_many_triangles(
+                place,
+                self.options.expand.limits.triangles,
+            ));
+        }
+        out.append(found.of_feature(origin));
+        bytes
+    }
+}
+
+/// Tells of houses that have shapes which no file can take, given by their numbers and nodes.
+fn tell_flaws(
+    made: &TileHouses,
+    part: ScenePart<'_>,
+    houses: &[(usize, Range<usize>)],
+    out: &mut Diagnostics,
+) {
+    // To look at a house is to look at all meshes; nearly always nothing is wrong with any.
+    if sound::flaws(part).next().is_none() {
+        return;
+    }
+    for (number, nodes) in houses {
+        if let Some(flaw) = sound::flaws(part.part(nodes.clone())).next() {
+            let mut found = Diagnostics::new();
+            let place = flaw.span.unwrap_or_default();
+            found.push(say::shape_left_out(place, &flaw.name));
+            out.append(found.of_feature(&made.houses[*number].1));
         }
     }
 }

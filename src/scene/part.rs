@@ -21,6 +21,15 @@ pub struct ScenePart<'s> {
 }
 
 impl<'s> ScenePart<'s> {
+    /// Returns the nodes of a range, which are those of whole houses, with all meshes.
+    pub fn part(&self, nodes: Range<usize>) -> ScenePart<'s> {
+        ScenePart {
+            first_node: self.first_node + nodes.start as u32,
+            nodes: &self.nodes[nodes],
+            ..*self
+        }
+    }
+
     /// Returns the mesh of a number, if it is there.
     pub fn mesh(&self, id: MeshId) -> Option<&'s Mesh> {
         let at = id.0.checked_sub(self.first_mesh)?;
@@ -37,18 +46,18 @@ impl<'s> ScenePart<'s> {
 impl Scene {
     /// Returns all of the scene.
     pub fn whole(&self) -> ScenePart<'_> {
-        self.part(0..self.nodes.len())
-    }
-
-    /// Returns the nodes of a range, which are those of whole houses, with all meshes.
-    pub fn part(&self, nodes: Range<usize>) -> ScenePart<'_> {
         ScenePart {
             detail: self.detail,
             materials: &self.materials,
             meshes: &self.meshes,
             first_mesh: 0,
-            first_node: nodes.start as u32,
-            nodes: &self.nodes[nodes],
+            first_node: 0,
+            nodes: &self.nodes,
         }
+    }
+
+    /// Returns the nodes of a range, which are those of whole houses, with all meshes.
+    pub fn part(&self, nodes: Range<usize>) -> ScenePart<'_> {
+        self.whole().part(nodes)
     }
 }

@@ -10,7 +10,7 @@ use crate::backend::images::Library;
 use crate::backend::{Images, OutFile, PictureBytes, SurfaceFiles};
 use crate::diagnostic::Diagnostics;
 use crate::driver::TileDriver;
-use crate::scene::Detail;
+use crate::scene::{Detail, ScenePart};
 use crate::source::World;
 use crate::town::decision::problems;
 use std::borrow::Cow;
@@ -47,21 +47,22 @@ pub fn make(
     let made = driver.houses(input.houses, &mut found)?;
     let mut files = Files::default();
     for detail in levels {
-        let level = driver.level(&made, *detail, &mut found);
-        let plain = TileImages(&level.library);
+        let mut writer = TileWriter::packed(*detail, centre, packed);
+        let mut take = |number: usize, part: ScenePart<'_>| {
+            writer.add(part, row_of[number], &TileImages(&made.library));
+        };
+        let looks = driver.hand_on(&made, *detail, &mut take, &mut found);
+        let plain = TileImages(&looks.library);
         #[cfg(feature = "compress")]
-        let small = packed.then(|| Ktx2::of_tile(&level.scene, &plain, *detail > Detail::Flat));
+        let small = packed.then(|| Ktx2::of_tile(&looks.materials, &plain, *detail > Detail::Flat));
         #[cfg(not(feature = "compress"))]
         let small: Option<TileImages<'_>> = None;
         let shown: &dyn Images = match &small {
             Some(small) => small,
             None => &plain,
         };
-        let mut writer = TileWriter::packed(*detail, centre, packed);
-        for (nodes, row) in level.houses.iter().zip(&row_of) {
-            writer.add(level.scene.part(nodes.clone()), *row, shown);
-        }
-        let content = writer.content(&level.scene.materials, shown, &rows, FOLDER);
+        let looks = (&*looks.materials, &*looks.grown);
+        let content = writer.content(looks, shown, &rows, FOLDER);
         if let Some(content) = content {
             let name = format!("tiles/{}-{hash}-{}.glb", tile.key.stem(), *detail as u8);
             files.add(name, *detail, content);

@@ -59,7 +59,7 @@ pub(super) fn make(
         // With normals, whatever the level: a slope is to look smooth.
         let mut writer = TileWriter::packed(Detail::Flat, centre, packed);
         writer.add(scene.whole(), 0, &shown);
-        if let Some(content) = writer.content(&scene.materials, &shown, &rows, FOLDER) {
+        if let Some(content) = writer.content((&scene.materials, &[]), &shown, &rows, FOLDER) {
             files.add(
                 format!("tiles/{stem}-{hash}-{}.glb", *detail as u8),
                 *detail,

@@ -25,7 +25,7 @@ fn tile(packed: bool) -> (TileContentBytes, Model) {
     let scene = houses([(0.0, 0.0, 180.0), (12.0, 3.0, 150.0)]);
     let mut writer = TileWriter::packed(scene.detail, DVec3::new(4.0, 2.0, 0.0), packed);
     writer.add(scene.whole(), 0, &NoImages);
-    let made = writer.content(&scene.materials, &NoImages, &[row()], "textures");
+    let made = writer.content((&scene.materials, &[]), &NoImages, &[row()], "textures");
     let made = made.expect("something is to be seen");
     let model = Model::new(&made.glb);
     let kept = TileContentBytes {
@@ -110,17 +110,17 @@ fn images_of_packed_tiles_stay_packed_on_the_card() {
     let images = |shown: &dyn Images| -> Vec<(String, Vec<u8>)> {
         let mut writer = TileWriter::packed(scene.detail, DVec3::new(4.0, 2.0, 0.0), true);
         writer.add(scene.whole(), 0, shown);
-        let made = writer.content(&scene.materials, shown, &[row()], "../textures");
+        let made = writer.content((&scene.materials, &[]), shown, &[row()], "../textures");
         let images = made.expect("something is to be seen").textures.into_iter();
         images
             .map(|image| (image.name, image.bytes.into_owned()))
             .collect()
     };
     let plain = images(&library);
-    let small = images(&Ktx2::of_tile(&scene, &library, true));
+    let small = images(&Ktx2::of_tile(&scene.materials, &library, true));
     assert_eq!(
         small,
-        images(&Ktx2::of_tile(&scene, &library, true)),
+        images(&Ktx2::of_tile(&scene.materials, &library, true)),
         "once more"
     );
     assert_eq!(plain.len(), small.len());

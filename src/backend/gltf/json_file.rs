@@ -147,21 +147,20 @@ impl File {
         root["extensions"]["EXT_structural_metadata"] = table;
     }
 
-    /// Puts JSON and buffer into a container.
-    pub(super) fn packed(&self, bin: &[u8]) -> Vec<u8> {
+    /// Puts JSON and buffer into a container. The buffer is moved to its place, not copied, if it has the room.
+    pub(super) fn packed(&self, mut bin: Vec<u8>) -> Vec<u8> {
         let mut json = serde_json::to_vec(&self.root).unwrap_or_default();
         json.resize(json.len().next_multiple_of(4), b' ');
         let length = 12 + 8 + json.len() + 8 + bin.len();
-        let mut out = Vec::with_capacity(length);
-        out.extend(b"glTF");
+        let mut head = b"glTF".to_vec();
         for number in [2, length as u32, json.len() as u32] {
-            out.extend(number.to_le_bytes());
+            head.extend(number.to_le_bytes());
         }
-        out.extend(b"JSON");
-        out.extend(json);
-        out.extend((bin.len() as u32).to_le_bytes());
-        out.extend(b"BIN\0");
-        out.extend(bin);
-        out
+        head.extend(b"JSON");
+        head.extend(json);
+        head.extend((bin.len() as u32).to_le_bytes());
+        head.extend(b"BIN\0");
+        bin.splice(0..0, head);
+        bin
     }
 }

@@ -17,12 +17,14 @@ use super::shading::{tangents, unit};
 use super::table::{FeatureRow, Table};
 use super::writer::root;
 use crate::backend::{Images, OutFile, images, sound};
-use crate::scene::{Detail, Material, Primitive, ScenePart};
+use crate::scene::{Detail, Image, Material, Primitive, ScenePart};
 use glam::{DVec2, DVec3, Vec3};
 use models::Models;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::Cursor;
+use std::mem::take;
+use std::ops::Range;
 
 /// A file of a tile.
 pub struct TileContent<'a> {
@@ -50,6 +52,8 @@ pub struct TileWriter {
     /// Where materials have relief, one for each vertex.
     tangents: Vec<[f32; 4]>,
     uvs: Vec<[f32; 2]>,
+    /// The vertices on pages of baked images, by the number of the page.
+    on_pages: Vec<(u32, Range<usize>)>,
     features: Vec<f32>,
     /// The indices of each material, by its number in the file.
     batches: Vec<Vec<u32>>,
@@ -98,6 +102,7 @@ impl TileWriter {
             normals: vec![],
             tangents: vec![],
             uvs: vec![],
+            on_pages: vec![],
             features: vec![],
             batches: vec![],
             reliefs: vec![],
@@ -199,6 +204,10 @@ impl TileWriter {
                 };
                 self.tangents.extend(tangents(p).into_iter().map(turned));
             }
+            if let Image::Baked(page) = material.image {
+                self.on_pages
+                    .push((page, self.uvs.len()..self.positions.len()));
+            }
             let metres = known.metres.unwrap_or(1.0);
             let uvs = p.uvs.iter().map(|[u, v]| match known.metres {
                 Some(_) => [u / metres, 1.0 - v / metres],
@@ -243,10 +252,10 @@ impl TileWriter {
     }
 
     /// Returns the file; `None` if nothing is to be seen. Images are named below `folder`, a relative reference. `materials`
-    /// are those of the scene.
+    /// are those of the scene, `grown` the factors by which distances from the upper edge of each baked page have grown.
     pub fn content<'a>(
-        self,
-        materials: &'a [Material],
+        mut self,
+        (materials, grown): (&'a [Material], &[f32]),
         images: &'a dyn Images,
         rows: &[FeatureRow],
         folder: &str,
@@ -255,16 +264,22 @@ impl TileWriter {
         let mut root = root();
         let known = Materials::new(&self.materials, materials, images, &mut root);
         let textures = known.files_in(&mut root, folder);
-        let mut bin = vec![];
+        self.stretch(materials, grown);
+        // Room that is not written to takes no memory, to move a grown buffer does.
+        let mut bin = Vec::with_capacity(self.length() + (rows.len() << 11) + (1 << 20));
         let mut file = File::new(serde_json::to_value(&root).unwrap_or_default());
+        let batches = self.batches.iter().map(|b| b.len() / 3);
+        let triangles = batches.sum::<usize>() + self.models.triangles();
+        let vertices = self.positions.len();
         let mut meshes = vec![];
-        if !self.positions.is_empty() {
+        if vertices > 0 {
             let attributes = match self.packed {
                 #[cfg(feature = "compress")]
                 true => packed::attributes(&self, &mut file, &mut bin),
                 _ => self.attributes(&mut file, &mut bin),
             };
-            let primitives = self.primitives(&mut file, &mut bin, &attributes, rows.len());
+            let counts = (vertices, rows.len());
+            let primitives = self.primitives(&mut file, &mut bin, &attributes, counts);
             meshes.push((json!({ "primitives": primitives }), Value::Null));
         }
         let flat = self.materials.flat;
@@ -272,10 +287,8 @@ impl TileWriter {
         let arrays = bin.len().max(file.unpacked);
         let table = Table::new(rows).written(&mut file, &mut bin);
         file.finish(&mut bin, meshes, table, self.centre);
-        let batches = self.batches.iter().map(|b| b.len() / 3);
-        let triangles = batches.sum::<usize>() + self.models.triangles();
         Some(TileContent {
-            glb: file.packed(&bin),
+            glb: file.packed(bin),
             textures,
             bounds,
             triangles,
@@ -283,21 +296,53 @@ impl TileWriter {
         })
     }
 
-    /// Writes the arrays of all vertices; returns the attributes of every primitive.
-    fn attributes(&self, file: &mut File, bin: &mut Vec<u8>) -> Value {
+    /// Moves texture coordinates on pages to where the images on them are, now that the heights of pages are known.
+    fn stretch(&mut self, materials: &[Material], grown: &[f32]) {
+        let factor = |page: u32| grown.get(page as usize).copied();
+        for (page, vertices) in take(&mut self.on_pages) {
+            let Some(factor) = factor(page) else {
+                continue;
+            };
+            for [_, v] in &mut self.uvs[vertices] {
+                // As in a scene, where they are counted from below.
+                let above = 1.0 - *v * factor;
+                *v = 1.0 - above;
+            }
+        }
+        self.models
+            .stretch(|material| match materials[material.0 as usize].image {
+                Image::Baked(page) => factor(page),
+                _ => None,
+            });
+    }
+
+    /// Returns about the bytes of all arrays as they will be in the file.
+    fn length(&self) -> usize {
+        let vertex = 12
+            + 8
+            + 4
+            + 4 * (usize::from(!self.normals.is_empty()) + usize::from(!self.tangents.is_empty()));
+        let indices: usize = self.batches.iter().map(Vec::len).sum();
+        self.positions.len() * vertex + indices * 4
+    }
+
+    /// Writes the arrays of all vertices, and frees each; returns the attributes of every primitive.
+    fn attributes(&mut self, file: &mut File, bin: &mut Vec<u8>) -> Value {
         let count = self.positions.len();
         let mut attributes = BTreeMap::new();
+        let positions = take(&mut self.positions);
         let view = file.view(bin, Some((12, 34962)), |out| {
-            write_floats(out, &self.positions, turned);
+            write_floats(out, &positions, turned);
         });
-        let (low, high) = super::arrays::bounds([&*self.positions]);
+        let (low, high) = super::arrays::bounds([&*positions]);
+        drop(positions);
         let mut points = accessor(view, 5126, count, "VEC3");
         points["min"] = json!(low.map(f64::from));
         points["max"] = json!(high.map(f64::from));
         attributes.insert("POSITION", file.accessor(points));
         if !self.normals.is_empty() {
             let view = file.view(bin, Some((4, 34962)), |out| {
-                for normal in &self.normals {
+                for normal in &take(&mut self.normals) {
                     let [x, y, z] = turned(unit(*normal)).map(byte);
                     out.extend([x, y, z, 0]);
                 }
@@ -308,7 +353,7 @@ impl TileWriter {
         }
         if !self.tangents.is_empty() {
             let view = file.view(bin, Some((4, 34962)), |out| {
-                for [x, y, z, w] in &self.tangents {
+                for [x, y, z, w] in &take(&mut self.tangents) {
                     let [x, y, z] = turned([*x, *y, *z]).map(byte);
                     out.extend([x, y, z, byte(*w)]);
                 }
@@ -318,41 +363,40 @@ impl TileWriter {
             attributes.insert(TANGENT, file.accessor(tangents));
         }
         let view = file.view(bin, Some((8, 34962)), |out| {
-            write_floats(out, &self.uvs, |uv| uv);
+            write_floats(out, &take(&mut self.uvs), |uv| uv);
         });
         attributes.insert(
             "TEXCOORD_0",
             file.accessor(accessor(view, 5126, count, "VEC2")),
         );
         let view = file.view(bin, Some((4, 34962)), |out| {
-            out.extend(self.features.iter().flat_map(|id| id.to_le_bytes()));
+            let features = take(&mut self.features);
+            out.extend(features.iter().flat_map(|id| id.to_le_bytes()));
         });
         let ids = accessor(view, 5126, count, "SCALAR");
         attributes.insert("_FEATURE_ID_0", file.accessor(ids));
         json!(attributes)
     }
 
-    /// Writes the indices of each material; returns the primitives.
+    /// Writes the indices of each material into so many vertices, of so many features, and frees them; returns the primitives.
     fn primitives(
-        &self,
+        &mut self,
         file: &mut File,
         bin: &mut Vec<u8>,
         attributes: &Value,
-        features: usize,
+        (vertices, features): (usize, usize),
     ) -> Vec<Value> {
-        let short = self.positions.len() <= 65_535;
+        let short = vertices <= 65_535;
         let mut plain = attributes.clone();
         if let Some(named) = plain.as_object_mut() {
             named.remove(TANGENT);
         }
-        let shown = self.batches.iter().enumerate();
-        let shown = shown.filter(|(_, batch)| !batch.is_empty());
-        let list: Vec<(usize, &Vec<u32>)> = shown.collect();
+        let shown = take(&mut self.batches).into_iter().enumerate();
         let mut primitives = vec![];
-        for (material, batch) in list {
+        for (material, batch) in shown.filter(|(_, batch)| !batch.is_empty()) {
             let view = match self.packed {
                 #[cfg(feature = "compress")]
-                true => packed::indices(batch, short, file, bin),
+                true => packed::indices(&batch, short, file, bin),
                 _ => file.view(bin, Some((0, 34963)), |out| match short {
                     true => out.extend(batch.iter().flat_map(|i| (*i as u16).to_le_bytes())),
                     false => out.extend(batch.iter().flat_map(|i| i.to_le_bytes())),

@@ -46,7 +46,7 @@ enum Content {
 impl<'a> Ktx2<'a> {
     /// Encodes the images of materials on all processors; the bytes do not depend on their number.
     pub fn new(scene: &Scene, plain: &'a dyn Images) -> Ktx2<'a> {
-        let tasks = tasks(scene, plain, true);
+        let tasks = tasks(used(scene), plain, true);
         let encoded = all(&tasks).into_iter().map(|bytes| bytes.map(Arc::from));
         Ktx2 {
             plain,
@@ -56,8 +56,8 @@ impl<'a> Ktx2<'a> {
 
     /// The same for a tile, on the thread that makes it, with or without gloss. Images of surfaces, which are the program's
     /// own and the same in all tiles, are encoded once.
-    pub fn of_tile(scene: &Scene, plain: &'a dyn Images, gloss: bool) -> Ktx2<'a> {
-        let tasks = tasks(scene, plain, gloss);
+    pub fn of_tile(materials: &[scene::Material], plain: &'a dyn Images, gloss: bool) -> Ktx2<'a> {
+        let tasks = tasks(materials, plain, gloss);
         let made = tasks.into_iter().map(|task| {
             let bytes = match texture::is_embedded(task.bytes) {
                 true => kept(task),
@@ -115,7 +115,11 @@ impl Images for Ktx2<'_> {
 }
 
 /// Lists the images of materials, each once.
-fn tasks<'a>(scene: &Scene, plain: &'a dyn Images, gloss: bool) -> Vec<Task<'a>> {
+fn tasks<'a, 'm>(
+    materials: impl IntoIterator<Item = &'m scene::Material>,
+    plain: &'a dyn Images,
+    gloss: bool,
+) -> Vec<Task<'a>> {
     let mut tasks: Vec<Task<'a>> = vec![];
     let mut add = |bytes, content| {
         let task = Task { bytes, content };
@@ -123,7 +127,7 @@ fn tasks<'a>(scene: &Scene, plain: &'a dyn Images, gloss: bool) -> Vec<Task<'a>>
             tasks.push(task);
         }
     };
-    for material in used(scene) {
+    for material in materials {
         let mirrored = material.mirrored.and_then(|index| plain.mirrored(index));
         if let Some(picture) = mirrored {
             add(picture.bytes, Content::Color);

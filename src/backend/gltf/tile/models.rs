@@ -5,7 +5,7 @@ use super::{Pose, TANGENT, byte};
 use crate::backend::gltf::arrays::{MaterialRef, bounds, turned, write_floats};
 use crate::backend::gltf::json_file::{File, INSTANCES, accessor};
 use crate::backend::gltf::shading::{tangents, unit};
-use crate::scene::{Primitive, Stretched};
+use crate::scene::{MaterialId, Primitive, Stretched};
 use glam::{DVec3, Vec3};
 use serde_json::{Map, Value, json};
 
@@ -86,6 +86,18 @@ impl Models {
             let [a, b] = found.unwrap_or([low, high]);
             Some([a.min(low), b.max(high)])
         })
+    }
+
+    /// Moves texture coordinates on pages of baked images to where the images are, by the factors of their materials.
+    pub(super) fn stretch(&mut self, factor: impl Fn(MaterialId) -> Option<f32>) {
+        for shape in self.0.iter_mut().flat_map(|model| &mut model.shapes) {
+            let Some(factor) = factor(shape.primitive.material) else {
+                continue;
+            };
+            for [_, v] in &mut shape.primitive.uvs {
+                *v = 1.0 - (1.0 - *v) * factor;
+            }
+        }
     }
 
     /// Writes meshes and the arrays of their places; returns the meshes and the extensions of their nodes.
