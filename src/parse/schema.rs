@@ -408,14 +408,23 @@ pub static ELEMENTS: &[Schema] = &[
 
 /// Returns the element of a name.
 pub fn named(name: &str) -> Option<&'static Schema> {
-    /// By the length of their names: every element of every house of a town is asked for several times.
-    static BY_LENGTH: LazyLock<Vec<Vec<&Schema>>> = LazyLock::new(|| {
-        let longest = ELEMENTS.iter().map(|e| e.name.len()).max().unwrap_or(0);
-        let of = |length| ELEMENTS.iter().filter(|e| e.name.len() == length).collect();
-        (0..=longest).map(of).collect()
+    const SLOTS: usize = 256;
+    /// By first and last letter and length: every element of every house of a town is asked for several times, and a slot has
+    /// hardly more than one name.
+    static BY_SHAPE: LazyLock<Vec<Vec<&Schema>>> = LazyLock::new(|| {
+        let mut slots = vec![vec![]; SLOTS];
+        for element in ELEMENTS {
+            slots[shape(element.name)].push(element);
+        }
+        slots
     });
-    let same_length = BY_LENGTH.get(name.len())?;
-    same_length.iter().find(|e| e.name == name).copied()
+    fn shape(name: &str) -> usize {
+        let [first, last] = [name.bytes().next(), name.bytes().next_back()];
+        let of = |letter: Option<u8>| usize::from(letter.unwrap_or(0));
+        (7 * of(first) + 31 * of(last) + 3 * name.len()) % SLOTS
+    }
+    let slot = BY_SHAPE[shape(name)].iter();
+    slot.copied().find(|element| element.name == name)
 }
 
 /// Returns true for an attribute of a `Place` that sets, or may set, a parameter of the type: `front` does unless it names a
