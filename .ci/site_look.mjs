@@ -44,6 +44,7 @@ for (const name of ['houses.html', 'ja/houses.html']) {
     const type = written => text.evaluate((area, written) => { area.value = written; area.dispatchEvent(new Event('input')); }, written);
     await type('0 0 180\n9.5\n\nKKS  TKD 2MRE\nKSK  MRE  KSK\nKKS  TIT 2KKS\nKSK  KSK  KSK\n');
     counts.push(await shown());
+    if (counts.at(-1) === counts.at(-2)) found.push(`${name}: the text changes nothing`);
     await type('0 0 180\n9.5\n\nKSX\n');
     await shown();
     const said = await page.textContent('#houses pre');

@@ -67,13 +67,22 @@ function built({ hsd, out }, work, source, name, options) {
   return `models/${name}`;
 }
 
+/** The text of a type with what it includes. */
+function whole(site, work, type) {
+  const file = join(work, `${type}.hsd`);
+  execFileSync(site.hsd, ['new', type, '-o', file], { stdio: ['ignore', 'ignore', 'pipe'] });
+  const text = readFileSync(file, 'utf8');
+  rmSync(file);
+  return text;
+}
+
 /** The models of a type: that of its text, and one for each other value of each parameter. */
 function variants(site, work, type) {
   const source = join(site.root, 'library', `${type}.hsd`);
   const all = JSON.parse(execFileSync(site.hsd, ['params', '--format', 'json', source], { encoding: 'utf8' }));
   const file = built(site, work, source, `${type}.glb`, []);
   const sliders = all.filter(p => !UNSEEN.has(p.name)).map(p => ({ ...p, values: values(p, VALUES), live: values(p, LIVE) })).filter(p => p.values.length > 1).slice(0, PARAMETERS);
-  return { type, file, text: live ? readFileSync(source, 'utf8') : '', sliders: sliders.map(({ name, value, unit, doc, doc_ja: ja, values, live: all }) => ({
+  return { type, file, text: live ? whole(site, work, type) : '', sliders: sliders.map(({ name, value, unit, doc, doc_ja: ja, values, live: all }) => ({
     name, unit, doc: { en: doc ?? '', ja: ja ?? doc ?? '' }, values: (live ? all : values).map(spelled), at: (live ? all : values).indexOf(value),
     files: live ? [] : values.map((v, k) => v === value ? file : built(site, work, source, `${type}-${name}-${k}.glb`, ['--param', `${name}=${spelled(v)}`])),
   })) };

@@ -114,7 +114,8 @@ const sliders = make('div', { className: 'sliders' });
 /** Shows a type with its sliders. */
 function open(type) {
   text.value = type.text;
-  const build = number => compiled(number, `${type.type}.hsd`, Object.fromEntries(inputs.filter(({ slider, input }) => Number(input.value) !== slider.at)
+  const build = number => compiled(number, `${type.type}.hsd`, Object.fromEntries(inputs
+    .filter(({ slider, input }) => Number(input.value) !== slider.at && text.value.includes(`<Param name="${slider.name}"`))
     .map(({ slider, input }) => [slider.name, slider.values[input.value]])));
   text.oninput = () => show(build, false).catch(failed);
   const inputs = type.sliders.map(slider => {

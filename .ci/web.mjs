@@ -4,7 +4,7 @@
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { dirname, join, resolve } from 'node:path';
+import { basename, dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { begin } from '../web/module.mjs';
 
@@ -17,17 +17,19 @@ const compile = await begin(bytes);
 console.log(`  begun in ${Math.round(performance.now() - start)} ms`);
 
 const houses = [
-  ['library/chu-nikai.hsd', 1, { frontage: '5' }], ['library/chu-nikai.hsd', 3, {}], ['examples/machiya.hsd', 3, {}],
+  ['chu-nikai.hsd', 1, { front: 'sake' }], ['kura.hsd', 3, {}], ['examples/machiya.hsd', 3, {}],
   ['examples/kura.hsd', 0, {}], ['examples/ninomaru.hsd', 2, {}], ['examples/pagoda.hsd', 1, {}], ['examples/street.hsd', 0, {}],
 ];
 try {
   for (const [file, detail, parameters] of houses) {
-    const path = join(root, file), name = file.split('/')[1], target = join(work, 'm.glb');
+    // A type is made as `hsd new` makes it, with what it includes.
+    const type = !file.includes('/'), path = type ? join(work, file) : join(root, file), name = basename(file), target = join(work, 'm.glb');
+    if (type) execFileSync(hsd, ['new', file.replace('.hsd', ''), '-o', path], { stdio: 'ignore' });
     start = performance.now();
     const { model, messages } = compile({ name, text: readFileSync(path, 'utf8'), parameters, detail });
     const took = Math.round(performance.now() - start);
     const options = Object.entries(parameters).flatMap(([key, value]) => ['--param', `${key}=${value}`]);
-    execFileSync(hsd, ['build', '--quiet', name, '--detail', String(detail), ...options, '-o', target], { cwd: dirname(path) });
+    execFileSync(hsd, ['build', '--quiet', name, '--detail', String(detail), ...options, '-o', target], { cwd: dirname(path), stdio: ['ignore', 'ignore', 'ignore'] });
     const same = readFileSync(target).equals(model);
     console.log(`  ${file} at detail ${detail}: ${took} ms, ${model.length} bytes${same ? '' : ', not those of the program'}`);
     if (!same) found.push(`${file}: other bytes\n${messages}`);
