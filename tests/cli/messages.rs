@@ -132,7 +132,7 @@ fn towns_tell_how_far_they_are() {
     ] {
         let lines = town(out);
         let done: Vec<u64> = lines.iter().map(|l| l["done"].as_u64().unwrap()).collect();
-        assert!(done.is_sorted() && done.len() > 1, "{out}: {done:?}");
+        assert!(done.is_sorted() && !done.is_empty(), "{out}: {done:?}");
         let report = fs::read_to_string(folder.path().join(report)).unwrap();
         let report: Value = serde_json::from_str(&report).unwrap();
         let last = lines.last().expect("is not empty");

@@ -34,7 +34,8 @@ const TEMPLATE: &str = "{about-with-newline}\n使い方: {usage}\n\n{all-args}{a
 
 /// The headings of manual pages.
 const HEADINGS: [(&str, &str); 5] = [
-    (".SH NAME", ".SH 名前"),
+    // Blanks between words are few in Japanese: a justified line would stretch them.
+    (".SH NAME", ".ad l\n.SH 名前"),
     (".SH SYNOPSIS", ".SH 書式"),
     (".SH DESCRIPTION", ".SH 説明"),
     (".SH EXTRA", ".SH 補足"),
