@@ -1,6 +1,6 @@
 // node site.mjs HSD OUT_DIR [TYPE...]
 // Builds the reference as a static site in English and Japanese: the pages of grammar/, all elements and attributes, all parts with their
-// images, all messages, house types to turn with sliders (those named, or all, which takes some minutes). The site is self-contained: no request goes to another host. Exits with 1 on broken links.
+// images, all messages, house types to turn with sliders (those named, or all, which takes some minutes; where HSD_WEB names what `.ci/web` makes, the page of types compiles texts itself). The site is self-contained: no request goes to another host. Exits with 1 on broken links.
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join, posix, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';

@@ -4,7 +4,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
-const { root, language, words, types } = JSON.parse(document.querySelector('#types').textContent);
+const { root, language, words, types, live } = JSON.parse(document.querySelector('#types').textContent);
 const place = document.querySelector('#houses');
 
 /** An element with attributes and children. */
@@ -45,11 +45,47 @@ function drop(old) {
   });
 }
 
-/** Shows a model; the camera stays unless it is that of another type. */
-async function show(file, anew) {
+const worker = live ? new Worker(`${root}types-worker.js`) : undefined;
+const text = make('textarea', { spellcheck: false, rows: 16 }), said = make('pre', {});
+text.setAttribute('aria-label', words.text);
+
+let turn = Promise.resolve();
+
+/** Compiles the text with parameters in its turn, unless something else is wanted by then: the loaded model. */
+function compiled(number, name, parameters) {
+  const mine = turn.then(() => number === asked ? posted(number, name, parameters) : undefined);
+  turn = mine.catch(() => {});
+  return mine;
+}
+
+/** Compiles in the worker. Says what was found. */
+function posted(number, name, parameters) {
+  const module = new URL(`${root}hsd.wasm`, location.href).href;
+  return new Promise((done, failed) => {
+    const listen = ({ data }) => {
+      if (data.number !== number) return;
+      worker.removeEventListener('message', listen);
+      if (number === asked) said.textContent = data.fault ?? data.messages;
+      if (data.fault) failed(new Error(data.fault));
+      else if (data.model.byteLength === 0) done(undefined);
+      else new GLTFLoader().parseAsync(data.model, '').then(done, failed);
+    };
+    worker.addEventListener('message', listen);
+    worker.postMessage({ number, module, job: { name, text: text.value, parameters, detail: 1, japanese: language === 'ja' } });
+  });
+}
+
+/** Shows a model, that of a file or the one that `wish` begins; the camera stays unless it is that of another type. */
+async function show(wish, anew) {
   const number = ++asked;
   place.dataset.state = 'loading';
-  const { scene: next } = await new GLTFLoader().loadAsync(root + file);
+  const made = await (typeof wish === 'string' ? new GLTFLoader().loadAsync(root + wish) : wish(number));
+  // A text with errors leaves the model as it was.
+  if (!made) {
+    if (number === asked) place.dataset.state = 'shown';
+    return;
+  }
+  const next = made.scene;
   if (number !== asked) return drop(next);
   if (model) drop(model);
   model = next;
@@ -77,6 +113,11 @@ const sliders = make('div', { className: 'sliders' });
 
 /** Shows a type with its sliders. */
 function open(type) {
+  text.value = type.text;
+  const build = number => compiled(number, `${type.type}.hsd`, Object.fromEntries(inputs
+    .filter(({ slider, input }) => Number(input.value) !== slider.at && text.value.includes(`<Param name="${slider.name}"`))
+    .map(({ slider, input }) => [slider.name, slider.values[input.value]])));
+  text.oninput = () => show(build, false).catch(failed);
   const inputs = type.sliders.map(slider => {
     const said = make('output', {}), input = make('input', { type: 'range', min: 0, max: slider.values.length - 1, step: 1, value: slider.at });
     const tell = () => {
@@ -84,9 +125,9 @@ function open(type) {
       said.value = `${shown}${slider.unit ? ` ${slider.unit}` : ''}${Number(input.value) === slider.at ? ` (${words.as})` : ''}`;
     };
     input.addEventListener('input', () => {
-      for (const other of inputs) if (other.input !== input) { other.input.value = other.slider.at; other.tell(); }
+      if (!live) for (const other of inputs) if (other.input !== input) { other.input.value = other.slider.at; other.tell(); }
       tell();
-      show(slider.files[input.value], false).catch(failed);
+      show(live ? build : slider.files[input.value], false).catch(failed);
     });
     tell();
     return { slider, input, tell, row: make('label', { title: slider.doc[language] }, make('span', { textContent: slider.name }), input, said, make('small', { textContent: slider.doc[language] })) };
@@ -98,6 +139,7 @@ function open(type) {
 const list = make('select', {}, ...types.map(({ type }) => make('option', { textContent: type, value: type })));
 list.addEventListener('change', () => open(types[list.selectedIndex]));
 place.append(make('label', {}, `${words.type} `, list), renderer.domElement, sliders);
+if (live) place.append(make('details', {}, make('summary', { textContent: words.text }), text), said);
 const size = () => {
   const width = place.clientWidth, height = Math.round(width * 0.6);
   renderer.setSize(width, height);

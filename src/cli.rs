@@ -253,7 +253,7 @@ impl Command {
             #[cfg(feature = "lsp")]
             Command::Lsp(c) => c.run(language),
             Command::Completions(c) => c.run(language),
-            Command::Man(c) => c.run(),
+            Command::Man(c) => c.run(language),
         }
     }
 }

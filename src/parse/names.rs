@@ -20,7 +20,9 @@ pub(crate) mod links;
 mod scopes;
 pub(crate) mod table;
 
+#[cfg(any(feature = "lsp", feature = "view"))]
 pub(crate) use resolve::resolve;
+#[cfg(any(feature = "lsp", feature = "view"))]
 pub(crate) use scopes::Definition;
 
 /// The kind of a symbol.

@@ -20,6 +20,9 @@ use crate::town::stream::Ledger;
 use serde_json::{Map, Value};
 use std::io;
 
+/// Receives objects of a city.
+type Take<'t> = dyn FnMut(CityHouse) -> io::Result<()> + 't;
+
 /// Returns the head of a town's city.
 pub fn city(plan: &Plan) -> City {
     let name = &plan.frame.crs.name;
@@ -29,14 +32,15 @@ pub fn city(plan: &Plan) -> City {
     }
 }
 
-/// Makes the houses of a town; with openings if `openings`, else walls and roofs only. `take` gets each.
+/// Makes the houses of a town; with openings if `openings`, else walls and roofs only. `take` gets each;
+/// `progress` is called with the number of features of each tile.
 ///
 /// # Errors
 /// Those of `take`, and the one that ended the houses.
 pub fn houses(
     job: TileJob<'_>,
     openings: bool,
-    take: &mut dyn FnMut(CityHouse) -> io::Result<()>,
+    (take, progress): (&mut Take<'_>, &dyn Fn(usize)),
     out: &mut Diagnostics,
 ) -> io::Result<(Ledger, Vec<Source>)> {
     let levels: &[(&str, Detail)] = match openings {
@@ -85,6 +89,7 @@ pub fn houses(
         ledger.report.corrected.extend(problems(&found));
         out.append(found);
         all.into_iter().flatten().try_for_each(&mut *take)?;
+        progress(tile.features());
     }
     grounds(job, details[details.len() - 1], &mut unique, take)?;
     ledger.finish(job.plan, out)
@@ -95,7 +100,7 @@ fn grounds(
     job: TileJob<'_>,
     detail: Detail,
     unique: &mut Names,
-    take: &mut dyn FnMut(CityHouse) -> io::Result<()>,
+    take: &mut Take<'_>,
 ) -> io::Result<()> {
     for (patch, mesh) in terrain::meshes(job.plan, detail)? {
         let known = attributes(&piece::row((job.plan, job.input.source), patch.cell));

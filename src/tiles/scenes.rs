@@ -18,13 +18,14 @@ use std::io;
 pub type Take<'t> = dyn FnMut(&str, &Scene, &Library) -> io::Result<()> + 't;
 
 /// Makes a town at a level of detail, tile by tile, then its ground, piece by piece; tiles without houses are left out.
+/// `progress` is called with the number of features of each.
 ///
 /// # Errors
 /// Those of `take`, and the one that ended the houses.
 pub fn scenes(
     job: TileJob<'_>,
     detail: Detail,
-    take: &mut Take<'_>,
+    (take, progress): (&mut Take<'_>, &dyn Fn(usize)),
     out: &mut Diagnostics,
 ) -> io::Result<(Ledger, Vec<Source>)> {
     let (input, details) = (job.input, [detail]);
@@ -37,6 +38,7 @@ pub fn scenes(
         let houses = std::mem::take(&mut made.houses);
         ledger.add(made.chunk)?;
         if houses.is_empty() {
+            progress(tile.features());
             continue;
         }
         let mut found = Diagnostics::new();
@@ -45,6 +47,7 @@ pub fn scenes(
         ledger.report.corrected.extend(problems(&found));
         out.append(found);
         take(&tile.key.stem(), &level.scene, &level.library)?;
+        progress(tile.features());
     }
     for (patch, mesh) in terrain::meshes(job.plan, detail)? {
         let mut scene = SceneBuilder::new(detail);

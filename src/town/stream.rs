@@ -25,6 +25,9 @@ use std::io;
 /// The number of chunks that are evaluated at a time. It is fixed, so that nothing depends on the number of threads.
 const AHEAD: usize = 8;
 
+/// The number of features that are told of at a time, at least.
+const TOLD: usize = 16;
+
 /// What became of the features of a town so far.
 #[derive(Debug, Default)]
 pub struct Ledger {
@@ -50,6 +53,34 @@ pub struct TownStream<'a> {
     ready: VecDeque<FeatureHouse>,
     next: usize,
     ledger: Ledger,
+    begun: VecDeque<Begun>,
+    progress: &'a (dyn Fn(usize) + Sync),
+}
+
+/// Features of which some houses wait to be taken.
+struct Begun {
+    features: usize,
+    /// Of these, the number of which it is told that they are done.
+    told: usize,
+    houses: usize,
+    /// Of these, the number that is taken.
+    taken: usize,
+}
+
+impl Begun {
+    /// Returns how many features more are done, each as far as its share of the houses; few at a time are kept back.
+    fn more(&mut self) -> usize {
+        let done = match self.taken < self.houses {
+            true => self.features * self.taken / self.houses,
+            false => self.features,
+        };
+        let more = done - self.told;
+        if more < TOLD && done < self.features {
+            return 0;
+        }
+        self.told = done;
+        more
+    }
 }
 
 impl<'a> TownStream<'a> {
@@ -61,6 +92,27 @@ impl<'a> TownStream<'a> {
             ready: VecDeque::new(),
             next: 0,
             ledger: Ledger::default(),
+            begun: VecDeque::new(),
+            progress: &|_| (),
+        }
+    }
+
+    /// Calls `progress` with the number of features whose houses are taken, whenever there are some more.
+    pub fn telling(self, progress: &'a (dyn Fn(usize) + Sync)) -> TownStream<'a> {
+        TownStream { progress, ..self }
+    }
+
+    /// Tells of features that are done.
+    fn tell(&mut self) {
+        while let Some(first) = self.begun.front_mut() {
+            let more = first.more();
+            if more > 0 {
+                (self.progress)(more);
+            }
+            if first.told < first.features {
+                break;
+            }
+            self.begun.pop_front();
         }
     }
 
@@ -69,22 +121,33 @@ impl<'a> TownStream<'a> {
         let chunks: Vec<_> = self.houses.chunks().skip(self.next).take(AHEAD).collect();
         self.next += chunks.len();
         let houses = &self.houses;
-        let made: Vec<Chunk> = chunks
+        let made: Vec<(usize, Chunk)> = chunks
             .into_par_iter()
-            .map(|lots| houses.evaluate(lots))
+            .map(|lots| (lots.len(), houses.evaluate(lots)))
             .collect();
         let more = !made.is_empty();
-        for chunk in made {
+        for (features, chunk) in made {
             // In memory nothing can fail.
-            self.ready
-                .extend(self.ledger.add(chunk).unwrap_or_default());
+            let houses = self.ledger.add(chunk).unwrap_or_default();
+            self.begun.push_back(Begun {
+                features,
+                told: 0,
+                houses: houses.len(),
+                taken: 0,
+            });
+            self.ready.extend(houses);
         }
+        self.tell();
         more
     }
 
     /// Evaluates what is left, and returns the ledger. Reports fields that are missing and features that no rule takes.
     pub fn finish(mut self, out: &mut Diagnostics) -> (Ledger, Vec<Source>) {
         while self.refill() {}
+        self.begun
+            .iter_mut()
+            .for_each(|begun| begun.taken = begun.houses);
+        self.tell();
         let finished = self.ledger.finish(self.plan, out);
         finished.unwrap_or_default()
     }
@@ -221,6 +284,10 @@ impl Iterator for TownStream<'_> {
                 return None;
             }
         }
+        if let Some(first) = self.begun.front_mut() {
+            first.taken += 1;
+        }
+        self.tell();
         self.ready.pop_front()
     }
 }

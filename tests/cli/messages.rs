@@ -123,19 +123,22 @@ fn towns_tell_how_far_they_are() {
         }
         lines
     };
-    for out in ["town.glb", "town.city.jsonl"] {
-        assert!(town(out).is_empty(), "{out}");
+    for (out, report) in [
+        ("town.glb", "town.report.json"),
+        ("town.obj", "town.report.json"),
+        ("town.city.jsonl", "town.city.report.json"),
+        ("houses.hsd", "houses.report.json"),
+        ("town/", "town/report.json"),
+    ] {
+        let lines = town(out);
+        let done: Vec<u64> = lines.iter().map(|l| l["done"].as_u64().unwrap()).collect();
+        assert!(done.is_sorted() && !done.is_empty(), "{out}: {done:?}");
+        let report = fs::read_to_string(folder.path().join(report)).unwrap();
+        let report: Value = serde_json::from_str(&report).unwrap();
+        let last = lines.last().expect("is not empty");
+        let all = (&report["features"], &report["features"]);
+        assert_eq!((&last["done"], &last["of"]), all, "{out}");
     }
-    let lines = town("town/");
-    let done: Vec<u64> = lines.iter().map(|l| l["done"].as_u64().unwrap()).collect();
-    assert!(done.is_sorted() && !done.is_empty(), "{done:?}");
-    let report = fs::read_to_string(folder.path().join("town/report.json")).unwrap();
-    let report: Value = serde_json::from_str(&report).unwrap();
-    let last = lines.last().expect("is not empty");
-    assert_eq!(
-        (&last["done"], &last["of"]),
-        (&report["features"], &report["features"])
-    );
     // A town that cannot be read is told likewise.
     fs::write(
         folder.path().join("none.hsd"),
@@ -154,8 +157,8 @@ fn towns_tell_how_far_they_are() {
 #[test]
 fn every_command_has_a_page() {
     let folder = folder();
-    for out in ["man", "again"] {
-        let run = hsd(folder.path(), &["man", out]);
+    for (lang, out) in [("en", "man"), ("en", "again"), ("ja", "ja")] {
+        let run = hsd(folder.path(), &["--lang", lang, "man", out]);
         assert_eq!((code(&run), &*stdout(&run)), (0, ""));
     }
     let pages = names(&folder.path().join("man"));
@@ -176,6 +179,14 @@ fn every_command_has_a_page() {
             page.contains(".SH SYNOPSIS") && page.contains(env!("CARGO_PKG_VERSION")),
             "{page}"
         );
+        let page = read("ja");
+        let headings = page.lines().filter_map(|line| line.strip_prefix(".SH "));
+        let headings: Vec<&str> = headings.collect();
+        assert!(
+            headings.starts_with(&["名前", "書式", "説明"]),
+            "{headings:?}"
+        );
+        assert!(headings.iter().all(|h| !h.is_ascii()), "{headings:?}");
     }
 }
 

@@ -1,8 +1,10 @@
 //! `hsd town` to a folder: a town in tiles.
 
 mod folder;
+mod progress;
 
 pub(super) use folder::Folder;
+pub(super) use progress::Progress;
 
 use super::streamed;
 use crate::ast;
@@ -22,11 +24,9 @@ use crate::tiles::run::{self, TileJob, TileParts, TiledTown};
 use crate::tiles::{TileStore, envelopes};
 use crate::town::stream::Ledger;
 use crate::town::{Plan, TownInput};
-use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::BTreeMap;
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
 
 /// The noun for features of maps.
 pub(super) const FEATURE: Noun = noun("feature", "地物{}件");
@@ -117,21 +117,11 @@ pub(super) fn build(
         spool: plan.lodged.is_some().then_some(&spool),
         ..parts.job(input, plan, &read.catalog, &division)
     };
-    let (of, done) = (plan.features(), Mutex::new(Ok(0)));
-    let bar = bar(of, wish.quiet, teller.language);
-    let progress = |features| {
-        bar.inc(features as u64);
-        // One line after another. Where nobody reads them any more, the run goes on and ends with that.
-        let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Ok(before) = *done {
-            let now = before + features;
-            *done = teller.progress(now, of).map(|()| now);
-        }
-    };
-    let made = run::run(job, &folder, &progress, &mut out);
-    bar.finish_and_clear();
+    let progress = Progress::new(plan.features(), wish.quiet, teller);
+    let made = run::run(job, &folder, &|n| progress.advance(n), &mut out);
+    progress.clear();
     let mut made = made.map_err(failed)?;
-    done.into_inner().unwrap_or_else(PoisonError::into_inner)?;
+    progress.finish()?;
     finish(wish, (&mut made, plan), &folder, teller.language)?;
     Ok((made.ledger.is_incomplete(), made.included, out))
 }
@@ -163,19 +153,6 @@ pub(super) fn finish(
         writeln!(io::stderr(), "{}", statistics(made).in_language(language))?;
     }
     Ok(())
-}
-
-/// Returns a bar with rate and time left, hidden where nobody looks.
-fn bar(features: usize, quiet: bool, language: Language) -> ProgressBar {
-    if quiet || !io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template(language.choose(
-        "{bar:40} {pos}/{len} features, {per_sec}, {eta} left",
-        "{bar:40} {pos}/{len} 件、{per_sec}、残り {eta}",
-    ));
-    let bar = ProgressBar::new(features as u64);
-    style.map_or(bar.clone(), |style| bar.with_style(style))
 }
 
 /// Returns the line printed of the envelopes of lots; `None` if there are none.

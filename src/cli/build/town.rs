@@ -7,7 +7,7 @@ mod text;
 
 use super::NO_COMPRESS;
 use super::tiled;
-use super::tiled::{FEATURE, Wish, tables};
+use super::tiled::{FEATURE, Progress, Wish, tables};
 use crate::backend::gltf::Writer;
 use crate::cli::files::input::Inputs;
 use crate::cli::files::messages::{MessageArgs, Teller};
@@ -247,7 +247,7 @@ impl Town {
     ) -> Result<Built, Failure> {
         let openings = self.detail.iter().copied().max().unwrap_or(3) > 0;
         let wish = (&*self.output, form, openings, self.is_quiet(teller));
-        city::build(wish, input, town, out, teller.language)
+        city::build(wish, input, town, out, teller)
     }
 
     /// Builds a town as a `.obj` a tile.
@@ -259,7 +259,7 @@ impl Town {
         teller: Teller,
     ) -> Result<Built, Failure> {
         let wish = (&*self.output, input.options.detail, self.is_quiet(teller));
-        obj::build(wish, input, town, out, teller.language)
+        obj::build(wish, input, town, out, teller)
     }
 
     /// Writes the houses of a town as one source file.
@@ -278,7 +278,7 @@ impl Town {
             )));
         }
         let wish = (&*self.output, self.is_quiet(teller));
-        text::build(wish, input, town, out, teller.language)
+        text::build(wish, input, town, out, teller)
     }
 
     /// Builds a town in tiles.
@@ -307,7 +307,9 @@ impl Town {
         mut out: Diagnostics,
         teller: Teller,
     ) -> Result<(Built, bool), Failure> {
-        let mut houses = TownStream::new(input, plan);
+        let progress = Progress::new(plan.features(), self.is_quiet(teller), teller);
+        let advance = |n| progress.advance(n);
+        let mut houses = TownStream::new(input, plan).telling(&advance);
         let model = self.output.clone();
         let failed = |error| Failure::at(model.display(), error);
         let new = tiled::spools_beside(&model);
@@ -325,6 +327,7 @@ impl Town {
         .map_err(failed)?;
         let corrected = problems(&out);
         let (mut ledger, included) = houses.finish(&mut out);
+        progress.finish()?;
         ledger.report.corrected.extend(corrected);
         if out.has_errors() {
             return Ok(((true, included, out), false));

@@ -18,18 +18,52 @@ use help::render::RENDER;
 use help::town::TOWN;
 use help::{COMMANDS, COMMON, CommandHelp};
 
+/// Where help is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Medium {
+    /// At a terminal: lines are broken here.
+    Terminal,
+    /// On a manual page: `man` breaks lines, and begins one for each that begins with a blank.
+    Page,
+}
+
 /// The width of help texts in columns.
 const COLUMNS: usize = 76;
 
 const TEMPLATE: &str = "{about-with-newline}\n使い方: {usage}\n\n{all-args}{after-help}";
 
+/// The headings of manual pages.
+const HEADINGS: [(&str, &str); 5] = [
+    // Blanks between words are few in Japanese: a justified line would stretch them.
+    (".SH NAME", ".ad l\n.SH 名前"),
+    (".SH SYNOPSIS", ".SH 書式"),
+    (".SH DESCRIPTION", ".SH 説明"),
+    (".SH EXTRA", ".SH 補足"),
+    (".SH VERSION", ".SH バージョン"),
+];
+
 /// Translates the help of a command and its subcommands.
 pub(in crate::cli) fn command(mut english: Command) -> Command {
     english.build();
-    translated(english, "")
+    translated(english, "", Medium::Terminal)
 }
 
-fn translated(mut command: Command, path: &str) -> Command {
+/// Translates what manual pages are made of.
+pub(in crate::cli) fn for_pages(mut english: Command) -> Command {
+    english.build();
+    translated(english, "", Medium::Page)
+}
+
+/// Translates the headings of a manual page.
+pub(in crate::cli) fn page(english: &str) -> String {
+    let heading = |line: &str| {
+        let known = HEADINGS.iter().find(|(heading, _)| *heading == line);
+        known.map_or(line, |(_, japanese)| japanese).to_owned() + "\n"
+    };
+    english.lines().map(heading).collect()
+}
+
+fn translated(mut command: Command, path: &str, medium: Medium) -> Command {
     let usage = command.render_usage().to_string();
     let usage = usage.trim_start_matches("Usage: ");
     let usage = ["[OPTIONS]", "[COMMAND]", "<COMMAND>"]
@@ -53,16 +87,16 @@ fn translated(mut command: Command, path: &str) -> Command {
         .help_template(TEMPLATE)
         .override_usage(usage)
         .subcommand_help_heading("コマンド")
-        .mut_args(|arg| argument(arg, entry))
+        .mut_args(|arg| argument(arg, entry, medium))
         .mut_subcommands(|sub| {
             let path = below(sub.get_name());
-            translated(sub, &path)
+            translated(sub, &path, medium)
         });
     let Some(entry) = entry else { return command };
-    let about = folded(entry.about);
+    let about = folded(entry.about, medium);
     let long = match entry.more {
         "" => about.clone(),
-        more => format!("{about}\n\n{}", folded(more)),
+        more => format!("{about}\n\n{}", folded(more, medium)),
     };
     let command = command.about(about).long_about(long);
     match entry.examples {
@@ -72,7 +106,7 @@ fn translated(mut command: Command, path: &str) -> Command {
 }
 
 /// Translates the help, values and default of an argument.
-fn argument(arg: Arg, entry: Option<&CommandHelp>) -> Arg {
+fn argument(arg: Arg, entry: Option<&CommandHelp>, medium: Medium) -> Arg {
     let heading = match arg.is_positional() {
         true => "引数",
         false => "オプション",
@@ -101,32 +135,40 @@ fn argument(arg: Arg, entry: Option<&CommandHelp>) -> Arg {
         true => String::new(),
         false => format!(" [値: {}]", names.join(", ")),
     };
-    let mut long = folded(&format!("{help}{default}"));
+    let mut long = folded(&format!("{help}{default}"), medium);
     if !more.is_empty() {
-        long += &format!("\n\n{}", folded(more));
+        long += &format!("\n\n{}", folded(more, medium));
     }
     if !values.is_empty() {
         long += "\n\n値:";
-        long.extend(values.iter().map(|value| listed(value, entry)));
+        let lines = values.iter().map(|value| listed(value, entry, medium));
+        long.extend(lines);
     }
-    arg.help(folded(&format!("{help}{choice}{default}")))
+    arg.help(folded(&format!("{help}{choice}{default}"), medium))
         .long_help(long)
 }
 
 /// Returns a line for an argument value and its description.
-fn listed(value: &PossibleValue, entry: Option<&CommandHelp>) -> String {
+fn listed(value: &PossibleValue, entry: Option<&CommandHelp>, medium: Medium) -> String {
     let name = value.get_name();
+    let indent = match medium {
+        Medium::Terminal => "",
+        Medium::Page => "  ",
+    };
     let specific = entry.map_or(&[][..], |e| e.values);
     let mut known = specific.iter().chain(help::VALUES);
     match known.find(|(known, _)| *known == name) {
-        Some((_, meaning)) => format!("\n- {name}: {meaning}"),
-        None => format!("\n- {name}"),
+        Some((_, meaning)) => format!("\n{indent}- {name}: {meaning}"),
+        None => format!("\n{indent}- {name}"),
     }
 }
 
 /// Wraps a string at [`COLUMNS`]. Japanese breaks anywhere except before closing and after opening punctuation; other
-/// words stay whole.
-fn folded(text: &str) -> String {
+/// words stay whole. On a page nothing is wrapped.
+fn folded(text: &str, medium: Medium) -> String {
+    if medium == Medium::Page {
+        return text.to_owned();
+    }
     let mut out = String::new();
     let mut line = String::new();
     for piece in pieces(text) {
@@ -244,8 +286,14 @@ mod tests {
     #[test]
     fn lines_break_where_japanese_may() {
         let text = "あ".repeat(37) + "いう。え";
-        assert_eq!(folded(&text), "あ".repeat(37) + "い\nう。え");
+        assert_eq!(
+            folded(&text, Medium::Terminal),
+            "あ".repeat(37) + "い\nう。え"
+        );
         let text = "あ".repeat(36) + " --format を付ける";
-        assert_eq!(folded(&text), "あ".repeat(36) + "\n--format を付ける");
+        assert_eq!(
+            folded(&text, Medium::Terminal),
+            "あ".repeat(36) + "\n--format を付ける"
+        );
     }
 }

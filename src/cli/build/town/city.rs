@@ -2,10 +2,11 @@
 
 use crate::backend::cityjson::CityHouse;
 use crate::cli::Failure;
-use crate::cli::build::tiled::{FEATURE, spools_beside, tables};
+use crate::cli::build::tiled::{FEATURE, Progress, spools_beside, tables};
+use crate::cli::files::messages::Teller;
 use crate::cli::files::output::{folder_of, temporary_in};
 use crate::cli::files::terminal::{HOUSE, bytes, counted};
-use crate::diagnostic::{Diagnostics, Language, Text};
+use crate::diagnostic::{Diagnostics, Text};
 use crate::driver;
 use crate::source::Source;
 use crate::text;
@@ -45,7 +46,7 @@ pub(super) fn build(
     input: TownInput<'_>,
     (read, plan): (driver::Read, &Plan),
     mut out: Diagnostics,
-    language: Language,
+    teller: Teller,
 ) -> Result<(bool, Vec<Source>, Diagnostics), Failure> {
     let failed = |error| Failure::at(path.display(), error);
     let parts = TileParts::of(&read, input.options);
@@ -76,8 +77,12 @@ pub(super) fn build(
             }
         }
     };
-    let made = city::houses(job, openings, &mut take, &mut out);
+    let progress = Progress::new(plan.features(), quiet, teller);
+    let advance = |n| progress.advance(n);
+    let made = city::houses(job, openings, (&mut take, &advance), &mut out);
+    progress.clear();
     let (mut ledger, included) = made.map_err(failed)?;
+    progress.finish()?;
     if form == CityForm::Whole {
         write(head.file(kept)).map_err(failed)?;
     }
@@ -87,7 +92,7 @@ pub(super) fn build(
     tables(path, &mut ledger)?;
     if !quiet {
         let line = summary(path, &ledger, houses, size);
-        writeln!(io::stderr(), "{}", line.in_language(language))?;
+        writeln!(io::stderr(), "{}", line.in_language(teller.language))?;
     }
     Ok((ledger.is_incomplete(), included, out))
 }

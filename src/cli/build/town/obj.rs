@@ -2,10 +2,11 @@
 
 use crate::backend::obj;
 use crate::cli::Failure;
-use crate::cli::build::tiled::{FEATURE, spools_beside, tables};
+use crate::cli::build::tiled::{FEATURE, Progress, spools_beside, tables};
+use crate::cli::files::messages::Teller;
 use crate::cli::files::output::{folder_of, write_all};
 use crate::cli::files::terminal::{bytes, counted};
-use crate::diagnostic::{Diagnostics, Language, noun};
+use crate::diagnostic::{Diagnostics, noun};
 use crate::driver;
 use crate::scene::Detail;
 use crate::source::Source;
@@ -23,7 +24,7 @@ pub(super) fn build(
     input: TownInput<'_>,
     (read, plan): (driver::Read, &Plan),
     mut out: Diagnostics,
-    language: Language,
+    teller: Teller,
 ) -> Result<(bool, Vec<Source>, Diagnostics), Failure> {
     let parts = TileParts::of(&read, input.options);
     let spool = spools_beside(path);
@@ -34,29 +35,35 @@ pub(super) fn build(
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let (mut files, mut size) = (0, 0);
     let mut failure = None;
+    let progress = Progress::new(plan.features(), quiet, teller);
     let made = scenes(
         job,
         detail,
-        &mut |tile, scene, library| {
-            let written = obj::obj(scene, library, &format!("{stem}-{tile}")).into_iter();
-            let written = written.map(|file| {
-                let target = folder_of(path).join(&file.name);
-                (target, file.bytes.into_owned())
-            });
-            let written: Vec<_> = written.collect();
-            files += 1;
-            size += written.iter().map(|(_, bytes)| bytes.len()).sum::<usize>();
-            write_all(written).map_err(|why| {
-                failure = Some(why);
-                io::ErrorKind::Other.into()
-            })
-        },
+        (
+            &mut |tile, scene, library| {
+                let written = obj::obj(scene, library, &format!("{stem}-{tile}")).into_iter();
+                let written = written.map(|file| {
+                    let target = folder_of(path).join(&file.name);
+                    (target, file.bytes.into_owned())
+                });
+                let written: Vec<_> = written.collect();
+                files += 1;
+                size += written.iter().map(|(_, bytes)| bytes.len()).sum::<usize>();
+                write_all(written).map_err(|why| {
+                    failure = Some(why);
+                    io::ErrorKind::Other.into()
+                })
+            },
+            &|n| progress.advance(n),
+        ),
         &mut out,
     );
+    progress.clear();
     let (mut ledger, included) = made.map_err(|error| match failure.take() {
         Some(why) => why,
         None => Failure::at(path.display(), error),
     })?;
+    progress.finish()?;
     tables(path, &mut ledger)?;
     if !quiet {
         let (name, report) = (path.display(), &ledger.report);
@@ -66,7 +73,7 @@ pub(super) fn build(
             "{name}: {features}, {built} of them built, {files}, {size}",
             "{name}: {features}、うち {built} 件に建物、{files}、{size}"
         );
-        writeln!(io::stderr(), "{}", line.in_language(language))
+        writeln!(io::stderr(), "{}", line.in_language(teller.language))
             .map_err(|error| Failure::at(path.display(), error))?;
     }
     Ok((ledger.is_incomplete(), included, out))

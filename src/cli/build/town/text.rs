@@ -1,7 +1,8 @@
 //! `hsd town` to a `.hsd`: the houses of a town as one source file.
 
 use crate::cli::Failure;
-use crate::cli::build::tiled::{FEATURE, tables};
+use crate::cli::build::tiled::{FEATURE, Progress, tables};
+use crate::cli::files::messages::Teller;
 use crate::cli::files::output::write_all;
 use crate::cli::files::terminal::{HOUSE, counted};
 use crate::diagnostic::{Diagnostics, Language};
@@ -21,14 +22,16 @@ pub(super) fn build(
     input: TownInput<'_>,
     (read, plan): (Read, &Plan),
     mut out: Diagnostics,
-    language: Language,
+    teller: Teller,
 ) -> Result<(bool, Vec<Source>, Diagnostics), Failure> {
     let input = TownInput {
         texts: true,
         ..input
     };
     let limits = &input.options.expand.limits;
-    let mut town = TownStream::new(input, plan);
+    let progress = Progress::new(plan.features(), quiet, teller);
+    let advance = |n| progress.advance(n);
+    let mut town = TownStream::new(input, plan).telling(&advance);
     let mut file = head(input, plan);
     for part in read.documents.iter().flat_map(|document| &document.parts) {
         file.push_str(written(
@@ -58,9 +61,11 @@ pub(super) fn build(
     let laid_out = print::format(&source, limits, &mut Diagnostics::new());
     let file = laid_out.unwrap_or(file);
     let (mut ledger, included) = town.finish(&mut out);
+    progress.finish()?;
     write_all(vec![(path.to_owned(), file.into_bytes())])?;
     tables(path, &mut ledger)?;
     let failed = |error| Failure::at(path.display(), error);
+    let language = teller.language;
     not_written(&unwritten, language).map_err(failed)?;
     left_out(open, language).map_err(failed)?;
     if !quiet {

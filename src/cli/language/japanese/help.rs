@@ -442,11 +442,12 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
     },
     CommandHelp {
         path: "man",
-        about: "`man` のページ (英語) をフォルダーに書く: hsd.1 と、コマンドごとに一つ",
+        about: "`man` のページを `--lang` の言語でフォルダーに書く: hsd.1 と、コマンドごとに一つ",
         more: "",
         examples: "\
 例:
-  hsd man ~/.local/share/man/man1    hsd.1、hsd-build.1 などを書く。`man hsd-build` で読める",
+  hsd man ~/.local/share/man/man1    hsd.1、hsd-build.1 などを書く。`man hsd-build` で読める
+  hsd --lang ja man ~/.local/share/man/ja/man1    日本語のページ。日本語のロケールで `man` が表示する",
         arguments: &[("folder", "フォルダー。なければ作る", "")],
         values: &[],
     },
