@@ -29,7 +29,7 @@ use grid::Grid;
 use image::{GrayImage, RgbImage};
 use kinds::Shown;
 use tone::Light;
-use wall::{Lost, Wall};
+use wall::{Known, Lost, Wall};
 
 /// The focal length where nothing says it, as a part of the diagonal of the photograph: 28 mm on film, as telephones have.
 const USUAL_FOCAL: f64 = 0.647;
@@ -228,8 +228,15 @@ fn guessed(photo: &Photo, given: &Given, edges: &[lines::Edge]) -> (Lens, f64) {
 /// If there is no wall.
 pub fn found(photo: &mut Photo, given: &Given) -> Result<View, Lost> {
     let edges = wall::edges(&photo.pixels);
-    photo.bend = Some(guessed(photo, given, &edges).0.bend);
-    by_edges(photo, &edges, None, given)
+    let view = by_edges(photo, &edges, None, given);
+    // In the unit of the guessed focal length, as it is used before the true one is known.
+    let (lens, _) = guessed(photo, given, &edges);
+    photo.bend = Some(view.map_or(lens.bend, |view| {
+        let scale = lens.focal / view.lens.focal;
+        let [k1, k2] = view.lens.bend;
+        [k1 * scale.powi(2), k2 * scale.powi(4)]
+    }));
+    view
 }
 
 /// How a photograph sees the wall.
@@ -260,8 +267,15 @@ fn by_edges(
             lens,
             trust: 1.0,
         },
-        None => wall::find(&photo.pixels, edges, &lens)?,
+        None => {
+            let known = Known {
+                focal: told.is_some(),
+                bend: given.bend.or(photo.bend).is_some(),
+            };
+            wall::find(&photo.pixels, edges, &lens, known)?
+        },
     };
+    lens = wall.lens;
     let map = homography(UNIT, wall.straight);
     let square = focal_of(map, lens.middle).filter(|f| (0.3..4.0).contains(&(f / usual)));
     let focal = told

@@ -25,6 +25,8 @@ const LEAST: f64 = 0.08;
 const CLEAR: f64 = 0.35;
 /// Places along a side at which its edge is looked for.
 const PLACES: usize = 140;
+/// How often lens and plane are settled.
+const SETTLED: usize = 2;
 /// How far off it is looked for, as a part of the longer side of the photograph.
 const NEAR: f64 = 0.0022;
 
@@ -39,6 +41,15 @@ pub struct Wall {
     pub lens: Lens,
     /// How far the sides are seen, 0 to 1.
     pub trust: f64,
+}
+
+/// What is known of a photograph before its wall is looked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Known {
+    /// Whether the focal length is told, not guessed.
+    pub focal: bool,
+    /// Whether it is told how the lens bends lines.
+    pub bend: bool,
 }
 
 /// Why there is no wall: what was looked for.
@@ -82,13 +93,16 @@ pub fn edges(photo: &RgbImage) -> Vec<lines::Edge> {
 ///
 /// # Errors
 /// If there are no edges of a wall; with what was found.
-pub fn find(photo: &RgbImage, edges: &[lines::Edge], lens: &Lens) -> Result<Wall, Lost> {
+pub fn find(
+    photo: &RgbImage,
+    edges: &[lines::Edge],
+    lens: &Lens,
+    known: Known,
+) -> Result<Wall, Lost> {
     if edges.len() < 12 {
         return Err(Lost::Edges(edges.len()));
     }
-    let straight: Vec<Straight> = edges.iter().map(|e| Straight::of(e, lens)).collect();
-    let meeting = vanish::meeting(&straight, lens).ok_or(Lost::Meeting)?;
-    let plane = plane(&meeting, lens).ok_or(Lost::Meeting)?;
+    let (lens, straight, plane) = settled(edges, *lens, known).ok_or(Lost::Meeting)?;
     let [across, down] = sorted(&straight, plane);
     let (sides, shares) = rectangle(&across, &down).ok_or(Lost::Sides(0.0))?;
     let trust = shares.into_iter().fold(1.0, f64::min);
@@ -99,12 +113,80 @@ pub fn find(photo: &RgbImage, edges: &[lines::Edge], lens: &Lens) -> Result<Wall
     let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
     let back = plane.inverse();
     let rough = corners.map(|(u, v)| project(back, dvec2(u, v)));
-    let straight = refined(photo, lens, rough, shares.map(|s| s > CLEAR));
+    let straight = refined(photo, &lens, rough, shares.map(|s| s > CLEAR));
     Ok(Wall {
         corners: straight.map(|p| lens.bent(p)),
         straight,
-        lens: *lens,
+        lens,
         trust,
+    })
+}
+
+/// The lens, the edges in the straight picture and the plane of the wall, settled by its long lines: those of the frame and of the
+/// lattice of bays, each of all edges that lie on it. They say better than single edges how the lens bends and where parallels meet.
+fn settled(
+    edges: &[lines::Edge],
+    mut lens: Lens,
+    known: Known,
+) -> Option<(Lens, Vec<Straight>, DMat3)> {
+    let of = |lens: &Lens| -> Vec<Straight> { edges.iter().map(|e| Straight::of(e, lens)).collect() };
+    let mut straight = of(&lens);
+    let mut meeting = vanish::meeting(&straight, &lens)?;
+    let mut plane = plane(&meeting, &lens)?;
+    for _ in 0..std::env::var("N").map_or(3, |n| n.parse().unwrap()) {
+        let groups = long_lines(&straight, plane);
+        if !known.bend {
+            let longest = 2.0 * lens.middle.max_element();
+            let mut long: Vec<lines::Edge> = (groups.iter().flatten())
+                .map(|group| lines::Edge::joined(group.iter().map(|k| &edges[*k])))
+                .collect();
+            long.sort_by(|a, b| b.length().total_cmp(&a.length()));
+            lens.bend = vanish::bending(&long, &lens, longest).unwrap_or(lens.bend);
+            straight = of(&lens);
+        }
+        let lines = groups.map(|groups| -> Vec<Straight> {
+            let joined = |group: &Vec<usize>| Straight::joined(group.iter().map(|k| &straight[*k]));
+            groups.iter().map(joined).collect()
+        });
+        let next = meeting.refined(&lines, &lens);
+        let next = match known.focal && std::env::var("Q").is_err() {
+            true => next.and_then(|m| m.squared(&lines, &lens)),
+            false => next,
+        };
+        let Some((next, moved)) = next.and_then(|m| Some((m, self::plane(&m, &lens)?))) else {
+            break;
+        };
+        (meeting, plane) = (next, moved);
+    }
+    Some((lens, straight, plane))
+}
+
+/// The edges on each long line of a wall: lines across, and lines down.
+fn long_lines(edges: &[Straight], plane: DMat3) -> [Vec<Vec<usize>>; 2] {
+    [0, 1].map(|way| {
+        let stroke = |k: usize| sorted(&edges[k..=k], plane)[way].first().copied();
+        let on = (0..edges.len()).filter_map(|k| Some((stroke(k)?, k)));
+        let mut on: Vec<(Stroke, usize)> = on.collect();
+        on.sort_by(|a, b| a.0.at.total_cmp(&b.0.at));
+        let reach = on.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |r, (s, _)| {
+            (r.0.min(s.from), r.1.max(s.to))
+        });
+        let apart = APART * (reach.1 - reach.0);
+        let mut lines: Vec<Vec<usize>> = vec![];
+        let (mut first, mut last) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+        for (stroke, edge) in on {
+            match lines.last_mut() {
+                Some(line) if stroke.at - last <= apart / 2.0 && stroke.at - first <= apart => {
+                    line.push(edge);
+                }
+                _ => {
+                    first = stroke.at;
+                    lines.push(vec![edge]);
+                }
+            }
+            last = stroke.at;
+        }
+        lines
     })
 }
 
