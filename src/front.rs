@@ -4,6 +4,7 @@
 //! A wall is found or told by its corners, seen straight through lens and perspective, cut on a lattice of bays and storeys;
 //! cells that show the same part share one clean picture, equally bright.
 
+pub mod before;
 pub mod brush;
 pub mod camera;
 pub mod cells;
@@ -314,12 +315,13 @@ pub fn read(photos: &[Photo], given: &Given) -> Result<Front, Refused> {
     }
     let aspect = views[0].aspect;
     let size = rectify::size(views[0].corners, aspect);
+    let (grid, metres) = lattice(&photos[0], &views[0], size, given)?;
+    let size = rectify::even(size, [&grid.columns, &grid.rows]);
     let straight: Vec<(RgbImage, Vec<bool>)> = photos
         .iter()
         .zip(&views)
         .map(|(p, v)| straight(p, v, size))
         .collect();
-    let (grid, metres) = lattice(&straight[0].0, aspect, given)?;
     let (wall, seen) = parts::composed::composed(straight, &grid);
     let mut front = cut(wall, &seen, grid);
     front.views = views;
@@ -343,14 +345,22 @@ pub fn straight(photo: &Photo, view: &View, size: (u32, u32)) -> (RgbImage, Vec<
     (wall, seen)
 }
 
-/// The lattice, and width and height of the wall in metres.
-fn lattice(wall: &RgbImage, aspect: f64, given: &Given) -> Result<(Grid, DVec2), Refused> {
+/// The lattice, and width and height of the wall in metres; `size` is that of the straight wall, pixels.
+fn lattice(
+    photo: &Photo,
+    view: &View,
+    size: (u32, u32),
+    given: &Given,
+) -> Result<(Grid, DVec2), Refused> {
     let metres = |storeys: usize| {
         let height = STOREY * storeys as f64;
-        given.size.unwrap_or(dvec2(height * aspect, height))
+        given.size.unwrap_or(dvec2(height * view.aspect, height))
     };
     let grid = match &given.lattice {
-        Lattice::Found => Grid::find(wall),
+        Lattice::Found => {
+            let size = rectify::within(size, grid::LONGEST);
+            Grid::find(&straight(photo, view, size).0)
+        }
         Lattice::Even(bays, storeys) => Grid::even(*bays, *storeys),
         Lattice::Lines(columns, rows) => {
             let size = metres(rows.len() + 1);

@@ -3,6 +3,8 @@
 use image::imageops;
 use image::{Rgb, RgbImage};
 
+/// The longer side of the straight wall in which a lattice is looked for, pixels.
+pub const LONGEST: f64 = 1000.0;
 /// The longer side of the picture in which repetition is looked for, pixels.
 const SMALL: f64 = 380.0;
 /// The most bays, and the most storeys.
