@@ -69,6 +69,8 @@ pub struct Given {
     pub focal: Option<f64>,
     /// The lattice.
     pub lattice: Lattice,
+    /// The most further pictures of each part.
+    pub variations: usize,
 }
 
 /// The lattice of a wall, as far as it is known.
@@ -124,6 +126,21 @@ pub struct Part {
     pub cell: usize,
     /// The picture.
     pub picture: RgbImage,
+    /// Further clean pictures of it.
+    pub variations: Vec<RgbImage>,
+}
+
+impl Part {
+    /// The names of its pictures: its own, and with `v1`, `v2` and so on for each variation (000-54).
+    pub fn names(&self) -> Vec<String> {
+        let further = (1..=self.variations.len()).map(|k| format!("{}v{k}", self.name));
+        std::iter::once(self.name.clone()).chain(further).collect()
+    }
+
+    /// Its pictures, as they are named.
+    pub fn pictures(&self) -> impl Iterator<Item = &RgbImage> {
+        std::iter::once(&self.picture).chain(&self.variations)
+    }
 }
 
 /// A wall that was read.
@@ -274,7 +291,7 @@ fn by_edges(
                 bend: given.bend.or(photo.bend).is_some(),
             };
             wall::find(&photo.pixels, edges, &lens, known)?
-        },
+        }
     };
     lens = wall.lens;
     let map = homography(UNIT, wall.straight);
@@ -323,7 +340,7 @@ pub fn read(photos: &[Photo], given: &Given) -> Result<Front, Refused> {
         .map(|(p, v)| straight(p, v, size))
         .collect();
     let (wall, seen) = parts::composed::composed(straight, &grid);
-    let mut front = cut(wall, &seen, grid);
+    let mut front = cut(wall, &seen, grid, given.variations);
     front.views = views;
     front.size = metres;
     Ok(front)
@@ -380,29 +397,15 @@ fn lattice(
     }
 }
 
-/// Cuts a straight wall into parts.
-fn cut(wall: RgbImage, seen: &[bool], grid: Grid) -> Front {
+/// Cuts a straight wall into parts with so many variations at the most.
+fn cut(wall: RgbImage, seen: &[bool], grid: Grid, variations: usize) -> Front {
     let first = cells::cells(&wall, seen, &grid);
     let light = light(&first, &kinds::sorted(&first), &grid);
     let lit = parts::lit(&wall, &light);
     let cells = cells::cells(&lit, seen, &grid);
     let shown = kinds::sorted(&cells);
-    let gains = parts::gains(&shown);
     let storeys = grid.rows.len() - 1;
-    let mut parts: Vec<Part> = (0..cells.len())
-        .filter(|k| shown.iter().any(|s| s.as_cell == *k))
-        .map(|k| {
-            let cell = &cells[k];
-            let (storey, place) = (storeys - cell.row, cell.column + 1);
-            Part {
-                name: format!("f1f{storey}f{place}"),
-                cell: k,
-                picture: parts::cut(&lit, cell, gains[k]),
-            }
-        })
-        .collect();
-    close(&mut parts, &cells, &shown);
-    Front {
+    let mut front = Front {
         views: vec![],
         size: DVec2::ONE,
         wall,
@@ -410,8 +413,24 @@ fn cut(wall: RgbImage, seen: &[bool], grid: Grid) -> Front {
         cells,
         shown,
         light,
-        parts,
-    }
+        parts: vec![],
+    };
+    let gains = parts::gains(&front.shown);
+    let is_core = |k: &usize| front.shown.iter().any(|s| s.as_cell == *k);
+    let parts = (0..front.cells.len()).filter(is_core).map(|k| {
+        let cell = &front.cells[k];
+        let (storey, place) = (storeys - cell.row, cell.column + 1);
+        Part {
+            name: format!("f1f{storey}f{place}"),
+            cell: k,
+            picture: parts::cut(&lit, cell, gains[k]),
+            variations: parts::variations(&front, &lit, (k, gains[k]), variations),
+        }
+    });
+    let mut parts: Vec<Part> = parts.collect();
+    close(&mut parts, &front.cells, &front.shown);
+    front.parts = parts;
+    front
 }
 
 /// The light on a wall, from cells that show the same.
@@ -433,29 +452,39 @@ fn light(cells: &[Cell], shown: &[Shown], grid: &Grid) -> Light {
 
 /// Closes the seams between parts that stand side by side or one above the other.
 fn close(parts: &mut [Part], cells: &[Cell], shown: &[Shown]) {
-    let part = |row: usize, column: usize| {
+    let known: Vec<usize> = parts.iter().map(|p| p.cell).collect();
+    let place = |row: usize, column: usize| {
         let cell = cells
             .iter()
             .position(|c| (c.row, c.column) == (row, column))?;
-        parts.iter().position(|p| p.cell == shown[cell].as_cell)
+        known.iter().position(|p| *p == shown[cell].as_cell)
     };
+    // A variation stands wherever its part does.
+    let mut first = vec![];
+    let mut pictures: Vec<RgbImage> = vec![];
+    for part in parts.iter_mut() {
+        first.push(pictures.len());
+        pictures.push(std::mem::take(&mut part.picture));
+        pictures.append(&mut part.variations);
+    }
+    first.push(pictures.len());
     let mut meetings = vec![];
     for cell in cells {
-        let own = part(cell.row, cell.column);
+        let own = place(cell.row, cell.column);
         for (other, is_above) in [
-            (part(cell.row, cell.column + 1), false),
-            (part(cell.row + 1, cell.column), true),
+            (place(cell.row, cell.column + 1), false),
+            (place(cell.row + 1, cell.column), true),
         ] {
-            meetings.extend(own.zip(other).map(|(a, b)| (a, b, is_above)));
+            if let Some((a, b)) = own.zip(other) {
+                let all = |part: usize| first[part]..first[part + 1];
+                meetings.extend(all(a).flat_map(|a| all(b).map(move |b| (a, b, is_above))));
+            }
         }
     }
-    let mut pictures: Vec<RgbImage> = parts
-        .iter_mut()
-        .map(|p| std::mem::take(&mut p.picture))
-        .collect();
     parts::closed(&mut pictures, &meetings);
-    parts
-        .iter_mut()
-        .zip(pictures)
-        .for_each(|(part, picture)| part.picture = picture);
+    let mut pictures = pictures.into_iter();
+    for (part, own) in parts.iter_mut().zip(first.windows(2)) {
+        part.picture = pictures.next().unwrap_or_default();
+        part.variations = pictures.by_ref().take(own[1] - own[0] - 1).collect();
+    }
 }

@@ -44,7 +44,9 @@ pub fn even((width, height): (u32, u32), lines: [&[f64]; 2]) -> (u32, u32) {
         };
         let room = (EVEN * f64::from(side)) as u32;
         let tried = side - room..=side + room;
-        tried.min_by(|a, b| off(*a).total_cmp(&off(*b))).unwrap_or(side)
+        tried
+            .min_by(|a, b| off(*a).total_cmp(&off(*b)))
+            .unwrap_or(side)
     };
     (side(width, lines[0]), side(height, lines[1]))
 }

@@ -222,9 +222,7 @@ impl Meeting {
             let b = (b - a * a.dot(b)).try_normalize()?;
             Some(DMat3::from_cols(a, b, a.cross(b)))
         };
-        let place = |way: DVec3| {
-            (lens.middle * way.z + way.truncate() * lens.focal).extend(way.z)
-        };
+        let place = |way: DVec3| (lens.middle * way.z + way.truncate() * lens.focal).extend(way.z);
         let mut frame = axes(lens.ray(self.across), lens.ray(self.down))?;
         for _ in 0..TURNS {
             // A small turn `t` of the frame moves an axis by its cross product with it.

@@ -129,11 +129,12 @@ fn settled(
     mut lens: Lens,
     known: Known,
 ) -> Option<(Lens, Vec<Straight>, DMat3)> {
-    let of = |lens: &Lens| -> Vec<Straight> { edges.iter().map(|e| Straight::of(e, lens)).collect() };
+    let of =
+        |lens: &Lens| -> Vec<Straight> { edges.iter().map(|e| Straight::of(e, lens)).collect() };
     let mut straight = of(&lens);
     let mut meeting = vanish::meeting(&straight, &lens)?;
     let mut plane = plane(&meeting, &lens)?;
-    for _ in 0..std::env::var("N").map_or(3, |n| n.parse().unwrap()) {
+    for _ in 0..SETTLED {
         let groups = long_lines(&straight, plane);
         if !known.bend {
             let longest = 2.0 * lens.middle.max_element();
@@ -149,7 +150,7 @@ fn settled(
             groups.iter().map(joined).collect()
         });
         let next = meeting.refined(&lines, &lens);
-        let next = match known.focal && std::env::var("Q").is_err() {
+        let next = match known.focal {
             true => next.and_then(|m| m.squared(&lines, &lens)),
             false => next,
         };
@@ -168,9 +169,11 @@ fn long_lines(edges: &[Straight], plane: DMat3) -> [Vec<Vec<usize>>; 2] {
         let on = (0..edges.len()).filter_map(|k| Some((stroke(k)?, k)));
         let mut on: Vec<(Stroke, usize)> = on.collect();
         on.sort_by(|a, b| a.0.at.total_cmp(&b.0.at));
-        let reach = on.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |r, (s, _)| {
-            (r.0.min(s.from), r.1.max(s.to))
-        });
+        let reach = on
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |r, (s, _)| {
+                (r.0.min(s.from), r.1.max(s.to))
+            });
         let apart = APART * (reach.1 - reach.0);
         let mut lines: Vec<Vec<usize>> = vec![];
         let (mut first, mut last) = (f64::NEG_INFINITY, f64::NEG_INFINITY);

@@ -300,8 +300,13 @@ fn parts_have_variations() {
         let parts = written.iter().filter(|n| n.starts_with("f1"));
         parts.filter(|n| n.ends_with(end)).count()
     };
-    let (first, second, third) = (of(".1.png"), of(".2.png"), of(".3.png"));
+    let (first, second, third) = (of("v1.png"), of("v2.png"), of("v3.png"));
     assert!(first > 0 && second > 0 && third == 0, "{written:?}");
+    // Each place draws one of the set.
+    let text = fs::read_to_string(folder.path().join("front/front.hsd")).unwrap();
+    assert!(text.contains("<random code=\"f1f"), "{text}");
+    let catalogue = fs::read_to_string(folder.path().join("front/parts.csv")).unwrap();
+    assert_eq!(catalogue.matches("v1.png").count(), first);
     let output = hsd(folder.path(), &["check", "front/front.hsd"]);
     assert_eq!(code(&output), 0, "{}", stderr(&output));
 }
