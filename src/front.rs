@@ -15,7 +15,9 @@ pub mod lines;
 pub mod parts;
 pub mod record;
 pub mod rectify;
+pub mod settled;
 pub mod sheet;
+pub mod street;
 pub mod text;
 pub mod tone;
 pub mod vanish;
@@ -29,8 +31,9 @@ use glam::{DMat3, DVec2, dvec2};
 use grid::Grid;
 use image::{GrayImage, RgbImage};
 use kinds::Shown;
+use settled::Known;
 use tone::Light;
-use wall::{Known, Lost, Wall};
+use wall::{Lost, Wall};
 
 /// The focal length where nothing says it, as a part of the diagonal of the photograph: 28 mm on film, as telephones have.
 const USUAL_FOCAL: f64 = 0.647;

@@ -21,8 +21,10 @@ const ALIKE: [f64; 2] = [0.42, 0.58];
 const EDGE: u8 = 56;
 /// The least part of the wall along which the edge of a bar is seen.
 const ALONG: f64 = 0.6;
-/// The most by which edges of one bar lie apart, and bars lie off the border of the wall, as a part of it.
+/// The most by which edges of one bar lie apart, as a part of the wall.
 const BAR: f64 = 0.07;
+/// The least distance of a bar from the border of the wall that is not that of the border itself, as a part of the wall.
+const INNER: f64 = 0.1;
 /// What is left over at the ends of a row of bays, as a part of a bay, and is spread over them.
 const SPREAD: f64 = 0.12;
 
@@ -253,7 +255,7 @@ fn bars(edges: &Edges, of: usize) -> Vec<f64> {
         }
     }
     let middles = found.into_iter().map(|bar| (bar.0 + bar.1) / 2.0);
-    let inner = middles.filter(|at| (BAR..=1.0 - BAR).contains(at));
+    let inner = middles.filter(|at| (INNER..=1.0 - INNER).contains(at));
     std::iter::once(0.0).chain(inner).chain([1.0]).collect()
 }
 

@@ -9,7 +9,7 @@ const SAME: f64 = 0.93;
 /// The part of a hidden cell that agrees with what it shows, at least.
 const HIDDEN: f64 = 0.36;
 /// The same where nothing else has to tell that something stands before it.
-const SURE: f64 = 0.6;
+const SURE: f64 = 0.75;
 /// The part of two cells of one storey or bay that agrees if they show the same behind what hides one of them, at least.
 const BOTH: f64 = 0.45;
 /// The part of a cell that may differ without being of the colours of what stands before the wall.
@@ -70,18 +70,18 @@ pub fn sorted(cells: &[Cell]) -> Vec<Shown> {
             shown[mate] = Some(standing(pair(mate, core), core, false));
         }
     }
-    settle(&mut shown, cells, &whole, SURE, &pair);
+    settle(&mut shown, cells, &whole, (SURE, None), &pair);
     let before = Before::of(cells, &shown, &pair);
     paired(&mut shown, cells, &whole, &before, &pair);
     if before.is_known() {
-        settle(&mut shown, cells, &whole, SURE, &pair);
+        settle(&mut shown, cells, &whole, (SURE, None), &pair);
         for k in 0..cells.len() {
             if shown[k].is_none() {
                 shown[k] = told(k, cells, &shown, &before, &pair);
             }
         }
     } else {
-        settle(&mut shown, cells, &whole, HIDDEN, &pair);
+        settle(&mut shown, cells, &whole, (HIDDEN, Some(&before)), &pair);
     }
     // Trees are larger than bays: twice over.
     for _ in 0..2 {
@@ -101,12 +101,13 @@ pub fn sorted(cells: &[Cell]) -> Vec<Shown> {
         .collect()
 }
 
-/// Says what stands for cells of which a part is hidden and at least this part agrees.
+/// Says what stands for cells of which a part is hidden and at least this part agrees; what hides it has to have the colours of what
+/// stands before the wall, if they are given.
 fn settle<'p>(
     shown: &mut [Option<Shown>],
     cells: &[Cell],
     whole: &[bool],
-    least: f64,
+    least: (f64, Option<&Before>),
     pair: &dyn Fn(usize, usize) -> Option<&'p Likeness>,
 ) {
     for k in 0..cells.len() {
@@ -220,7 +221,7 @@ fn hidden<'p>(
     cells: &[Cell],
     shown: &[Option<Shown>],
     whole: &[bool],
-    least: f64,
+    (least, before): (f64, Option<&Before>),
     pair: &dyn Fn(usize, usize) -> Option<&'p Likeness>,
 ) -> Option<Shown> {
     let is_core = |m: &usize| shown[*m].is_some_and(|s| s.as_cell == *m);
@@ -233,7 +234,9 @@ fn hidden<'p>(
         .max_by(|a, b| a.2.total_cmp(&b.2).then(b.0.cmp(&a.0)))
         .map(|(m, p, _)| (m, p))?;
     let blot = likeness.off.iter().filter(|o| **o).count() as f64 / (SIDE * SIDE) as f64;
-    let is_hidden = !whole[k] || (likeness.share >= least && blot >= BLOT && comes_in(likeness));
+    let is_before = before.is_none_or(|b| b.untold(&cells[k], likeness) <= UNTOLD);
+    let is_hidden =
+        !whole[k] || (is_before && likeness.share >= least && blot >= BLOT && comes_in(likeness));
     is_hidden.then(|| standing(Some(likeness), core, true))
 }
 

@@ -12,9 +12,11 @@ const EXCEPTIONS: f64 = 0.34;
 
 /// A storey: its parts from the left, and their widths.
 #[derive(Clone, Debug, PartialEq)]
-struct Storey {
-    height: f64,
-    parts: Vec<(String, f64)>,
+pub(super) struct Storey {
+    /// Its height, shaku.
+    pub(super) height: f64,
+    /// Its parts and their widths, units.
+    pub(super) parts: Vec<(String, f64)>,
 }
 
 /// Writes the text; `head` are lines of its comment.
@@ -88,7 +90,7 @@ pub fn catalogue(front: &Front) -> String {
 }
 
 /// The storeys of a front, from the ground.
-fn storeys(front: &Front) -> Vec<Storey> {
+pub(super) fn storeys(front: &Front) -> Vec<Storey> {
     let columns = front.grid.columns.len() - 1;
     let rows = front.grid.rows.windows(2).enumerate();
     let storeys = rows.map(|(row, v)| Storey {
@@ -165,7 +167,7 @@ fn sets(text: &mut String, indent: &str, storey: &Storey, front: &Front) {
 }
 
 /// A number with so many decimals at the most.
-fn number(value: f64, decimals: usize) -> String {
+pub(super) fn number(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

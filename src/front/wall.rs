@@ -3,7 +3,8 @@
 use super::camera::Lens;
 use super::lines::{self, Tones};
 use super::rectify::between;
-use super::vanish::{self, Meeting, Straight};
+use super::settled::{Known, settled};
+use super::vanish::{self, Straight};
 use crate::plan::flatten::project;
 use glam::{DMat3, DVec2, dvec2};
 use image::RgbImage;
@@ -16,7 +17,7 @@ const SHORTEST: f64 = 0.012;
 /// The sine of how far an edge of the wall may be turned.
 const TURN: f64 = 0.02;
 /// Edges on one line: how far they lie apart, as a part of the wall that is seen.
-const APART: f64 = 0.0022;
+pub(super) const APART: f64 = 0.0022;
 /// The most lines of one direction that may be sides.
 const SIDES: usize = 56;
 /// The least part of a side along which there is an edge.
@@ -25,8 +26,6 @@ const LEAST: f64 = 0.08;
 const CLEAR: f64 = 0.35;
 /// Places along a side at which its edge is looked for.
 const PLACES: usize = 140;
-/// How often lens and plane are settled.
-const SETTLED: usize = 2;
 /// How far off it is looked for, as a part of the longer side of the photograph.
 const NEAR: f64 = 0.0022;
 
@@ -41,15 +40,6 @@ pub struct Wall {
     pub lens: Lens,
     /// How far the sides are seen, 0 to 1.
     pub trust: f64,
-}
-
-/// What is known of a photograph before its wall is looked for.
-#[derive(Clone, Copy, Debug)]
-pub struct Known {
-    /// Whether the focal length is told, not guessed.
-    pub focal: bool,
-    /// Whether it is told how the lens bends lines.
-    pub bend: bool,
 }
 
 /// Why there is no wall: what was looked for.
@@ -122,111 +112,16 @@ pub fn find(
     })
 }
 
-/// The lens, the edges in the straight picture and the plane of the wall, settled by its long lines: those of the frame and of the
-/// lattice of bays, each of all edges that lie on it. They say better than single edges how the lens bends and where parallels meet.
-fn settled(
-    edges: &[lines::Edge],
-    mut lens: Lens,
-    known: Known,
-) -> Option<(Lens, Vec<Straight>, DMat3)> {
-    let of =
-        |lens: &Lens| -> Vec<Straight> { edges.iter().map(|e| Straight::of(e, lens)).collect() };
-    let mut straight = of(&lens);
-    let mut meeting = vanish::meeting(&straight, &lens)?;
-    let mut plane = plane(&meeting, &lens)?;
-    for _ in 0..SETTLED {
-        let groups = long_lines(&straight, plane);
-        if !known.bend {
-            let longest = 2.0 * lens.middle.max_element();
-            let mut long: Vec<lines::Edge> = (groups.iter().flatten())
-                .map(|group| lines::Edge::joined(group.iter().map(|k| &edges[*k])))
-                .collect();
-            long.sort_by(|a, b| b.length().total_cmp(&a.length()));
-            lens.bend = vanish::bending(&long, &lens, longest).unwrap_or(lens.bend);
-            straight = of(&lens);
-        }
-        let lines = groups.map(|groups| -> Vec<Straight> {
-            let joined = |group: &Vec<usize>| Straight::joined(group.iter().map(|k| &straight[*k]));
-            groups.iter().map(joined).collect()
-        });
-        let next = meeting.refined(&lines, &lens);
-        let next = match known.focal {
-            true => next.and_then(|m| m.squared(&lines, &lens)),
-            false => next,
-        };
-        let Some((next, moved)) = next.and_then(|m| Some((m, self::plane(&m, &lens)?))) else {
-            break;
-        };
-        (meeting, plane) = (next, moved);
-    }
-    Some((lens, straight, plane))
-}
-
-/// The edges on each long line of a wall: lines across, and lines down.
-fn long_lines(edges: &[Straight], plane: DMat3) -> [Vec<Vec<usize>>; 2] {
-    [0, 1].map(|way| {
-        let stroke = |k: usize| sorted(&edges[k..=k], plane)[way].first().copied();
-        let on = (0..edges.len()).filter_map(|k| Some((stroke(k)?, k)));
-        let mut on: Vec<(Stroke, usize)> = on.collect();
-        on.sort_by(|a, b| a.0.at.total_cmp(&b.0.at));
-        let reach = on
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |r, (s, _)| {
-                (r.0.min(s.from), r.1.max(s.to))
-            });
-        let apart = APART * (reach.1 - reach.0);
-        let mut lines: Vec<Vec<usize>> = vec![];
-        let (mut first, mut last) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
-        for (stroke, edge) in on {
-            match lines.last_mut() {
-                Some(line) if stroke.at - last <= apart / 2.0 && stroke.at - first <= apart => {
-                    line.push(edge);
-                }
-                _ => {
-                    first = stroke.at;
-                    lines.push(vec![edge]);
-                }
-            }
-            last = stroke.at;
-        }
-        lines
-    })
-}
-
-/// The map from the straight picture to the plane of the wall, in which the two directions are axes.
-fn plane(meeting: &Meeting, lens: &Lens) -> Option<DMat3> {
-    let (mut a, mut b) = (
-        lens.ray(meeting.across).normalize(),
-        lens.ray(meeting.down).normalize(),
-    );
-    if a.x < 0.0 {
-        a = -a;
-    }
-    if b.y < 0.0 {
-        b = -b;
-    }
-    let axes = DMat3::from_cols(a, b, a.cross(b));
-    if axes.determinant().abs() < 0.1 {
-        return None;
-    }
-    let ray = DMat3::from_cols(
-        lens.ray(glam::DVec3::X),
-        lens.ray(glam::DVec3::Y),
-        lens.ray(glam::DVec3::Z),
-    );
-    Some(axes.inverse() * ray)
-}
-
 /// An edge on the wall: where it lies across its direction, from where to where along it.
 #[derive(Clone, Copy, Debug)]
-struct Stroke {
-    at: f64,
-    from: f64,
-    to: f64,
+pub(super) struct Stroke {
+    pub(super) at: f64,
+    pub(super) from: f64,
+    pub(super) to: f64,
 }
 
 /// The edges of the wall, those that run across it and those that run down.
-fn sorted(edges: &[Straight], plane: DMat3) -> [Vec<Stroke>; 2] {
+pub(super) fn sorted(edges: &[Straight], plane: DMat3) -> [Vec<Stroke>; 2] {
     let mut found = [vec![], vec![]];
     for edge in edges {
         let before = |p: DVec2| (plane * p.extend(1.0)).z > 0.05;

@@ -213,7 +213,8 @@ pub struct Shot {
     /// How the light changes over the wall: across, down, and both squared.
     pub light: [f64; 4],
     pub noise: f64,
-    seed: u64,
+    /// From which its noise comes.
+    pub seed: u64,
 }
 
 impl Shot {

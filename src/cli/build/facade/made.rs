@@ -51,6 +51,9 @@ impl Made<'_> {
             text.as_bytes(),
         );
         let mut files = self.files()?;
+        let street = format!("{}-street.hsd", name.to_string_lossy());
+        let street = self.output.join(street);
+        files.push((street, front::street::write(self.front).into_bytes()));
         files.push((path.clone(), text.into_bytes()));
         output::write_all(files)?;
         let world = FolderWorld::new(vec![self.output.to_owned()], PIXELS);
