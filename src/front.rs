@@ -4,6 +4,7 @@
 //! A wall is found or told by its corners, seen straight through lens and perspective, cut on a lattice of bays and storeys;
 //! cells that show the same part share one clean picture, equally bright.
 
+pub mod before;
 pub mod brush;
 pub mod camera;
 pub mod cells;
@@ -14,7 +15,9 @@ pub mod lines;
 pub mod parts;
 pub mod record;
 pub mod rectify;
+pub mod settled;
 pub mod sheet;
+pub mod street;
 pub mod text;
 pub mod tone;
 pub mod vanish;
@@ -28,6 +31,7 @@ use glam::{DMat3, DVec2, dvec2};
 use grid::Grid;
 use image::{GrayImage, RgbImage};
 use kinds::Shown;
+use settled::Known;
 use tone::Light;
 use wall::{Lost, Wall};
 
@@ -68,6 +72,8 @@ pub struct Given {
     pub focal: Option<f64>,
     /// The lattice.
     pub lattice: Lattice,
+    /// The most further pictures of each part.
+    pub variations: usize,
 }
 
 /// The lattice of a wall, as far as it is known.
@@ -123,6 +129,21 @@ pub struct Part {
     pub cell: usize,
     /// The picture.
     pub picture: RgbImage,
+    /// Further clean pictures of it.
+    pub variations: Vec<RgbImage>,
+}
+
+impl Part {
+    /// The names of its pictures: its own, and with `v1`, `v2` and so on for each variation (000-54).
+    pub fn names(&self) -> Vec<String> {
+        let further = (1..=self.variations.len()).map(|k| format!("{}v{k}", self.name));
+        std::iter::once(self.name.clone()).chain(further).collect()
+    }
+
+    /// Its pictures, as they are named.
+    pub fn pictures(&self) -> impl Iterator<Item = &RgbImage> {
+        std::iter::once(&self.picture).chain(&self.variations)
+    }
 }
 
 /// A wall that was read.
@@ -228,8 +249,15 @@ fn guessed(photo: &Photo, given: &Given, edges: &[lines::Edge]) -> (Lens, f64) {
 /// If there is no wall.
 pub fn found(photo: &mut Photo, given: &Given) -> Result<View, Lost> {
     let edges = wall::edges(&photo.pixels);
-    photo.bend = Some(guessed(photo, given, &edges).0.bend);
-    by_edges(photo, &edges, None, given)
+    let view = by_edges(photo, &edges, None, given);
+    // In the unit of the guessed focal length, as it is used before the true one is known.
+    let (lens, _) = guessed(photo, given, &edges);
+    photo.bend = Some(view.map_or(lens.bend, |view| {
+        let scale = lens.focal / view.lens.focal;
+        let [k1, k2] = view.lens.bend;
+        [k1 * scale.powi(2), k2 * scale.powi(4)]
+    }));
+    view
 }
 
 /// How a photograph sees the wall.
@@ -260,8 +288,15 @@ fn by_edges(
             lens,
             trust: 1.0,
         },
-        None => wall::find(&photo.pixels, edges, &lens)?,
+        None => {
+            let known = Known {
+                focal: told.is_some(),
+                bend: given.bend.or(photo.bend).is_some(),
+            };
+            wall::find(&photo.pixels, edges, &lens, known)?
+        }
     };
+    lens = wall.lens;
     let map = homography(UNIT, wall.straight);
     let square = focal_of(map, lens.middle).filter(|f| (0.3..4.0).contains(&(f / usual)));
     let focal = told
@@ -300,14 +335,15 @@ pub fn read(photos: &[Photo], given: &Given) -> Result<Front, Refused> {
     }
     let aspect = views[0].aspect;
     let size = rectify::size(views[0].corners, aspect);
+    let (grid, metres) = lattice(&photos[0], &views[0], size, given)?;
+    let size = rectify::even(size, [&grid.columns, &grid.rows]);
     let straight: Vec<(RgbImage, Vec<bool>)> = photos
         .iter()
         .zip(&views)
         .map(|(p, v)| straight(p, v, size))
         .collect();
-    let (grid, metres) = lattice(&straight[0].0, aspect, given)?;
     let (wall, seen) = parts::composed::composed(straight, &grid);
-    let mut front = cut(wall, &seen, grid);
+    let mut front = cut(wall, &seen, grid, given.variations);
     front.views = views;
     front.size = metres;
     Ok(front)
@@ -329,14 +365,22 @@ pub fn straight(photo: &Photo, view: &View, size: (u32, u32)) -> (RgbImage, Vec<
     (wall, seen)
 }
 
-/// The lattice, and width and height of the wall in metres.
-fn lattice(wall: &RgbImage, aspect: f64, given: &Given) -> Result<(Grid, DVec2), Refused> {
+/// The lattice, and width and height of the wall in metres; `size` is that of the straight wall, pixels.
+fn lattice(
+    photo: &Photo,
+    view: &View,
+    size: (u32, u32),
+    given: &Given,
+) -> Result<(Grid, DVec2), Refused> {
     let metres = |storeys: usize| {
         let height = STOREY * storeys as f64;
-        given.size.unwrap_or(dvec2(height * aspect, height))
+        given.size.unwrap_or(dvec2(height * view.aspect, height))
     };
     let grid = match &given.lattice {
-        Lattice::Found => Grid::find(wall),
+        Lattice::Found => {
+            let size = rectify::within(size, grid::LONGEST);
+            Grid::find(&straight(photo, view, size).0)
+        }
         Lattice::Even(bays, storeys) => Grid::even(*bays, *storeys),
         Lattice::Lines(columns, rows) => {
             let size = metres(rows.len() + 1);
@@ -356,29 +400,15 @@ fn lattice(wall: &RgbImage, aspect: f64, given: &Given) -> Result<(Grid, DVec2),
     }
 }
 
-/// Cuts a straight wall into parts.
-fn cut(wall: RgbImage, seen: &[bool], grid: Grid) -> Front {
+/// Cuts a straight wall into parts with so many variations at the most.
+fn cut(wall: RgbImage, seen: &[bool], grid: Grid, variations: usize) -> Front {
     let first = cells::cells(&wall, seen, &grid);
     let light = light(&first, &kinds::sorted(&first), &grid);
     let lit = parts::lit(&wall, &light);
     let cells = cells::cells(&lit, seen, &grid);
     let shown = kinds::sorted(&cells);
-    let gains = parts::gains(&shown);
     let storeys = grid.rows.len() - 1;
-    let mut parts: Vec<Part> = (0..cells.len())
-        .filter(|k| shown.iter().any(|s| s.as_cell == *k))
-        .map(|k| {
-            let cell = &cells[k];
-            let (storey, place) = (storeys - cell.row, cell.column + 1);
-            Part {
-                name: format!("f1f{storey}f{place}"),
-                cell: k,
-                picture: parts::cut(&lit, cell, gains[k]),
-            }
-        })
-        .collect();
-    close(&mut parts, &cells, &shown);
-    Front {
+    let mut front = Front {
         views: vec![],
         size: DVec2::ONE,
         wall,
@@ -386,8 +416,24 @@ fn cut(wall: RgbImage, seen: &[bool], grid: Grid) -> Front {
         cells,
         shown,
         light,
-        parts,
-    }
+        parts: vec![],
+    };
+    let gains = parts::gains(&front.shown);
+    let is_core = |k: &usize| front.shown.iter().any(|s| s.as_cell == *k);
+    let parts = (0..front.cells.len()).filter(is_core).map(|k| {
+        let cell = &front.cells[k];
+        let (storey, place) = (storeys - cell.row, cell.column + 1);
+        Part {
+            name: format!("f1f{storey}f{place}"),
+            cell: k,
+            picture: parts::cut(&lit, cell, gains[k]),
+            variations: parts::variations(&front, &lit, (k, gains[k]), variations),
+        }
+    });
+    let mut parts: Vec<Part> = parts.collect();
+    close(&mut parts, &front.cells, &front.shown);
+    front.parts = parts;
+    front
 }
 
 /// The light on a wall, from cells that show the same.
@@ -409,29 +455,39 @@ fn light(cells: &[Cell], shown: &[Shown], grid: &Grid) -> Light {
 
 /// Closes the seams between parts that stand side by side or one above the other.
 fn close(parts: &mut [Part], cells: &[Cell], shown: &[Shown]) {
-    let part = |row: usize, column: usize| {
+    let known: Vec<usize> = parts.iter().map(|p| p.cell).collect();
+    let place = |row: usize, column: usize| {
         let cell = cells
             .iter()
             .position(|c| (c.row, c.column) == (row, column))?;
-        parts.iter().position(|p| p.cell == shown[cell].as_cell)
+        known.iter().position(|p| *p == shown[cell].as_cell)
     };
+    // A variation stands wherever its part does.
+    let mut first = vec![];
+    let mut pictures: Vec<RgbImage> = vec![];
+    for part in parts.iter_mut() {
+        first.push(pictures.len());
+        pictures.push(std::mem::take(&mut part.picture));
+        pictures.append(&mut part.variations);
+    }
+    first.push(pictures.len());
     let mut meetings = vec![];
     for cell in cells {
-        let own = part(cell.row, cell.column);
+        let own = place(cell.row, cell.column);
         for (other, is_above) in [
-            (part(cell.row, cell.column + 1), false),
-            (part(cell.row + 1, cell.column), true),
+            (place(cell.row, cell.column + 1), false),
+            (place(cell.row + 1, cell.column), true),
         ] {
-            meetings.extend(own.zip(other).map(|(a, b)| (a, b, is_above)));
+            if let Some((a, b)) = own.zip(other) {
+                let all = |part: usize| first[part]..first[part + 1];
+                meetings.extend(all(a).flat_map(|a| all(b).map(move |b| (a, b, is_above))));
+            }
         }
     }
-    let mut pictures: Vec<RgbImage> = parts
-        .iter_mut()
-        .map(|p| std::mem::take(&mut p.picture))
-        .collect();
     parts::closed(&mut pictures, &meetings);
-    parts
-        .iter_mut()
-        .zip(pictures)
-        .for_each(|(part, picture)| part.picture = picture);
+    let mut pictures = pictures.into_iter();
+    for (part, own) in parts.iter_mut().zip(first.windows(2)) {
+        part.picture = pictures.next().unwrap_or_default();
+        part.variations = pictures.by_ref().take(own[1] - own[0] - 1).collect();
+    }
 }

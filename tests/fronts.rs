@@ -1,6 +1,8 @@
 //! `hsd facade`: walls out of photographs, judged by scenes that the tests draw themselves, and by photographs with measured truth
 //! where they are there.
 
+mod bars;
+mod model;
 pub mod scene;
 
 use hsd::front::brush::{Stroke, painted};
@@ -10,11 +12,10 @@ use hsd::glam::{DVec2, dvec2};
 use hsd::plan::flatten::{homography, project};
 use hsd::plan::{Picture, Unreadable};
 use image::RgbImage;
-use scene::{Dice, Facade, Kind, Shot};
+use scene::{Dice, Facade, Shot};
 use std::io::Cursor;
 
-/// Scenes of each test, and the longer side of their photographs.
-const SCENES: u64 = 10;
+/// The longer side of the photographs, pixels.
 const LONGEST: u32 = 640;
 
 fn photo(facade: &Facade, shot: &Shot) -> Photo {
@@ -31,154 +32,9 @@ fn corners(facade: &Facade, shot: &Shot) -> [DVec2; 4] {
     shot.corners(facade).map(|(x, y)| dvec2(x, y))
 }
 
-/// What the program found in a scene, beside what is true.
-struct Judged {
-    /// How far each corner is off, pixels.
-    off: Vec<f64>,
-    is_grid_right: bool,
-    /// Cells that show the right kind, and all.
-    kinds: (usize, usize),
-    /// Peak signal to noise of cells that were replaced, dB.
-    replaced: Vec<f64>,
-}
-
-fn judged(seed: u64) -> Judged {
-    let facade = Facade::new(seed);
-    let shot = Shot::new(&facade, seed, LONGEST, 1);
-    let given = Given {
-        size: Some(dvec2(facade.width, facade.height)),
-        ..Given::default()
-    };
-    let front = front::read(&[photo(&facade, &shot)], &given).expect("a scene has a wall");
-    let truth = corners(&facade, &shot);
-    let off = (0..4)
-        .map(|k| front.views[0].corners[k].distance(truth[k]))
-        .collect();
-    let near = |found: &[f64], lines: &[f64]| {
-        let all = lines[lines.len() - 1];
-        found.len() == lines.len()
-            && found
-                .iter()
-                .zip(lines)
-                .all(|(f, l)| (f - l / all).abs() < 0.1 / (lines.len() - 1) as f64)
-    };
-    let is_grid_right =
-        near(&front.grid.columns, &facade.columns) && near(&front.grid.rows, &facade.rows);
-    let (kinds, replaced) = match is_grid_right {
-        true => (right_kinds(&front, &facade), noise(&front, &facade)),
-        false => ((0, 0), vec![]),
-    };
-    Judged {
-        off,
-        is_grid_right,
-        kinds,
-        replaced,
-    }
-}
-
-fn kind(front: &Front, facade: &Facade, cell: usize) -> (Kind, bool) {
-    let cell = &front.cells[cell];
-    (
-        facade.kinds[cell.row][cell.column],
-        cell.row + 1 == facade.kinds.len(),
-    )
-}
-
-/// Cells whose picture is of their kind, and not theirs alone where there are others of it.
-fn right_kinds(front: &Front, facade: &Facade) -> (usize, usize) {
-    let all = 0..front.cells.len();
-    let right = all.clone().filter(|k| {
-        let own = kind(front, facade, *k);
-        let core = front.shown[*k].as_cell;
-        let is_alone = all
-            .clone()
-            .filter(|m| kind(front, facade, *m) == own)
-            .count()
-            == 1;
-        let shared = front.shown.iter().filter(|s| s.as_cell == core).count() > 1;
-        kind(front, facade, core) == own && (is_alone || shared)
-    });
-    (right.count(), all.len())
-}
-
-/// How near replaced cells come to the wall without what stood before it, dB, but for one exposure of the whole wall.
-fn noise(front: &Front, facade: &Facade) -> Vec<f64> {
-    let again = front.rebuilt();
-    let (width, height) = again.dimensions();
-    let tone = |x: u32, y: u32| {
-        let parts = [(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)].map(|(dx, dy)| {
-            let at = |t: u32, d: f64, n: u32| (f64::from(t) + d) / f64::from(n);
-            facade.tone(
-                at(x, dx, width) * facade.width,
-                at(y, dy, height) * facade.height,
-            )
-        });
-        [0, 1, 2].map(|c| parts.iter().map(|p| p[c]).sum::<f64>() / 4.0)
-    };
-    let mut ratios: Vec<f64> = (0..height)
-        .step_by(9)
-        .flat_map(|y| (0..width).step_by(9).map(move |x| (x, y)))
-        .map(|(x, y)| f64::from(front::tone::linear(again.get_pixel(x, y).0)[1]) / tone(x, y)[1])
-        .collect();
-    ratios.sort_by(f64::total_cmp);
-    let exposure = ratios[ratios.len() / 2];
-    let replaced = (0..front.cells.len()).filter(|k| front.shown[*k].is_replaced);
-    let right = replaced
-        .filter(|k| kind(front, facade, *k) == kind(front, facade, front.shown[*k].as_cell));
-    right
-        .map(|k| {
-            let [left, top, right, bottom] = front.cells[k].frame;
-            let (mut off, mut count) = (0.0, 0.0);
-            for (x, y) in (top..bottom).flat_map(|y| (left..right).map(move |x| (x, y))) {
-                let (truth, found) = (tone(x, y), again.get_pixel(x, y).0);
-                for c in 0..3 {
-                    let d = f64::from(scene::encoded(truth[c] * exposure)) - f64::from(found[c]);
-                    off += d * d;
-                    count += 1.0;
-                }
-            }
-            10.0 * (255.0_f64.powi(2) * count / off).log10()
-        })
-        .collect()
-}
-
 fn middle(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]
-}
-
-/// Measured over 100 scenes: corners 0.28 px off in the middle, one wall lost, the lattice right in 98; over 40: kinds 97.6 %,
-/// replaced parts 32 dB.
-#[test]
-fn scenes_are_read_without_being_told_anything() {
-    let judged = std::sync::Mutex::new(vec![]);
-    crate::support::on_all_processors(SCENES as usize, |k| {
-        let one = self::judged(k as u64);
-        judged.lock().expect("no test panics here").push(one);
-        vec![]
-    });
-    let judged = judged.into_inner().expect("no test panics here");
-    let off = middle(judged.iter().flat_map(|j| j.off.clone()).collect());
-    assert!(off < 1.0, "corners are off by {off} px");
-    let grids = judged.iter().filter(|j| j.is_grid_right).count();
-    assert!(grids >= 9, "{grids} lattices of {SCENES} are right");
-    let kinds = judged
-        .iter()
-        .fold((0, 0), |s, j| (s.0 + j.kinds.0, s.1 + j.kinds.1));
-    assert!(
-        kinds.0 * 100 >= kinds.1 * 93,
-        "{} kinds of {} are right",
-        kinds.0,
-        kinds.1
-    );
-    let replaced: Vec<f64> = judged.iter().flat_map(|j| j.replaced.clone()).collect();
-    assert!(
-        replaced.len() > 4,
-        "only {} cells were replaced",
-        replaced.len()
-    );
-    let noise = middle(replaced);
-    assert!(noise > 28.0, "replaced cells come to {noise} dB");
 }
 
 /// A small scene, told by its corners and lattice.
@@ -488,5 +344,5 @@ fn walls_that_are_found_have_true_proportions() {
         said += &format!("{name} {aspect:.4} {opposite:.4}; ");
         right += usize::from(aspect.abs() < 0.02 && opposite < 0.02);
     }
-    assert!(right >= 2, "{said}");
+    assert!(right >= 3, "{said}");
 }

@@ -3,6 +3,8 @@
 use image::imageops;
 use image::{Rgb, RgbImage};
 
+/// The longer side of the straight wall in which a lattice is looked for, pixels.
+pub const LONGEST: f64 = 1000.0;
 /// The longer side of the picture in which repetition is looked for, pixels.
 const SMALL: f64 = 380.0;
 /// The most bays, and the most storeys.
@@ -13,8 +15,16 @@ const LEAST: f64 = 10.0;
 const STRONG: u8 = 4;
 /// How near the likeness of a shorter period has to come to that of the best: of bays, of storeys.
 const NEARLY: [f64; 2] = [0.92, 0.86];
-/// The least likeness of things that repeat.
-const ALIKE: f64 = 0.35;
+/// The least likeness of bays and of storeys that repeat: what panes reflect is alike to about a half.
+const ALIKE: [f64; 2] = [0.42, 0.58];
+/// The least change of a colour at the edge of a bar, times [`STRONG`].
+const EDGE: u8 = 56;
+/// The least part of the wall along which the edge of a bar is seen.
+const ALONG: f64 = 0.6;
+/// The most by which edges of one bar lie apart, as a part of the wall.
+const BAR: f64 = 0.07;
+/// The least distance of a bar from the border of the wall that is not that of the border itself, as a part of the wall.
+const INNER: f64 = 0.1;
 /// What is left over at the ends of a row of bays, as a part of a bay, and is spread over them.
 const SPREAD: f64 = 0.12;
 
@@ -213,8 +223,8 @@ fn bays(edges: &Edges, rows: usize) -> (Vec<f64>, f64) {
     let tried: Vec<(f64, f64)> = lengths(LEAST.max(width / MOST as f64), width / 1.9, width)
         .map(|bay| (bay, mated(edges, bay, rows)))
         .collect();
-    let Some((bay, alike)) = shortest(&tried, NEARLY[0]) else {
-        return (vec![0.0, 1.0], 0.0);
+    let Some((bay, alike)) = shortest(&tried, NEARLY[0], ALIKE[0]) else {
+        return (bars(edges, 0), 0.0);
     };
     let count = (width / bay + SPREAD).floor();
     let rest = width - count * bay;
@@ -226,6 +236,27 @@ fn bays(edges: &Edges, rows: usize) -> (Vec<f64>, f64) {
         k => (rest / 2.0 + k as f64 * bay) / width,
     });
     (lines.collect(), alike)
+}
+
+/// The middles of bars that run over the wall, mullions and transoms, with both ends: where panes reflect what is before them nothing
+/// repeats, but their frame is seen. `of` is 0 for changes across the wall, 1 for changes down.
+fn bars(edges: &Edges, of: usize) -> Vec<f64> {
+    let width = edges.width as f64;
+    let is_edge = |x: &usize| {
+        let strong = (0..edges.height).filter(|y| edges.at(*x, *y)[of] >= EDGE);
+        strong.count() as f64 >= ALONG * edges.height as f64
+    };
+    let mut found: Vec<(f64, f64)> = vec![];
+    for at in (0..edges.width).filter(is_edge) {
+        let at = (at as f64 + 0.5) / width;
+        match found.last_mut() {
+            Some(bar) if at - bar.0 < BAR => bar.1 = at,
+            _ => found.push((at, at)),
+        }
+    }
+    let middles = found.into_iter().map(|bar| (bar.0 + bar.1) / 2.0);
+    let inner = middles.filter(|at| (INNER..=1.0 - INNER).contains(at));
+    std::iter::once(0.0).chain(inner).chain([1.0]).collect()
 }
 
 /// How alike bays of one width are: the most that one of them has in common with the others, on average, without the two of
@@ -254,9 +285,9 @@ fn mated(edges: &Edges, bay: f64, rows: usize) -> f64 {
 const CORES: usize = 6;
 
 /// The shortest length that repeats nearly as well as the best, at its own best.
-fn shortest(tried: &[(f64, f64)], nearly: f64) -> Option<(f64, f64)> {
+fn shortest(tried: &[(f64, f64)], nearly: f64, least: f64) -> Option<(f64, f64)> {
     let best = tried.iter().map(|t| t.1).fold(0.0, f64::max);
-    if best < ALIKE {
+    if best < least {
         return None;
     }
     let first = tried.iter().position(|t| t.1 >= nearly * best)?;
@@ -290,8 +321,8 @@ fn storeys(edges: &Edges) -> (Vec<f64>, f64) {
             (storey, if count > 1 && rest < 2.2 { alike } else { 0.0 })
         })
         .collect();
-    let Some((storey, alike)) = shortest(&tried, NEARLY[1]) else {
-        return (vec![0.0, 1.0], 0.0);
+    let Some((storey, alike)) = shortest(&tried, NEARLY[1], ALIKE[1]) else {
+        return (bars(edges, 1), 0.0);
     };
     let (count, _) = fits(storey);
     let mut lines: Vec<f64> = (0..=count).map(|k| k as f64 * storey / height).collect();

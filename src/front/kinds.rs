@@ -1,11 +1,19 @@
 //! Which cells of a wall show the same part, and which are hidden by something that stands before them.
 
+use super::before::Before;
 use super::cells::{Cell, Likeness, SIDE, are_equal, compare};
+use std::collections::BTreeSet;
 
 /// The part of two cells that agrees if they show the same.
 const SAME: f64 = 0.93;
 /// The part of a hidden cell that agrees with what it shows, at least.
 const HIDDEN: f64 = 0.36;
+/// The same where nothing else has to tell that something stands before it.
+const SURE: f64 = 0.75;
+/// The part of two cells of one storey or bay that agrees if they show the same behind what hides one of them, at least.
+const BOTH: f64 = 0.45;
+/// The part of a cell that may differ without being of the colours of what stands before the wall.
+const UNTOLD: f64 = 0.12;
 /// The same where the blot goes on from a cell beside it.
 const COVERED: f64 = 0.12;
 /// The least part of a cell that something before it hides.
@@ -62,16 +70,24 @@ pub fn sorted(cells: &[Cell]) -> Vec<Shown> {
             shown[mate] = Some(standing(pair(mate, core), core, false));
         }
     }
-    for k in 0..cells.len() {
-        if shown[k].is_none() {
-            shown[k] = hidden(k, cells, &shown, &whole, &pair);
+    settle(&mut shown, cells, &whole, (SURE, None), &pair);
+    let before = Before::of(cells, &shown, &pair);
+    paired(&mut shown, cells, &whole, &before, &pair);
+    if before.is_known() {
+        settle(&mut shown, cells, &whole, (SURE, None), &pair);
+        for k in 0..cells.len() {
+            if shown[k].is_none() {
+                shown[k] = told(k, cells, &shown, &before, &pair);
+            }
         }
+    } else {
+        settle(&mut shown, cells, &whole, (HIDDEN, Some(&before)), &pair);
     }
     // Trees are larger than bays: twice over.
     for _ in 0..2 {
         for k in 0..cells.len() {
             if shown[k].is_none() {
-                shown[k] = covered(k, cells, &shown, whole[k], &pair);
+                shown[k] = covered(k, cells, &shown, whole[k], &before, &pair);
             }
         }
     }
@@ -83,6 +99,100 @@ pub fn sorted(cells: &[Cell]) -> Vec<Shown> {
             })
         })
         .collect()
+}
+
+/// Says what stands for cells of which a part is hidden and at least this part agrees; what hides it has to have the colours of what
+/// stands before the wall, if they are given.
+fn settle<'p>(
+    shown: &mut [Option<Shown>],
+    cells: &[Cell],
+    whole: &[bool],
+    least: (f64, Option<&Before>),
+    pair: &dyn Fn(usize, usize) -> Option<&'p Likeness>,
+) {
+    for k in 0..cells.len() {
+        if shown[k].is_none() {
+            shown[k] = hidden(k, cells, shown, whole, least, pair);
+        }
+    }
+}
+
+/// Cells of one storey or bay that show the same, but that something hides a part of one: the other stands for both.
+fn paired<'p>(
+    shown: &mut [Option<Shown>],
+    cells: &[Cell],
+    whole: &[bool],
+    before: &Before,
+    pair: &dyn Fn(usize, usize) -> Option<&'p Likeness>,
+) {
+    loop {
+        let free: Vec<usize> = (0..cells.len())
+            .filter(|k| shown[*k].is_none() && whole[*k])
+            .collect();
+        let both = free.iter().flat_map(|a| free.iter().map(move |b| (*a, *b)));
+        let mates = both.filter_map(|(core, mate)| {
+            let (a, b) = (&cells[core], &cells[mate]);
+            let likeness = (core != mate && (a.row == b.row || a.column == b.column))
+                .then(|| pair(mate, core))??;
+            let untold = before.untold(b, likeness).min(before.untold(a, likeness));
+            let is_mate = likeness.share >= BOTH && untold <= UNTOLD;
+            // The one that is free of what stands before the wall stands for the other.
+            let covers = |cell: &Cell| 1.0 - likeness.share - before.untold(cell, likeness);
+            (is_mate && covers(b) >= covers(a)).then_some((core, mate, likeness))
+        });
+        let best = mates.max_by(|a, b| a.2.share.total_cmp(&b.2.share));
+        let Some((core, mate, likeness)) = best else {
+            return;
+        };
+        shown[core] = Some(standing(None, core, false));
+        shown[mate] = Some(standing(Some(likeness), core, true));
+    }
+}
+
+/// What stands for a cell if all that differs has the colours of what stands before the wall.
+fn told<'p>(
+    k: usize,
+    cells: &[Cell],
+    shown: &[Option<Shown>],
+    before: &Before,
+    pair: &dyn Fn(usize, usize) -> Option<&'p Likeness>,
+) -> Option<Shown> {
+    let cores = (0..cells.len()).filter(|m| shown[*m].is_some_and(|s| s.as_cell == *m));
+    let tried = cores.filter_map(|core| {
+        let likeness = pair(k, core).filter(|_| may_show(k, core, cells, shown))?;
+        let untold = before.untold(&cells[k], likeness);
+        let score = untold - nearness(k, core, cells, shown);
+        (untold <= UNTOLD && likeness.share >= COVERED).then_some((core, likeness, score))
+    });
+    let (core, likeness, _) = tried.min_by(|a, b| a.2.total_cmp(&b.2))?;
+    Some(standing(Some(likeness), core, true))
+}
+
+/// Whether a kind may stand in the storey of a cell: where all that is known of it is found in no other storey, as of many a ground
+/// storey, nothing of another one stands for a part of it.
+fn may_show(k: usize, core: usize, cells: &[Cell], shown: &[Option<Shown>]) -> bool {
+    let row = cells[k].row;
+    let kinds = |is_in: &dyn Fn(usize) -> bool| -> BTreeSet<usize> {
+        let known = (0..cells.len()).filter(|m| is_in(cells[*m].row));
+        let known = known.filter_map(|m| shown[m].filter(|s| !s.is_replaced));
+        known.map(|s| s.as_cell).collect()
+    };
+    let (own, others) = (kinds(&|r| r == row), kinds(&|r| r != row));
+    own.is_empty() || own.contains(&core) || !own.is_disjoint(&others)
+}
+
+/// How much nearer to a cell than any other a kind is seen: in its storey, in its bay.
+fn nearness(k: usize, core: usize, cells: &[Cell], shown: &[Option<Shown>]) -> f64 {
+    let near = |m: usize| match (
+        cells[m].row == cells[k].row,
+        cells[m].column == cells[k].column,
+    ) {
+        (true, _) => 0.06,
+        (false, true) => 0.04,
+        (false, false) => 0.0,
+    };
+    let own = (0..cells.len()).filter(|m| shown[*m].is_some_and(|s| s.as_cell == core));
+    own.map(near).fold(0.0, f64::max)
 }
 
 fn pairs(cells: &[Cell]) -> Vec<Option<Likeness>> {
@@ -111,31 +221,22 @@ fn hidden<'p>(
     cells: &[Cell],
     shown: &[Option<Shown>],
     whole: &[bool],
+    (least, before): (f64, Option<&Before>),
     pair: &dyn Fn(usize, usize) -> Option<&'p Likeness>,
 ) -> Option<Shown> {
     let is_core = |m: &usize| shown[*m].is_some_and(|s| s.as_cell == *m);
-    let near = |m: usize| match (
-        cells[m].row == cells[k].row,
-        cells[m].column == cells[k].column,
-    ) {
-        (true, _) => 0.06,
-        (false, true) => 0.04,
-        (false, false) => 0.0,
-    };
-    // Of its storey or bay: any cell that shows this kind.
-    let nearness = |core: usize| {
-        let own = (0..cells.len()).filter(|m| shown[*m].is_some_and(|s| s.as_cell == core));
-        own.map(near).fold(0.0, f64::max)
-    };
     let cores = (0..cells.len())
         .filter(is_core)
+        .filter(|core| may_show(k, *core, cells, shown))
         .filter_map(|m| Some((m, pair(k, m)?)));
     let (core, likeness) = cores
-        .map(|(m, p)| (m, p, p.share + nearness(m)))
+        .map(|(m, p)| (m, p, p.share + nearness(k, m, cells, shown)))
         .max_by(|a, b| a.2.total_cmp(&b.2).then(b.0.cmp(&a.0)))
         .map(|(m, p, _)| (m, p))?;
     let blot = likeness.off.iter().filter(|o| **o).count() as f64 / (SIDE * SIDE) as f64;
-    let is_hidden = !whole[k] || (likeness.share >= HIDDEN && blot >= BLOT && comes_in(likeness));
+    let is_before = before.is_none_or(|b| b.untold(&cells[k], likeness) <= UNTOLD);
+    let is_hidden =
+        !whole[k] || (is_before && likeness.share >= least && blot >= BLOT && comes_in(likeness));
     is_hidden.then(|| standing(Some(likeness), core, true))
 }
 
@@ -176,6 +277,7 @@ fn covered<'p>(
     cells: &[Cell],
     shown: &[Option<Shown>],
     is_whole: bool,
+    before: &Before,
     pair: &dyn Fn(usize, usize) -> Option<&'p Likeness>,
 ) -> Option<Shown> {
     let own = &cells[k];
@@ -199,7 +301,9 @@ fn covered<'p>(
     let of = |along: &dyn Fn(&Cell) -> bool| {
         let clean = (0..cells.len()).filter(|m| along(&cells[*m]));
         let cores = clean.filter_map(|m| shown[m].filter(|s| !s.is_replaced).map(|s| s.as_cell));
-        let cores: Vec<usize> = cores.filter(|core| are_equal(own, &cells[*core])).collect();
+        let cores: Vec<usize> = cores
+            .filter(|core| are_equal(own, &cells[*core]) && may_show(k, *core, cells, shown))
+            .collect();
         let most = cores.iter().copied().max_by_key(|core| {
             (
                 cores.iter().filter(|c| *c == core).count(),
@@ -210,6 +314,10 @@ fn covered<'p>(
     };
     let core = of(&|c| c.column == own.column).or_else(|| of(&|c| c.row == own.row))?;
     let likeness = pair(k, core);
-    let agrees = likeness.is_some_and(|p| p.share >= COVERED && !is_even(p));
+    let is_before = |p: &Likeness| match before.is_known() {
+        true => before.untold(own, p) <= UNTOLD,
+        false => p.share >= COVERED && !is_even(p),
+    };
+    let agrees = likeness.is_some_and(is_before);
     (!is_whole || agrees).then(|| standing(likeness, core, true))
 }

@@ -20,6 +20,20 @@ pub struct Edge {
 }
 
 impl Edge {
+    /// Edges that lie on one line, as one.
+    pub fn joined<'e>(edges: impl Iterator<Item = &'e Edge> + Clone) -> Edge {
+        let length: f64 = edges.clone().map(Edge::length).sum();
+        let step = edges.clone().map(|e| e.step * e.length()).sum::<f64>() / length.max(1.0);
+        let mut places: Vec<DVec2> = edges.flat_map(|e| e.places.iter().copied()).collect();
+        let reach = |axis: usize| {
+            let each = places.iter().map(|p| p[axis]);
+            each.clone().fold(f64::NEG_INFINITY, f64::max) - each.fold(f64::INFINITY, f64::min)
+        };
+        let axis = usize::from(reach(1) > reach(0));
+        places.sort_by(|a, b| a[axis].total_cmp(&b[axis]));
+        Edge { places, step }
+    }
+
     /// Its ends.
     pub fn ends(&self) -> (DVec2, DVec2) {
         let first = self.places.first().copied().unwrap_or_default();

@@ -62,8 +62,14 @@ pub fn gains(shown: &[Shown]) -> Vec<f32> {
 /// The part of what is seen of a cell that has to differ for it to be another variation.
 const UNLIKE: f64 = 0.02;
 
-/// Further clean pictures of a part, so many at the most: of what shows the same, those that differ most, as bright as it.
-pub fn variations(front: &Front, core: usize, most: usize) -> Vec<RgbImage> {
+/// Further clean pictures of a part, so many at the most: of what shows the same, those that differ most, as bright as it; `lit` is
+/// the wall with even light, `core` the cell of the part and how many times as bright it is made.
+pub fn variations(
+    front: &Front,
+    lit: &RgbImage,
+    (core, gain): (usize, f32),
+    most: usize,
+) -> Vec<RgbImage> {
     let own = front.shown.iter().enumerate().filter(|(k, s)| {
         let is_clean = !s.is_replaced && !s.is_spoiled && front.cells[*k].is_whole();
         s.as_cell == core && *k != core && is_clean
@@ -86,11 +92,7 @@ pub fn variations(front: &Front, core: usize, most: usize) -> Vec<RgbImage> {
         };
         taken.push(left.remove(next));
     }
-    if taken.len() == 1 {
-        return vec![];
-    }
-    let (lit, gains) = (lit(&front.wall, &front.light), gains(&front.shown));
-    let picture = |k: &usize| cut(&lit, &front.cells[*k], front.shown[*k].gain * gains[core]);
+    let picture = |k: &usize| cut(lit, &front.cells[*k], front.shown[*k].gain * gain);
     taken[1..].iter().map(picture).collect()
 }
 

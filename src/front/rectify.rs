@@ -22,6 +22,35 @@ pub fn size(corners: [DVec2; 4], aspect: f64) -> (u32, u32) {
     (side(tall * aspect), side(tall))
 }
 
+/// The same proportions, no side longer than this.
+pub fn within((width, height): (u32, u32), longest: f64) -> (u32, u32) {
+    let fit = (longest / f64::from(width.max(height))).min(1.0);
+    let side = |s: u32| ((f64::from(s) * fit).round() as u32).max(8);
+    (side(width), side(height))
+}
+
+/// The largest part by which a size changes so that lines fall between pixels.
+const EVEN: f64 = 0.01;
+
+/// The size nearest to this at which the lines of a lattice fall between pixels, as far as they can: equal parts then have the same
+/// pixels, and none of their edges is half a pixel off.
+pub fn even((width, height): (u32, u32), lines: [&[f64]; 2]) -> (u32, u32) {
+    let side = |side: u32, lines: &[f64]| {
+        let off = |n: u32| {
+            let each = lines.iter().map(|l| l * f64::from(n));
+            let off = each.map(|at| (at - at.round()).powi(2)).sum::<f64>();
+            // Of two sizes that are as good the nearer one.
+            off + 1e-6 * f64::from(n.abs_diff(side))
+        };
+        let room = (EVEN * f64::from(side)) as u32;
+        let tried = side - room..=side + room;
+        tried
+            .min_by(|a, b| off(*a).total_cmp(&off(*b)))
+            .unwrap_or(side)
+    };
+    (side(width, lines[0]), side(height, lines[1]))
+}
+
 /// The wall of a photograph: `map` takes the unit square of the wall, from its upper left corner, to the straight picture.
 ///
 /// What lies beyond the photograph is grey; the second picture says so by 0.

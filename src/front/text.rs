@@ -1,6 +1,6 @@
 //! The text of a front: a `Structure` with its parts (003-08 to -11).
 
-use super::Front;
+use super::{Front, Part};
 use std::fmt::Write;
 
 /// Shaku in a metre.
@@ -12,9 +12,11 @@ const EXCEPTIONS: f64 = 0.34;
 
 /// A storey: its parts from the left, and their widths.
 #[derive(Clone, Debug, PartialEq)]
-struct Storey {
-    height: f64,
-    parts: Vec<(String, f64)>,
+pub(super) struct Storey {
+    /// Its height, shaku.
+    pub(super) height: f64,
+    /// Its parts and their widths, units.
+    pub(super) parts: Vec<(String, f64)>,
 }
 
 /// Writes the text; `head` are lines of its comment.
@@ -51,6 +53,8 @@ pub fn write(front: &Front, head: &[String]) -> String {
             let _ = writeln!(text, "      <repeat num=\"{same}\">");
         }
         storey(&mut text, indent, &id, &storeys[at], before);
+        sets(&mut text, indent, &storeys[at], front);
+        let _ = writeln!(text, "{indent}</Floor>");
         if same > 1 {
             let _ = writeln!(text, "      </repeat>");
         }
@@ -72,19 +76,21 @@ pub fn catalogue(front: &Front) -> String {
         let own = front.shown.iter().filter(|s| s.as_cell == part.cell);
         let (places, hidden) = (own.clone().count(), own.filter(|s| s.is_replaced).count());
         let (width, height) = ((u[1] - u[0]) * front.size.x, (v[1] - v[0]) * front.size.y);
-        let (name, size) = (&part.name, part.picture.dimensions());
         let (wide, tall) = (number(width, 4), number(height, 4));
-        let _ = writeln!(
-            text,
-            "{name},{name}.png,{wide},{tall},{},{},{places},{hidden}",
-            size.0, size.1
-        );
+        for (name, picture) in part.names().iter().zip(part.pictures()) {
+            let size = picture.dimensions();
+            let _ = writeln!(
+                text,
+                "{name},{name}.png,{wide},{tall},{},{},{places},{hidden}",
+                size.0, size.1
+            );
+        }
     }
     text
 }
 
 /// The storeys of a front, from the ground.
-fn storeys(front: &Front) -> Vec<Storey> {
+pub(super) fn storeys(front: &Front) -> Vec<Storey> {
     let columns = front.grid.columns.len() - 1;
     let rows = front.grid.rows.windows(2).enumerate();
     let storeys = rows.map(|(row, v)| Storey {
@@ -148,11 +154,20 @@ fn storey(text: &mut String, indent: &str, id: &str, storey: &Storey, before: Op
             );
         }
     }
-    let _ = writeln!(text, "{indent}</Floor>");
+}
+
+/// The sets of pictures from which each place of a storey draws one (003-10).
+fn sets(text: &mut String, indent: &str, storey: &Storey, front: &Front) {
+    let is_here = |part: &&Part| storey.parts.iter().any(|p| p.0 == part.name);
+    let several = front.parts.iter().filter(|p| !p.variations.is_empty());
+    for part in several.filter(is_here) {
+        let names = part.names().join(", ");
+        let _ = writeln!(text, "{indent}  <random code=\"{names}\"/>");
+    }
 }
 
 /// A number with so many decimals at the most.
-fn number(value: f64, decimals: usize) -> String {
+pub(super) fn number(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

@@ -43,6 +43,27 @@ impl Straight {
         }
     }
 
+    /// The line on which several edges lie.
+    pub fn joined<'s>(edges: impl Iterator<Item = &'s Straight> + Clone) -> Straight {
+        // A place for each so many pixels, so that long edges count as much as they are long.
+        let places: Vec<DVec2> = edges
+            .clone()
+            .flat_map(|e| {
+                let count = (e.a.distance(e.b) / 4.0).ceil().max(1.0) as usize;
+                (0..=count).map(move |k| e.a.lerp(e.b, k as f64 / count as f64))
+            })
+            .collect();
+        let (middle, along, _) = through(&places);
+        let at = |p: &DVec2| (*p - middle).dot(along);
+        let from = places.iter().map(at).fold(f64::INFINITY, f64::min);
+        let to = places.iter().map(at).fold(f64::NEG_INFINITY, f64::max);
+        Straight {
+            a: middle + along * from,
+            b: middle + along * to,
+            weight: edges.map(|e| e.weight).sum(),
+        }
+    }
+
     fn line(&self, middle: DVec2, scale: f64) -> DVec3 {
         let (a, b) = ((self.a - middle) / scale, (self.b - middle) / scale);
         a.extend(1.0).cross(b.extend(1.0)).normalize_or_zero()
@@ -169,6 +190,69 @@ pub fn meeting(edges: &[Straight], lens: &Lens) -> Option<Meeting> {
         down,
         support: [support_across, support_down],
     })
+}
+
+/// The most turns by which the frame of the wall is settled.
+const TURNS: usize = 12;
+
+impl Meeting {
+    /// The same as long lines across and down say it.
+    pub fn refined(self, [across, down]: &[Vec<Straight>; 2], lens: &Lens) -> Option<Meeting> {
+        let (middle, scale) = (lens.middle, lens.focal);
+        let back = DMat3::from_translation(middle) * DMat3::from_scale(DVec2::splat(scale));
+        let place = |edges: &[Straight], mut place: DVec3| {
+            let lines: Vec<DVec3> = edges.iter().map(|e| e.line(middle, scale)).collect();
+            for _ in 0..3 {
+                place = back * refined(edges, &lines, place, FINE)?;
+            }
+            Some(place)
+        };
+        Some(Meeting {
+            across: place(across, self.across)?,
+            down: place(down, self.down)?,
+            ..self
+        })
+    }
+
+    /// The same with directions that are square to each other on the wall, as true for the edges of both together as can be; the
+    /// focal length is known.
+    pub fn squared(self, [across, down]: &[Vec<Straight>; 2], lens: &Lens) -> Option<Meeting> {
+        let axes = |a: DVec3, b: DVec3| {
+            let a = a.try_normalize()?;
+            let b = (b - a * a.dot(b)).try_normalize()?;
+            Some(DMat3::from_cols(a, b, a.cross(b)))
+        };
+        let place = |way: DVec3| (lens.middle * way.z + way.truncate() * lens.focal).extend(way.z);
+        let mut frame = axes(lens.ray(self.across), lens.ray(self.down))?;
+        for _ in 0..TURNS {
+            // A small turn `t` of the frame moves an axis by its cross product with it.
+            let (mut sums, mut right) = (DMat3::ZERO, DVec3::ZERO);
+            for (edges, axis) in [(across, frame.x_axis), (down, frame.y_axis)] {
+                for edge in edges {
+                    let normal = edge.line(lens.middle, lens.focal);
+                    let turn = edge.turn(place(axis)) / FINE;
+                    if turn < 1.0 {
+                        let sharp = 1.0 - turn * turn;
+                        let weight = edge.weight * edge.a.distance(edge.b) * sharp * sharp;
+                        let by = axis.cross(normal);
+                        sums += DMat3::from_cols(by * by.x, by * by.y, by * by.z) * weight;
+                        right -= by * (normal.dot(axis) * weight);
+                    }
+                }
+            }
+            if sums.determinant().abs() < 1e-20 {
+                return None;
+            }
+            let turn = sums.inverse() * right;
+            let turned = |axis: DVec3| axis + turn.cross(axis);
+            frame = axes(turned(frame.x_axis), turned(frame.y_axis))?;
+        }
+        Some(Meeting {
+            across: place(frame.x_axis),
+            down: place(frame.y_axis),
+            ..self
+        })
+    }
 }
 
 fn best(edges: &[Straight], middle: DVec2, scale: f64) -> Option<(DVec3, f64)> {

@@ -3,7 +3,8 @@
 use super::camera::Lens;
 use super::lines::{self, Tones};
 use super::rectify::between;
-use super::vanish::{self, Meeting, Straight};
+use super::settled::{Known, settled};
+use super::vanish::{self, Straight};
 use crate::plan::flatten::project;
 use glam::{DMat3, DVec2, dvec2};
 use image::RgbImage;
@@ -16,7 +17,7 @@ const SHORTEST: f64 = 0.012;
 /// The sine of how far an edge of the wall may be turned.
 const TURN: f64 = 0.02;
 /// Edges on one line: how far they lie apart, as a part of the wall that is seen.
-const APART: f64 = 0.0022;
+pub(super) const APART: f64 = 0.0022;
 /// The most lines of one direction that may be sides.
 const SIDES: usize = 56;
 /// The least part of a side along which there is an edge.
@@ -82,13 +83,16 @@ pub fn edges(photo: &RgbImage) -> Vec<lines::Edge> {
 ///
 /// # Errors
 /// If there are no edges of a wall; with what was found.
-pub fn find(photo: &RgbImage, edges: &[lines::Edge], lens: &Lens) -> Result<Wall, Lost> {
+pub fn find(
+    photo: &RgbImage,
+    edges: &[lines::Edge],
+    lens: &Lens,
+    known: Known,
+) -> Result<Wall, Lost> {
     if edges.len() < 12 {
         return Err(Lost::Edges(edges.len()));
     }
-    let straight: Vec<Straight> = edges.iter().map(|e| Straight::of(e, lens)).collect();
-    let meeting = vanish::meeting(&straight, lens).ok_or(Lost::Meeting)?;
-    let plane = plane(&meeting, lens).ok_or(Lost::Meeting)?;
+    let (lens, straight, plane) = settled(edges, *lens, known).ok_or(Lost::Meeting)?;
     let [across, down] = sorted(&straight, plane);
     let (sides, shares) = rectangle(&across, &down).ok_or(Lost::Sides(0.0))?;
     let trust = shares.into_iter().fold(1.0, f64::min);
@@ -99,49 +103,25 @@ pub fn find(photo: &RgbImage, edges: &[lines::Edge], lens: &Lens) -> Result<Wall
     let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
     let back = plane.inverse();
     let rough = corners.map(|(u, v)| project(back, dvec2(u, v)));
-    let straight = refined(photo, lens, rough, shares.map(|s| s > CLEAR));
+    let straight = refined(photo, &lens, rough, shares.map(|s| s > CLEAR));
     Ok(Wall {
         corners: straight.map(|p| lens.bent(p)),
         straight,
-        lens: *lens,
+        lens,
         trust,
     })
 }
 
-/// The map from the straight picture to the plane of the wall, in which the two directions are axes.
-fn plane(meeting: &Meeting, lens: &Lens) -> Option<DMat3> {
-    let (mut a, mut b) = (
-        lens.ray(meeting.across).normalize(),
-        lens.ray(meeting.down).normalize(),
-    );
-    if a.x < 0.0 {
-        a = -a;
-    }
-    if b.y < 0.0 {
-        b = -b;
-    }
-    let axes = DMat3::from_cols(a, b, a.cross(b));
-    if axes.determinant().abs() < 0.1 {
-        return None;
-    }
-    let ray = DMat3::from_cols(
-        lens.ray(glam::DVec3::X),
-        lens.ray(glam::DVec3::Y),
-        lens.ray(glam::DVec3::Z),
-    );
-    Some(axes.inverse() * ray)
-}
-
 /// An edge on the wall: where it lies across its direction, from where to where along it.
 #[derive(Clone, Copy, Debug)]
-struct Stroke {
-    at: f64,
-    from: f64,
-    to: f64,
+pub(super) struct Stroke {
+    pub(super) at: f64,
+    pub(super) from: f64,
+    pub(super) to: f64,
 }
 
 /// The edges of the wall, those that run across it and those that run down.
-fn sorted(edges: &[Straight], plane: DMat3) -> [Vec<Stroke>; 2] {
+pub(super) fn sorted(edges: &[Straight], plane: DMat3) -> [Vec<Stroke>; 2] {
     let mut found = [vec![], vec![]];
     for edge in edges {
         let before = |p: DVec2| (plane * p.extend(1.0)).z > 0.05;

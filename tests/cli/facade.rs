@@ -38,6 +38,7 @@ fn a_photograph_becomes_parts_that_build() {
     for name in [
         "compared.png",
         "facade.json",
+        "front-street.hsd",
         "front.hsd",
         "kanban.1.png",
         "kanban-upper.1.png",
@@ -66,6 +67,11 @@ fn a_photograph_becomes_parts_that_build() {
         &["build", "front/front.hsd", "-o", "front.glb"],
     );
     assert_eq!(code(&output), 0, "{}", stderr(&output));
+    // It stands in a street, too.
+    let street = ["build", "front/front-street.hsd", "-o", "street.glb"];
+    let output = hsd(folder.path(), &street);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert!(!stderr(&output).contains("warning"), "{}", stderr(&output));
     // The same again, and the next number for the front.
     let again = hsd(folder.path(), &facade);
     assert_eq!(code(&again), 0, "{}", stderr(&again));
@@ -220,7 +226,7 @@ fn the_page_of_photographs_builds_what_the_command_writes() {
     let read = |path: &str| fs::read(folder.path().join(path)).unwrap();
     for name in names(&folder.path().join("front")) {
         // Found corners are trusted less than told ones.
-        if name != "facade.json" && name != "front.hsd" {
+        if name != "facade.json" && !name.ends_with(".hsd") {
             let (by_command, by_page) = (
                 read(&format!("front/{name}")),
                 read(&format!("photo/{name}")),
@@ -300,8 +306,13 @@ fn parts_have_variations() {
         let parts = written.iter().filter(|n| n.starts_with("f1"));
         parts.filter(|n| n.ends_with(end)).count()
     };
-    let (first, second, third) = (of(".1.png"), of(".2.png"), of(".3.png"));
+    let (first, second, third) = (of("v1.png"), of("v2.png"), of("v3.png"));
     assert!(first > 0 && second > 0 && third == 0, "{written:?}");
+    // Each place draws one of the set.
+    let text = fs::read_to_string(folder.path().join("front/front.hsd")).unwrap();
+    assert!(text.contains("<random code=\"f1f"), "{text}");
+    let catalogue = fs::read_to_string(folder.path().join("front/parts.csv")).unwrap();
+    assert_eq!(catalogue.matches("v1.png").count(), first);
     let output = hsd(folder.path(), &["check", "front/front.hsd"]);
     assert_eq!(code(&output), 0, "{}", stderr(&output));
 }

@@ -1,6 +1,7 @@
 //! Photographs of facades that are drawn so that all truth is known: a wall with its windows, seen through a lens in perspective,
 //! with trees, wires and cars before it and uneven light on it. Nothing here uses the program.
 
+use super::model::Straight;
 use image::{Rgb, RgbImage};
 
 /// Numbers that look random.
@@ -67,6 +68,8 @@ pub struct Facade {
     glass: Tone,
     base: Tone,
     bands: bool,
+    /// The wall of a model that stands for the drawn one.
+    pub model: Option<Straight>,
 }
 
 impl Facade {
@@ -111,11 +114,15 @@ impl Facade {
             glass: tone(0.03, 0.08, -0.3),
             base: tone(0.20, 0.32, 0.1),
             bands: !seed.is_multiple_of(3),
+            model: None,
         }
     }
 
     /// The colour of a place, linear light; equal bays are equal.
     pub fn tone(&self, x: f64, y: f64) -> Tone {
+        if let Some(model) = &self.model {
+            return model.tone(x, y);
+        }
         let row = self.rows[1..self.rows.len() - 1]
             .iter()
             .filter(|r| y >= **r)
@@ -206,7 +213,8 @@ pub struct Shot {
     /// How the light changes over the wall: across, down, and both squared.
     pub light: [f64; 4],
     pub noise: f64,
-    seed: u64,
+    /// From which its noise comes.
+    pub seed: u64,
 }
 
 impl Shot {

@@ -73,7 +73,7 @@ pub(in crate::cli) struct Facade {
     #[arg(long = "mask", value_name = "PNG")]
     masks: Vec<PathBuf>,
 
-    /// Also write up to N further clean pictures of each part; every place of it gets one of them at random.
+    /// Also write up to N further clean pictures of each part, as a `random` set of which every place draws one.
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true, value_parser = values::variations)]
     variations: usize,
 
@@ -100,7 +100,6 @@ impl Facade {
                         photos: &photos,
                         front: &front,
                         given: &given,
-                        variations: self.variations,
                         fronts: self.fronts.as_deref(),
                     };
                     told = Some(made.write(&mut sources, &mut out)?);
@@ -150,6 +149,7 @@ impl Facade {
             bend: self.lens,
             focal: self.focal,
             lattice,
+            variations: self.variations,
         }
     }
 }

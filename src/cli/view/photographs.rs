@@ -208,7 +208,6 @@ impl Photographs {
                     photos,
                     front: &front,
                     given,
-                    variations: 0,
                     fronts: None,
                 };
                 let words = made.write(&mut sources, &mut out).and_then(|words| {

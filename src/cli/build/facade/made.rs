@@ -7,7 +7,7 @@ use crate::cli::files::terminal::counted;
 use crate::diagnostic::messages::plan::photographed as say;
 use crate::diagnostic::{Diagnostics, Text, noun};
 use crate::driver;
-use crate::front::{self, Front, Given, Lattice, Photo, Told, exif, parts, record, sheet, whole};
+use crate::front::{self, Front, Given, Lattice, Photo, Told, exif, record, sheet, whole};
 use crate::fs::FolderWorld;
 use crate::plan::Picture;
 use crate::source::{FileId, Source, Span};
@@ -29,8 +29,6 @@ pub(in crate::cli) struct Made<'m> {
     pub(in crate::cli) front: &'m Front,
     /// What was known.
     pub(in crate::cli) given: &'m Given,
-    /// The most further pictures of each part.
-    pub(in crate::cli) variations: usize,
     /// The name of whole fronts that are also written.
     pub(in crate::cli) fronts: Option<&'m str>,
 }
@@ -53,6 +51,9 @@ impl Made<'_> {
             text.as_bytes(),
         );
         let mut files = self.files()?;
+        let street = format!("{}-street.hsd", name.to_string_lossy());
+        let street = self.output.join(street);
+        files.push((street, front::street::write(self.front).into_bytes()));
         files.push((path.clone(), text.into_bytes()));
         output::write_all(files)?;
         let world = FolderWorld::new(vec![self.output.to_owned()], PIXELS);
@@ -102,10 +103,8 @@ impl Made<'_> {
             (path("compared.png"), png(&compared)?),
         ];
         for part in &front.parts {
-            files.push((path(&format!("{}.png", part.name)), png(&part.picture)?));
-            let further = parts::variations(front, part.cell, self.variations);
-            for (k, picture) in further.iter().enumerate() {
-                files.push((path(&format!("{}.{}.png", part.name, k + 1)), png(picture)?));
+            for (name, picture) in part.names().iter().zip(part.pictures()) {
+                files.push((path(&format!("{name}.png")), png(picture)?));
             }
         }
         if let Some(name) = self.fronts {
