@@ -4,23 +4,19 @@
 //! A wall is found or told by its corners, seen straight through lens and perspective, cut on a lattice of bays and storeys;
 //! cells that show the same part share one clean picture, equally bright.
 
-pub mod before;
 pub mod brush;
 pub mod camera;
 pub mod cells;
 pub mod exif;
 pub mod grid;
 pub mod kinds;
-pub mod lines;
 pub mod parts;
 pub mod record;
 pub mod rectify;
-pub mod settled;
 pub mod sheet;
 pub mod street;
 pub mod text;
 pub mod tone;
-pub mod vanish;
 pub mod wall;
 pub mod whole;
 
@@ -31,9 +27,9 @@ use glam::{DMat3, DVec2, dvec2};
 use grid::Grid;
 use image::{GrayImage, RgbImage};
 use kinds::Shown;
-use settled::Known;
 use tone::Light;
-use wall::{Lost, Wall};
+use wall::settled::Known;
+use wall::{Lost, Wall, lines, vanish};
 
 /// The focal length where nothing says it, as a part of the diagonal of the photograph: 28 mm on film, as telephones have.
 const USUAL_FOCAL: f64 = 0.647;

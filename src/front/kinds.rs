@@ -1,7 +1,9 @@
 //! Which cells of a wall show the same part, and which are hidden by something that stands before them.
 
-use super::before::Before;
+mod before;
+
 use super::cells::{Cell, Likeness, SIDE, are_equal, compare};
+use before::Before;
 use std::collections::BTreeSet;
 
 /// The part of two cells that agrees if they show the same.
@@ -55,11 +57,9 @@ pub fn sorted(cells: &[Cell]) -> Vec<Shown> {
             .filter(free)
             .map(|k| (mates(k), k))
             .max_by(|a, b| {
-                let sum = |of: &(Vec<usize>, usize)| {
-                    of.0.iter()
-                        .filter_map(|m| pair(of.1, *m))
-                        .map(|p| p.share)
-                        .sum::<f64>()
+                let sum = |of: &(Vec<usize>, usize)| -> f64 {
+                    let pairs = of.0.iter().filter_map(|m| pair(of.1, *m));
+                    pairs.map(|p| p.share).sum()
                 };
                 sum(a).total_cmp(&sum(b)).then(b.1.cmp(&a.1))
             });

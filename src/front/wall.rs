@@ -1,14 +1,18 @@
 //! The rectangle of a facade in a photograph: four sides along edges that are parallel on the wall.
 
+pub mod lines;
+pub mod settled;
+pub mod vanish;
+
 use super::camera::Lens;
-use super::lines::{self, Tones};
 use super::rectify::between;
-use super::settled::{Known, settled};
-use super::vanish::{self, Straight};
 use crate::plan::flatten::project;
 use glam::{DMat3, DVec2, dvec2};
 use image::RgbImage;
 use image::imageops;
+use lines::Tones;
+use settled::{Known, settled};
+use vanish::Straight;
 
 /// The longer side of the picture in which edges are looked for, pixels.
 const SMALL: f64 = 1400.0;

@@ -1,7 +1,7 @@
 //! Where parallel edges of a wall meet in a photograph, and the lens that makes them straight.
 
-use super::camera::Lens;
 use super::lines::Edge;
+use crate::front::camera::Lens;
 use glam::{DMat3, DVec2, DVec3};
 
 /// The most edges that are tried in pairs.

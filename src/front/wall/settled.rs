@@ -1,9 +1,9 @@
 //! The lens and the plane of a wall, settled by its long lines.
 
-use super::camera::Lens;
 use super::lines;
 use super::vanish::{self, Meeting, Straight};
-use super::wall::{APART, Stroke, sorted};
+use super::{APART, Stroke, sorted};
+use crate::front::camera::Lens;
 use glam::DMat3;
 
 /// How often lens and plane are settled.

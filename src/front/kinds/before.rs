@@ -1,7 +1,7 @@
 //! What stands before a wall, by its colours: trees, wires and cars hide several cells, and in some of them it is plain what is hidden.
 
-use super::cells::{Cell, Likeness, SIDE};
-use super::kinds::Shown;
+use super::Shown;
+use crate::front::cells::{Cell, Likeness, SIDE};
 
 /// Added to colours before they are compared: what is darker is noise.
 const DARK: f32 = 0.02;
@@ -14,7 +14,7 @@ const MOST: usize = 600;
 
 /// Colours of what stands before the wall: the logarithms of red and blue over green, and of green.
 #[derive(Clone, Debug)]
-pub struct Before {
+pub(super) struct Before {
     colours: Vec<[f32; 3]>,
     /// Colours of the wall: where nothing else is known, what is of no such colour stands before it.
     wall: Vec<[f32; 3]>,
@@ -22,7 +22,7 @@ pub struct Before {
 
 impl Before {
     /// The colours of what differs in cells for which others stand.
-    pub fn of<'p>(
+    pub(super) fn of<'p>(
         cells: &[Cell],
         shown: &[Option<Shown>],
         pair: &dyn Fn(usize, usize) -> Option<&'p Likeness>,
@@ -46,7 +46,7 @@ impl Before {
     }
 
     /// Whether anything stands before the wall.
-    pub fn is_known(&self) -> bool {
+    pub(super) fn is_known(&self) -> bool {
         !self.colours.is_empty()
     }
 
@@ -63,7 +63,7 @@ impl Before {
     }
 
     /// The part of a cell, 0 to 1, that differs from another and has none of these colours, nor has anything beside it.
-    pub fn untold(&self, cell: &Cell, likeness: &Likeness) -> f64 {
+    pub(super) fn untold(&self, cell: &Cell, likeness: &Likeness) -> f64 {
         let told: Vec<bool> = (cell.tones.iter().zip(&likeness.off))
             .map(|(tone, off)| *off && self.is_of_it(*tone))
             .collect();
