@@ -202,49 +202,71 @@ fn what_is_no_area_is_told_where_areas_are_divided() {
     assert!(told[0][2].contains("a point"), "{:?}", told[0]);
 }
 
-/// The meshes of the only tree of a town at a detail, with the materials of their pieces.
-fn tree_at(detail: &str) -> (usize, Vec<serde_json::Value>) {
+/// The corners of the model of a tree in a tile of a detail, and the number of its triangles.
+fn tree_at(detail: &str) -> (Vec<[f32; 3]>, usize) {
     let folder = folder(&[("trees", &[point("", (3.0, 3.0))])]);
     let town = "<Town seed=\"1\"><Layer name=\"trees\" src=\"trees.geojson\" crs=\"local\"/>\
         <for each=\"trees\"><Tree species=\"cherry\"/></for></Town>";
     let built = crate::tiles::build(town, folder.path(), &crate::tiles::Memory::default(), 1);
-    let built = built.expect("nothing fails");
-    let all = built.all().1.into_iter();
+    let (_, files, _) = built.expect("nothing fails").all();
     let ending = format!("-{detail}.glb");
-    let (_, glb) = all
-        .into_iter()
-        .find(|(name, _)| name.ends_with(&ending))
-        .expect("a tile");
-    let length = u32::from_le_bytes(glb[12..16].try_into().expect("four")) as usize;
-    let json: serde_json::Value = serde_json::from_slice(&glb[20..20 + length]).expect("is JSON");
-    let primitives = json["meshes"].as_array().expect("meshes").iter();
-    let primitives: Vec<&serde_json::Value> = primitives
-        .flat_map(|mesh| mesh["primitives"].as_array().expect("primitives"))
-        .collect();
-    let indices = primitives.iter().map(|p| {
-        let accessor = p["indices"].as_u64().expect("indices") as usize;
-        json["accessors"][accessor]["count"]
-            .as_u64()
-            .expect("a count") as usize
-    });
-    let materials = primitives.iter().map(|p| {
-        let material = p["material"].as_u64().expect("a material") as usize;
-        json["materials"][material].clone()
-    });
-    (indices.sum::<usize>() / 3, materials.collect())
+    let glb = files.into_iter().find(|(name, _)| name.ends_with(&ending));
+    let glb = model(&glb.expect("a tile").1);
+    (glb.0, glb.1)
+}
+
+/// Reads the corners and counts the triangles of the only mesh of a model.
+fn model(glb: &[u8]) -> (Vec<[f32; 3]>, usize) {
+    let word = |at: usize| u32::from_le_bytes(glb[at..at + 4].try_into().expect("four")) as usize;
+    let end = 20 + word(12);
+    let json: serde_json::Value = serde_json::from_slice(&glb[20..end]).expect("is JSON");
+    let number = |value: &serde_json::Value| value.as_u64().unwrap_or(0) as usize;
+    let primitives = json["meshes"][0]["primitives"].as_array().expect("a mesh");
+    let (mut corners, mut triangles) = (vec![], 0);
+    for primitive in primitives {
+        let accessor = |index: &serde_json::Value| &json["accessors"][number(index)];
+        triangles += number(&accessor(&primitive["indices"])["count"]) / 3;
+        let places = accessor(&primitive["attributes"]["POSITION"]);
+        assert_eq!(places["componentType"], 5126);
+        let view = &json["bufferViews"][number(&places["bufferView"])];
+        let from = end + 8 + number(&view["byteOffset"]) + number(&places["byteOffset"]);
+        let step = number(&view["byteStride"]).max(12);
+        corners.extend(
+            (0..number(&places["count"]))
+                .map(|k| [0, 4, 8].map(|c| f32::from_bits(word(from + k * step + c) as u32))),
+        );
+    }
+    (corners, triangles)
 }
 
 #[test]
-fn a_tree_from_afar_is_two_crossed_upright_shapes_cut_out_of_their_picture() {
-    let (triangles, materials) = tree_at("0");
-    for material in materials {
-        assert_eq!(material["alphaMode"], "MASK", "{material}");
-        assert!(material["pbrMetallicRoughness"]["baseColorTexture"].is_object());
+fn a_tree_from_afar_is_two_crossed_upright_shapes_cut_to_its_outline() {
+    for detail in ["0", "1"] {
+        let (corners, triangles) = tree_at(detail);
+        let in_plane = |k: usize| corners.iter().filter(|p| p[k].abs() < 1e-6).count();
+        assert!(
+            corners
+                .iter()
+                .all(|p| p[0].abs() < 1e-6 || p[2].abs() < 1e-6)
+        );
+        assert_eq!(in_plane(0), in_plane(2), "as much of it in both planes");
+        // Its outline, not a rectangle with a picture: a crown wider than its trunk, narrow again at the top.
+        let wide = |low: f32, high: f32| {
+            let own = corners.iter().filter(|p| (low..=high).contains(&p[1]));
+            own.map(|p| p[0].abs()).fold(0.0, f32::max)
+        };
+        let top = corners.iter().map(|p| p[1]).fold(0.0, f32::max);
+        let middle = wide(top * 0.4, top * 0.7);
+        assert!(middle > 5.0 * wide(0.0, top * 0.1) && middle > 1.5 * wide(top * 0.9, top));
+        assert!(triangles <= 40, "{triangles} triangles");
     }
-    // Two shapes, seen from both sides.
-    assert!(triangles == 4 || triangles == 8, "{triangles} triangles");
-    let (near, _) = tree_at("3");
+    let (corners, near) = tree_at("3");
     assert!(near > 40, "a trunk with a crown near by: {near} triangles");
+    assert!(
+        corners
+            .iter()
+            .any(|p| p[0].abs() > 0.01 && p[2].abs() > 0.01)
+    );
 }
 
 #[test]
