@@ -17,6 +17,7 @@ export function sunPanel(app: App): HTMLElement {
     if (!day) return;
     const sun = sunPosition(day, hour.valueAsNumber, KYOTO);
     app.viewport.environment.light(sun);
+    app.town.turn(day);
     app.viewport.updateShadows();
     time.textContent = formatHour(hour.valueAsNumber);
     hour.setAttribute('aria-valuetext', time.textContent);

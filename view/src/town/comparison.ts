@@ -43,7 +43,7 @@ export class Comparison {
     const label = this.label(), { TownTiles } = await import('./tiles.ts');
     await keepTown(state.id, true);
     this.#drop();
-    const tiles = new TownTiles(townFiles(state.id) + state.tileset, viewport.camera, viewport.renderer, material => viewport.dim(material));
+    const tiles = new TownTiles(townFiles(state.id) + state.tileset, viewport.camera, viewport.renderer, material => this.#app.town.look(material));
     tiles.onChange = () => viewport.draw();
     tiles.onTiles = () => viewport.updateShadows();
     tiles.onError = message => this.#app.announce(strings.failed + message);

@@ -236,6 +236,15 @@ export class TownTiles {
     return ray.intersectObject(this.#tiles.group, true).find(({ object }) => object instanceof THREE.Mesh)?.point ?? null;
   }
 
+  /** The materials of all tiles that are there. */
+  *materials(): Iterable<THREE.Material> {
+    for (const { scene } of this.#loaded.values()) {
+      const found: THREE.Material[] = [];
+      scene.traverse(node => { if (node instanceof THREE.Mesh) found.push(...[node.material].flat() as THREE.Material[]); });
+      yield* found;
+    }
+  }
+
   /** What is drawn of the tiles that are shown. */
   *meshes(): Iterable<THREE.Mesh> {
     for (const tile of this.#tiles.visibleTiles) {

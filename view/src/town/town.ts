@@ -7,6 +7,7 @@ import type { App } from '../app.ts';
 import { fetchFace, fetchFeature, fetchPlace, fetchSkipped, townFiles, type Decision, type EnvelopeFace, type MapPlace, type Skipped, type TownFeature, type TownProgress, type TownState } from '../server/api.ts';
 import { EYE_HEIGHT } from '../scene/views.ts';
 import { strings } from '../ui/strings.ts';
+import { colourLeaves } from './season.ts';
 import type { TownTiles } from './tiles.ts';
 
 /** Longest side of a town that preset views show as a whole, metres: houses of a larger one would be specks. */
@@ -51,6 +52,7 @@ export class Town {
   /** The tiles that are about to take the place of the shown ones. */
   #next: TownTiles | null = null;
   #root = '';
+  #day = { month: 7, day: 1 };
   #file: string | null = null;
   #box: THREE.Box3 | null = null;
   #timer = 0;
@@ -109,12 +111,24 @@ export class Town {
     const { viewport } = this.#app, { TownTiles } = await import('./tiles.ts');
     if (root !== this.#root) return;
     this.#next?.dispose();
-    const tiles = this.#next = new TownTiles(root, viewport.camera, viewport.renderer, material => viewport.dim(material));
+    const tiles = this.#next = new TownTiles(root, viewport.camera, viewport.renderer, material => this.look(material));
     tiles.onChange = () => { this.#change(); viewport.draw(); };
     tiles.onTiles = () => { this.#app.walk.forget(); this.#later(); };
     tiles.onError = message => this.#app.announce(strings.failed + message);
     tiles.onRoot = () => { if (!this.tiles) this.#change(true); };
     viewport.draw();
+  }
+
+  /** Gives a material of a tile the look that it has here. */
+  look(material: THREE.Material) {
+    this.#app.viewport.dim(material);
+    colourLeaves(material, this.#day);
+  }
+
+  /** Shows the trees as they are on a day. */
+  turn(day: { month: number; day: number }) {
+    this.#day = day;
+    for (const tiles of [this.tiles, this.#next, this.#app.comparison.kept?.tiles]) for (const material of tiles?.materials() ?? []) colourLeaves(material, day);
   }
 
   /** Shows the next tiles once they are all there, so that the ones before do not vanish first. */
