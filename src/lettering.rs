@@ -1,4 +1,9 @@
-//! Letters as outlines, from the file of a font: what is written looks the same wherever it is shown.
+//! Letters as outlines, from the file of a font, or of our own where there is none: what is written looks the same wherever it
+//! is shown.
+
+mod strokes;
+
+pub use strokes::lettering;
 
 use glam::{DVec2, dvec2};
 use ttf_parser::{Face, OutlineBuilder};

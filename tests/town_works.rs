@@ -370,6 +370,7 @@ fn a_sign_bears_its_name_on_both_sides() {
     let signs = [
         point(r#""name":"LO 4""#, (5.0, 4.0)),
         point(r#""name":"""#, (9.0, 4.0)),
+        point(r#""name":"四条通""#, (13.0, 4.0)),
     ];
     let folder = folder(&[
         ("signs", &signs),
@@ -384,10 +385,21 @@ fn a_sign_bears_its_name_on_both_sides() {
             .any(|[code, _, message]| code == "HSD1170" && message.contains(what))
     };
     assert!(
-        told("name the file of a font") && told("60 letters at most"),
+        told("no letter of our own for \"四\"") && told("60 letters at most"),
         "{:?}",
         bare.told
     );
+    // Without a font there are capitals and figures of our own: L, O with its middle open, and 4.
+    assert_eq!(bare.rows[0]["parameters"], "text=LO 4");
+    let houses = made(&plain, folder.path());
+    let ink = sheets(&houses, "sign").find(|(sheet, _)| sheet.finish == "road_paint");
+    let (ink, _) = ink.expect("has letters");
+    let of = |face: &Vec<DVec3>| (face[1] - face[0]).cross(face[2] - face[0]).length() / 2.0;
+    let inked: f64 = ink.faces.iter().map(of).sum::<f64>() / 2.0;
+    // Strokes of 0.84 on a grid of which a letter 0.3 m high has 8.4: an L of 10, an O of 17.7, a 4 of 15, and their ends.
+    let unit = 0.3 / 8.4;
+    let strokes = (10.0 + 17.7 + 15.0 + 2.5) * 0.84 * unit * unit;
+    assert!((inked / strokes - 1.0).abs() < 0.15, "{inked} of {strokes}");
     let lettered = plain.replacen("<Town ", "<Town font=\"gothic.ttf\" ", 1);
     let missing = in_folder(&lettered, folder.path(), |_| {});
     assert!(

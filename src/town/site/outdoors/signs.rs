@@ -1,4 +1,4 @@
-//! Signs (000-70): a board on a post, with the name of the place on both sides in the letters of the town's font.
+//! Signs (000-70): a board on a post, with the name of the place on both sides, in the letters of the town's font or our own.
 
 use super::signals::nearest_way;
 use super::solids::{Faces, case, column};
@@ -8,7 +8,7 @@ use crate::ast::{Sheet, Value};
 use crate::diagnostic::Text;
 use crate::geometry::area2;
 use crate::geometry::triangulate::triangles;
-use crate::lettering::{Font, Lettering};
+use crate::lettering::{Font, Lettering, lettering};
 use crate::source::Span;
 use crate::text;
 use crate::town::layer::Shape;
@@ -40,13 +40,16 @@ impl LotSite<'_> {
             ));
         }
         let font = self.plan.font.as_deref().and_then(Font::read);
-        let Some(font) = font else {
-            return Err(text!(
-                "a sign needs letters: name the file of a font in `<Town font=\"...\">`",
-                "標識には文字の形が要ります。`<Town font=\"...\">` にフォントのファイルを書いてください"
-            ));
+        let lettering = match &font {
+            Some(font) => font.lettering(name),
+            None => lettering(name),
         };
-        let lettering = font.lettering(name);
+        if let (None, Some(letter)) = (&font, lettering.missing.first()) {
+            return Err(text!([letter]
+                "there is no letter of our own for \"{letter}\": name the file of a font in `<Town font=\"...\">`",
+                "「{letter}」の字形がありません。`<Town font=\"...\">` にフォントのファイルを書いてください"
+            ));
+        }
         let mut parameters = vec![("text".to_owned(), Value::Text(name.to_owned()))];
         if !lettering.missing.is_empty() {
             let missing: String = lettering.missing.iter().collect();

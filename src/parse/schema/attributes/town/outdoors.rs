@@ -69,7 +69,7 @@ pub(in crate::parse::schema) const SIGNAL: &[AttributeSchema] = &[
 ];
 #[rustfmt::skip]
 pub(in crate::parse::schema) const SIGN: &[AttributeSchema] = &[
-    must("text", Text, "what is written on it, in the letters of the town's `font`", "書く文字。町の `font` の字形で書く"),
+    must("text", Text, "what is written on it, in the letters of the town's `font`, or in capitals and figures of our own", "書く文字。町の `font` の字形、無ければ自前のローマ字の大文字と数字で書く"),
     may("azimuth", Number(-3600.0, 3600.0), "", "the direction that it faces, degrees clockwise from north; without, along the nearest street", "向き。北から時計回りの度。無ければ最も近い通りに沿う向き"),
     may("size", Number(0.02, 5.0), "0.2", "of its letters, metres", "文字の大きさ(m)").metres(),
     may("height", Number(0.0, 30.0), "2.2", "of its lower edge, metres", "板の下端の高さ(m)").metres(),
