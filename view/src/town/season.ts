@@ -7,10 +7,10 @@ type Tint = [number, number, number];
 
 /** From which day of the year on leaves have which colour, by species; what is not named stays green. Dates are those of Kyoto. */
 const TINTS: Record<string, [month: number, day: number, tint: Tint][]> = {
-  // Blossom at the turn of March to April, red in November, bare branches in winter.
-  cherry: [[1, 1, [0.62, 0.42, 0.5]], [3, 26, [2.5, 1.55, 3.2]], [4, 14, [1.15, 1.1, 0.9]], [5, 1, [1, 1, 1]], [10, 20, [1.6, 0.75, 0.55]], [12, 1, [0.62, 0.42, 0.5]]],
-  plane: [[1, 1, [0.75, 0.5, 0.55]], [4, 10, [1.15, 1.15, 0.9]], [5, 5, [1, 1, 1]], [10, 25, [1.55, 0.95, 0.5]], [12, 5, [0.75, 0.5, 0.55]]],
-  willow: [[1, 1, [0.95, 0.65, 0.6]], [3, 10, [1.2, 1.15, 0.85]], [4, 20, [1, 1, 1]], [11, 10, [1.35, 1, 0.6]], [12, 20, [0.95, 0.65, 0.6]]],
+  // Blossom at the turn of March to April, red in November, bare branches in winter. Leaves hold little blue, so pink takes much of it.
+  cherry: [[1, 1, [1.2, 0.6, 2.5]], [3, 26, [4.6, 2.3, 13]], [4, 14, [1.2, 1.1, 1]], [5, 1, [1, 1, 1]], [10, 20, [2.7, 0.4, 0.7]], [12, 1, [1.2, 0.6, 2.5]]],
+  plane: [[1, 1, [1.2, 0.55, 2.5]], [4, 10, [1.2, 1.15, 1]], [5, 5, [1, 1, 1]], [10, 25, [3.4, 1.1, 1.5]], [12, 5, [1.2, 0.55, 2.5]]],
+  willow: [[1, 1, [1.8, 0.85, 2.8]], [3, 10, [1.3, 1.2, 0.9]], [4, 20, [1, 1, 1]], [11, 10, [3.4, 1.8, 2.5]], [12, 20, [1.8, 0.85, 2.8]]],
 };
 
 /** The tint of the leaves of a material on a day; null for what is green all year, or is no leaves. */
