@@ -12,7 +12,7 @@ use crate::lettering::{Font, Lettering, lettering};
 use crate::source::Span;
 use crate::text;
 use crate::town::layer::Shape;
-use crate::town::shape::contains;
+use crate::town::shape::{contains, sides};
 use glam::{DVec2, DVec3, dvec2};
 
 /// How far a board reaches beyond its letters, as a share of their size, and how thick it is, metres.
@@ -117,11 +117,14 @@ fn shapes(lettering: &Lettering) -> Vec<[DVec2; 3]> {
         .filter(|ring| ring.len() > 2)
         .cloned()
         .collect();
+    // Strokes of a letter may cross: a ring in another has all of its sides there.
+    let lies_in = |n: usize, other: usize| {
+        let mut places = sides(&rings[n]).flat_map(|side| [side.from, side.middle()]);
+        places.all(|p| contains(&rings[other], p))
+    };
     let around = |n: usize| -> Vec<usize> {
         let others = (0..rings.len()).filter(|other| *other != n);
-        others
-            .filter(|other| contains(&rings[*other], rings[n][0]))
-            .collect()
+        others.filter(|other| lies_in(n, *other)).collect()
     };
     let around: Vec<Vec<usize>> = (0..rings.len()).map(around).collect();
     let turned = |n: usize, left: bool| {
