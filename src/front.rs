@@ -396,7 +396,7 @@ fn lattice(
     }
 }
 
-/// Cuts a straight wall into parts with so many variations at the most.
+/// Cuts a straight wall into parts, each with at most this number of variations.
 fn cut(wall: RgbImage, seen: &[bool], grid: Grid, variations: usize) -> Front {
     let first = cells::cells(&wall, seen, &grid);
     let light = light(&first, &kinds::sorted(&first), &grid);

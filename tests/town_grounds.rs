@@ -64,6 +64,14 @@ fn a_residence_takes_houses_gates_and_sources_of_its_own_and_tells_what_it_canno
     assert!(built.told.is_empty(), "{:?}", built.told);
     let kinds: Vec<&str> = built.rows.iter().map(|row| &*row["type"]).collect();
     assert!(kinds.contains(&"hut"), "{kinds:?}");
+    let narrow = feature("", "Polygon", "[[[0,4],[3,4],[3,40],[0,40],[0,4]]]");
+    let path = folder.path().join("narrow.geojson");
+    let narrow = format!(r#"{{"type":"FeatureCollection","features":[{narrow}]}}"#);
+    std::fs::write(path, narrow).expect("is written");
+    let rule = "<for each=\"narrow\"><Residence evidence=\"a map\"/></for>";
+    let small = in_folder(&text(&["narrow", "roads"], rule), folder.path(), |_| {});
+    assert!(small.told.is_empty(), "{:?}", small.told);
+    assert_eq!(&small.rows[0]["why"], "too small for a residence");
     for (rule, wrong) in [
         ("<Residence house=\"palast\"/>", "palast"),
         ("<Residence gate=\"60\"/>", "60"),

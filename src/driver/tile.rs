@@ -51,7 +51,7 @@ pub struct TileScene {
     pub library: Library,
 }
 
-/// What the houses of a level look like that have been handed on.
+/// The materials and images of the houses of a level that have been handed on.
 pub struct TileLooks {
     /// Their materials.
     pub materials: Vec<Material>,

@@ -14,7 +14,7 @@ const HIDDEN: f64 = 0.36;
 const SURE: f64 = 0.75;
 /// The part of two cells of one storey or bay that agrees if they show the same behind what hides one of them, at least.
 const BOTH: f64 = 0.45;
-/// The part of a cell that may differ without being of the colours of what stands before the wall.
+/// The share of a cell that may differ although its colours are not those of obstacles before the wall.
 const UNTOLD: f64 = 0.12;
 /// The same where the blot goes on from a cell beside it.
 const COVERED: f64 = 0.12;
@@ -101,8 +101,8 @@ pub fn sorted(cells: &[Cell]) -> Vec<Shown> {
         .collect()
 }
 
-/// Says what stands for cells of which a part is hidden and at least this part agrees; what hides it has to have the colours of what
-/// stands before the wall, if they are given.
+/// Finds replacements for partly hidden cells: another cell that agrees in at least this share. Where colours of obstacles are
+/// given, what hides a cell has to have them.
 fn settle<'p>(
     shown: &mut [Option<Shown>],
     cells: &[Cell],
@@ -149,7 +149,7 @@ fn paired<'p>(
     }
 }
 
-/// What stands for a cell if all that differs has the colours of what stands before the wall.
+/// Returns the replacement of a cell, if everything that differs has the colours of obstacles before the wall.
 fn told<'p>(
     k: usize,
     cells: &[Cell],

@@ -378,7 +378,7 @@ impl TileWriter {
         json!(attributes)
     }
 
-    /// Writes the indices of each material into so many vertices, of so many features, and frees them; returns the primitives.
+    /// Writes the indices of each material and frees them; returns the primitives. `vertices` and `features` are their numbers.
     fn primitives(
         &mut self,
         file: &mut File,

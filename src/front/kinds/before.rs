@@ -1,4 +1,5 @@
-//! What stands before a wall, by its colours: trees, wires and cars hide several cells, and in some of them it is plain what is hidden.
+//! Obstacles before a wall, known by their colours: trees, wires and cars hide several cells, and some of these cells show clearly
+//! which pixels are hidden.
 
 use super::Shown;
 use crate::front::cells::{Cell, Likeness, SIDE};
@@ -12,7 +13,7 @@ const LEVEL: f32 = 0.8;
 /// The most colours that are kept.
 const MOST: usize = 600;
 
-/// Colours of what stands before the wall: the logarithms of red and blue over green, and of green.
+/// The colours of obstacles before the wall: the logarithms of red and blue over green, and of green.
 #[derive(Clone, Debug)]
 pub(super) struct Before {
     colours: Vec<[f32; 3]>,

@@ -163,12 +163,22 @@ impl<'a> Expander<'a, '_> {
         }
         self.files.open.pop();
         self.reporter.instead(outside);
-        let Some(evidence) = evidence else { return };
+        if let Some(evidence) = evidence {
+            self.give_evidence(&evidence, into, first);
+        }
+    }
+
+    /// Gives the children of an element from this one on the attribute that says where they come from.
+    fn give_evidence(&mut self, evidence: &Attribute<'a>, into: usize, first: usize) {
         for n in first..self.made.elements[into].children.len() {
             let Child::Element(index) = self.made.elements[into].children[n] else {
                 continue;
             };
-            self.made.elements[index].attributes.push(evidence.clone());
+            let made = &mut self.made.elements[index];
+            // A `Skip` has none.
+            if schema::named(made.name).is_some_and(|s| s.attribute(EVIDENCE).is_some()) {
+                made.attributes.push(evidence.clone());
+            }
         }
     }
 
