@@ -60,8 +60,8 @@ use workspace::Workspace;
 pub struct PreviewOptions {
     /// The folder that contains all readable files.
     pub root: PathBuf,
-    /// The only file to show, as a path relative to the root with `/`.
-    pub only: Option<String>,
+    /// The only files to show, as paths relative to the root with `/`; all files below it without any.
+    pub only: Vec<String>,
     /// The language of diagnostics and of the page.
     pub language: Language,
     /// Access to source files and the editor.

@@ -93,7 +93,7 @@ fn show(texts: &[(&str, &str)], only: Option<&str>, files: Files) -> Shown {
     }
     let preview = Preview::start(PreviewOptions {
         root: folder.path().to_owned(),
-        only: only.map(str::to_owned),
+        only: only.map(str::to_owned).into_iter().collect(),
         language: Language::English,
         host: Box::new(files.clone()),
         front: None,

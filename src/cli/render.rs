@@ -370,7 +370,7 @@ impl Render {
         let (sink, screenshots) = mpsc::channel();
         let options = PreviewOptions {
             root: real.parent().unwrap_or(Path::new("/")).to_owned(),
-            only: Some(name.clone().into_owned()),
+            only: vec![name.clone().into_owned()],
             language,
             host: Box::new(FileHost {
                 read_args: self.read_args.clone(),

@@ -120,7 +120,7 @@ impl View {
         let watched = photographs.watched();
         let failed = |e: io::Error| Failure::at(root.display(), e);
         let preview = Preview::start(PreviewOptions {
-            only: Some(photographs.file()),
+            only: vec![photographs.file(), photographs.street()],
             watched,
             root: root.clone(),
             language,
@@ -151,13 +151,14 @@ pub(super) fn start(
     let failed = |e: io::Error| Failure::at(input.display(), e);
     let real = input.canonicalize().map_err(failed)?;
     let (root, only, mode) = if real.join(TILESET).is_file() {
-        (real, Some(TILESET.to_owned()), RecursiveMode::NonRecursive)
+        (real, vec![TILESET.to_owned()], RecursiveMode::NonRecursive)
     } else if real.is_dir() {
-        (real, None, RecursiveMode::Recursive)
+        (real, vec![], RecursiveMode::Recursive)
     } else {
         let folder = real.parent().unwrap_or(Path::new("/")).to_owned();
         let name = real.file_name().map(|n| n.to_string_lossy().into_owned());
-        (folder, name, RecursiveMode::NonRecursive)
+        let only = name.into_iter().collect();
+        (folder, only, RecursiveMode::NonRecursive)
     };
     let mut watched = vec![(root.clone(), mode)];
     let inputs = only.iter().map(|name| root.join(name));

@@ -1,7 +1,10 @@
 //! The lattice of a facade: bays and storeys, from what repeats.
 
+mod unlike;
+
 use image::imageops;
 use image::{Rgb, RgbImage};
+use unlike::Openings;
 
 /// The longer side of the straight wall in which a lattice is looked for, pixels.
 pub const LONGEST: f64 = 1000.0;
@@ -17,6 +20,10 @@ const STRONG: u8 = 4;
 const NEARLY: [f64; 2] = [0.92, 0.86];
 /// The least likeness of bays and of storeys that repeat: what panes reflect is alike to about a half.
 const ALIKE: [f64; 2] = [0.42, 0.58];
+/// Bays, and storeys, that are so alike are equal, whatever openings say.
+const SURELY: [f64; 2] = [0.55, 0.68];
+/// The least likeness of bays between which no opening is cut.
+const PLAUSIBLE: f64 = 0.3;
 /// The least change of a colour at the edge of a bar, times [`STRONG`].
 const EDGE: u8 = 56;
 /// The least part of the wall along which the edge of a bar is seen.
@@ -223,19 +230,30 @@ fn bays(edges: &Edges, rows: usize) -> (Vec<f64>, f64) {
     let tried: Vec<(f64, f64)> = lengths(LEAST.max(width / MOST as f64), width / 1.9, width)
         .map(|bay| (bay, mated(edges, bay, rows)))
         .collect();
-    let Some((bay, alike)) = shortest(&tried, NEARLY[0], ALIKE[0]) else {
-        return (bars(edges, 0), 0.0);
+    let lines = |bay: f64| -> Vec<f64> {
+        let count = (width / bay + SPREAD).floor();
+        let rest = width - count * bay;
+        let lines = (0..=count as usize).map(|k| match k {
+            0 => 0.0,
+            k if k as f64 == count => 1.0,
+            // A little that is left over is an error of the period.
+            k if rest.abs() < SPREAD * bay => k as f64 / count,
+            k => (rest / 2.0 + k as f64 * bay) / width,
+        });
+        lines.collect()
     };
-    let count = (width / bay + SPREAD).floor();
-    let rest = width - count * bay;
-    let lines = (0..=count as usize).map(|k| match k {
-        0 => 0.0,
-        k if k as f64 == count => 1.0,
-        // A little that is left over is an error of the period.
-        k if rest.abs() < SPREAD * bay => k as f64 / count,
-        k => (rest / 2.0 + k as f64 * bay) / width,
-    });
-    (lines.collect(), alike)
+    let openings = Openings::of(edges, 1, rows);
+    let best = shortest(&tried, NEARLY[0], ALIKE[0]);
+    let is_doubtful = best.is_none_or(|b| b.1 < SURELY[0] && openings.are_cut(&lines(b.0)));
+    let uncut = || {
+        let uncut = tried.iter().filter(|t| !openings.are_cut(&lines(t.0)));
+        shortest(&uncut.copied().collect::<Vec<_>>(), NEARLY[0], PLAUSIBLE)
+    };
+    let found = best.filter(|_| !is_doubtful).or_else(uncut).or(best);
+    match found {
+        Some((bay, alike)) => (lines(bay), alike),
+        None => (bars(edges, 0), 0.0),
+    }
 }
 
 /// The middles of bars that run over the wall, mullions and transoms, with both ends: where panes reflect what is before them nothing
@@ -299,8 +317,26 @@ fn shortest(tried: &[(f64, f64)], nearly: f64, least: f64) -> Option<(f64, f64)>
 
 /// The lines between storeys, from above, and how far they repeat; `edges` is turned.
 ///
-/// Storeys above the ground are equally high and begin at the top; what is left below is the ground storey.
+/// Storeys above the ground are equally high and begin at the top, what is left below is the ground storey; unless openings say
+/// otherwise.
 fn storeys(edges: &Edges) -> (Vec<f64>, f64) {
+    let equal = equal_storeys(edges);
+    let openings = Openings::of(edges, 0, edges.height);
+    let unlike = openings.lines(edges);
+    match (equal, unlike) {
+        (Some((lines, alike)), Some(unlike))
+            if alike < SURELY[1] && openings.contradict(&lines) =>
+        {
+            (unlike, 0.0)
+        }
+        (Some(equal), _) => equal,
+        (None, Some(unlike)) => (unlike, 0.0),
+        (None, None) => (bars(edges, 1), 0.0),
+    }
+}
+
+/// Storeys that repeat, and how far they do.
+fn equal_storeys(edges: &Edges) -> Option<(Vec<f64>, f64)> {
     let (height, rows) = (edges.width as f64, edges.height);
     let fits = |storey: f64| {
         // Pairs of equal storeys, from the top.
@@ -321,9 +357,7 @@ fn storeys(edges: &Edges) -> (Vec<f64>, f64) {
             (storey, if count > 1 && rest < 2.2 { alike } else { 0.0 })
         })
         .collect();
-    let Some((storey, alike)) = shortest(&tried, NEARLY[1], ALIKE[1]) else {
-        return (bars(edges, 1), 0.0);
-    };
+    let (storey, alike) = shortest(&tried, NEARLY[1], ALIKE[1])?;
     let (count, _) = fits(storey);
     let mut lines: Vec<f64> = (0..=count).map(|k| k as f64 * storey / height).collect();
     let rest = height / storey - count as f64;
@@ -333,5 +367,5 @@ fn storeys(edges: &Edges) -> (Vec<f64>, f64) {
             .iter_mut()
             .for_each(|line| *line *= height / (storey * count as f64)),
     }
-    (lines, alike)
+    Some((lines, alike))
 }

@@ -129,7 +129,7 @@ impl Previews {
             Entry::Vacant(free) => {
                 let options = PreviewOptions {
                     root: free.key().clone(),
-                    only: None,
+                    only: vec![],
                     language: settings.language,
                     host: Box::new(LspHost(running.shared.clone())),
                     front: None,

@@ -43,25 +43,19 @@ pub(super) fn watch(
     for (folder, mode) in folders {
         watcher.watch(folder, *mode)?;
     }
-    let only = workspace
-        .only
-        .as_ref()
-        .map(|only| workspace.root.join(only));
+    let only = workspace.only.iter().map(|only| workspace.root.join(only));
+    let only: Vec<PathBuf> = only.collect();
     let workspace = Arc::downgrade(workspace);
     thread::Builder::new()
         .name("hsd watch".to_owned())
-        .spawn(move || send(&events, &workspace, only.as_deref()))
+        .spawn(move || send(&events, &workspace, &only))
         .map_err(notify::Error::io)?;
     Ok(Watch { _watcher: watcher })
 }
 
-/// Forwards events until the watcher or the workspace is dropped. `only` is a file that is read whatever its extension.
-fn send(
-    events: &Receiver<notify::Result<Event>>,
-    workspace: &Weak<Workspace>,
-    only: Option<&Path>,
-) {
-    let is_read = |path: &Path| only == Some(path) || is_read(path);
+/// Forwards events until the watcher or the workspace is dropped. Those of `only` are read whatever their extension.
+fn send(events: &Receiver<notify::Result<Event>>, workspace: &Weak<Workspace>, only: &[PathBuf]) {
+    let is_read = |path: &Path| only.iter().any(|only| only == path) || is_read(path);
     while let Ok(first) = events.recv() {
         let mut batch = Batch::default();
         batch.take(&first, is_read);

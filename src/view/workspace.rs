@@ -72,8 +72,8 @@ pub(super) struct FileEntry {
 pub(super) struct Workspace {
     /// The canonical path of the folder; nothing outside it is read.
     pub(super) root: PathBuf,
-    /// The only file shown, if not all of them are.
-    pub(super) only: Option<String>,
+    /// The only files shown, if not all of them are.
+    pub(super) only: Vec<String>,
     pub(super) language: Language,
     pub(super) host: Box<dyn EditorHost>,
     /// The photographs that become a front in the page.
@@ -134,10 +134,10 @@ impl Drop for Viewer {
 }
 
 impl Workspace {
-    /// Creates a workspace of all files below a folder, or of one of them.
+    /// Creates a workspace of all files below a folder, or of some of them.
     pub(super) fn new(
         root: PathBuf,
-        only: Option<String>,
+        only: Vec<String>,
         language: Language,
         (host, front): (Box<dyn EditorHost>, Option<Box<dyn FrontHost>>),
     ) -> Arc<Workspace> {
@@ -157,22 +157,22 @@ impl Workspace {
     /// Returns the files that can be shown.
     pub(super) fn files(&self) -> Vec<FileEntry> {
         let mut list = vec![];
-        match &self.only {
-            Some(file) => list.push(FileEntry {
-                path: file.clone(),
-                kind: self.kind(file).unwrap_or(TEXT),
-            }),
-            None => walk(&self.root, &self.root, DEPTH, &mut list),
+        if self.only.is_empty() {
+            walk(&self.root, &self.root, DEPTH, &mut list);
         }
+        list.extend(self.only.iter().map(|file| FileEntry {
+            path: file.clone(),
+            kind: self.kind(file).unwrap_or(TEXT),
+        }));
         list
     }
 
     /// Returns the kind of a file that can be shown. A file opened by name is a source file whatever its extension.
     fn kind(&self, file: &str) -> Option<&'static str> {
-        match &self.only {
-            Some(only) if only == file => kind_of(file).or(Some(TEXT)),
-            Some(_) => None,
-            None => kind_of(file),
+        match self.only.iter().any(|only| only == file) {
+            true => kind_of(file).or(Some(TEXT)),
+            false if self.only.is_empty() => kind_of(file),
+            false => None,
         }
     }
 

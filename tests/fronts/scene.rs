@@ -118,6 +118,27 @@ impl Facade {
         }
     }
 
+    /// The same with storeys of which no two are equally high.
+    pub fn unlike(seed: u64) -> Facade {
+        let mut facade = Facade::new(seed);
+        let mut dice = Dice::new(seed ^ 0x5EED);
+        let mut heights: Vec<f64> = facade.rows.windows(2).map(|r| r[1] - r[0]).collect();
+        let count = heights.len();
+        let first = dice.below(count);
+        for (k, height) in heights.iter_mut().enumerate() {
+            let rank = (k + first) % count;
+            *height *= 0.78 + 0.5 * (rank as f64 + dice.range(0.1, 0.9)) / count as f64;
+        }
+        facade.rows = vec![0.0];
+        for height in heights {
+            facade
+                .rows
+                .push(facade.rows[facade.rows.len() - 1] + height);
+        }
+        facade.height = facade.rows[count];
+        facade
+    }
+
     /// The colour of a place, linear light; equal bays are equal.
     pub fn tone(&self, x: f64, y: f64) -> Tone {
         if let Some(model) = &self.model {

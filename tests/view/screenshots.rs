@@ -11,7 +11,7 @@ use std::sync::mpsc;
 fn shown(folder: &Path) -> PreviewOptions {
     PreviewOptions {
         root: folder.to_owned(),
-        only: Some("a.hsd".to_owned()),
+        only: vec!["a.hsd".to_owned()],
         language: Language::English,
         host: Box::new(Files::default()),
         front: None,

@@ -17,10 +17,7 @@ else {
   const made = page(known.front);
   globalThis.hsd = scriptInterface(made);
   await made.app.start();
-  const there = !made.front || await made.front.start();
   const file = asked.get('file') ?? known.file ?? (known.files.length === 1 ? known.files[0]!.path : null);
-  if (there && file) {
-    made.front?.showModel();
-    await made.app.openFile(file);
-  }
+  if (made.front) await made.front.start();
+  else if (file) await made.app.openFile(file);
 }

@@ -6,7 +6,7 @@ import { APART, even, firstDraft, History, isWall, metres, withCorner, withLine,
 import type { Corners, Photographs } from '../src/server/front.ts';
 
 const CORNERS: Corners = [[10, 10], [90, 12], [88, 70], [8, 72]];
-const KNOWN: Photographs = { photos: [{ name: 'a.jpg', size: [100, 80], corners: CORNERS, lost: null }], folder: 'a', writes: true, storey: 3.5, told: null };
+const KNOWN: Photographs = { photos: [{ name: 'a.jpg', size: [100, 80], corners: CORNERS, lost: null }], folder: 'a', writes: true, files: { front: 'wall/wall.hsd', street: 'wall/wall-street.hsd' }, storey: 3.5, told: null };
 
 test('corners go clockwise round a wall, or they stay', () => {
   const draft = firstDraft(KNOWN);

@@ -131,6 +131,11 @@ impl Photographs {
         format!("{0}/{0}.hsd", self.name)
     }
 
+    /// The text with the front in a street, as a path below the root.
+    pub(super) fn street(&self) -> String {
+        format!("{}/{}", self.name, made::street(&self.name))
+    }
+
     /// What is watched for changes: the folder, where it is there already.
     pub(super) fn watched(&self) -> Vec<(PathBuf, RecursiveMode)> {
         let is_there = self.output.is_dir();
@@ -224,9 +229,7 @@ impl Photographs {
         (report.write(Format::Json, Style::default(), &mut messages)).map_err(|e| e.to_string())?;
         let messages: Value = serde_json::from_slice(&messages).map_err(|e| e.to_string())?;
         let said = written.as_ref().map(|words| self.words(words));
-        Ok(
-            json!({ "file": said.is_some().then(|| self.file()), "said": said, "messages": messages }),
-        )
+        Ok(json!({ "said": said, "messages": messages }))
     }
 
     /// Files with what was told by hand: for the page, and masks for `hsd facade`.
@@ -298,7 +301,7 @@ impl FrontHost for Photographs {
         let photos: Vec<Value> = photos.collect();
         json!({
             "photos": photos, "folder": self.name, "writes": self.writes, "storey": STOREY,
-            "told": self.before(),
+            "files": { "front": self.file(), "street": self.street() }, "told": self.before(),
         })
     }
 

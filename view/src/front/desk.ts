@@ -42,6 +42,7 @@ export class FrontDesk {
   #undo = button(strings.undo, () => this.#step('undo'), { 'data-do': 'undo-front', title: 'Ctrl+Z' });
   #redo = button(strings.redo, () => this.#step('redo'), { 'data-do': 'redo-front', title: 'Ctrl+Shift+Z' });
   #remove = button(strings.photos.removeLine, () => this.#removeHeld(), { 'data-do': 'remove-line', title: 'Delete' });
+  #street = toggleButton(strings.photos.street, on => void this.#stand(on), 'in-street');
   #build = button(strings.photos.build, () => void this.build(), { 'data-do': 'build-front', class: 'build' });
   #status = h('p', { class: 'status', role: 'status' });
   #guess = h('p', { class: 'quiet', hidden: true }, strings.photos.guessed);
@@ -81,7 +82,7 @@ export class FrontDesk {
       h('div', { class: 'bar' }, field(photos.bays, this.#counts.columns), field(photos.storeys, this.#counts.rows),
         button(photos.findLattice, () => this.#findLattice(), { 'data-do': 'find-lattice' }),
         add('columns', photos.addColumn), add('rows', photos.addRow), this.#remove,
-        field(photos.width, width), field(photos.height, height), this.#build),
+        field(photos.width, width), field(photos.height, height), this.#build, this.#street),
       h('div', { class: 'sheets' }, this.#photo.element, this.#wall.element),
       h('div', { class: 'told', role: 'group', tabindex: 0, 'aria-label': photos.report }, this.#status, this.#guess, this.#messages, h('p', { class: 'quiet' }, photos.help)));
   }
@@ -94,21 +95,22 @@ export class FrontDesk {
   /** The wall as it was seen last. */
   get straight(): Straight | null { return this.#straight; }
 
-  /** Begins with the photographs of the server; returns whether they were built before. */
-  async start(): Promise<boolean> {
+  /** Begins with the photographs of the server, and with the model if they were built before. */
+  async start() {
     this.#known = await fetchPhotographs();
     this.#history = new History(firstDraft(this.#known));
     const { photos, told, writes } = this.#known;
     this.#which.replaceChildren(...photos.map(({ name }, i) => h('option', { value: i }, name)));
     this.#which.closest<HTMLElement>('.field')!.hidden = photos.length < 2;
     this.#build.disabled = !writes;
+    this.#street.disabled = !told;
     this.#choose('corners');
     this.#widen(BRUSH * this.#longest);
     const lost = photos.find(photo => photo.lost !== null);
     this.#report(lost ? strings.photos.lost(lost.name, lost.lost!) : told ? strings.photos.asLeft : strings.photos.found, lost !== undefined);
     this.#draw();
     this.#ask(!told);
-    return told !== null;
+    if (told) await this.#show();
   }
 
   /** Writes the front and shows its model. */
@@ -126,13 +128,26 @@ export class FrontDesk {
     this.#building = this.#build.disabled = false;
   }
 
-  async #built({ file, said, messages }: Built) {
+  async #built({ said, messages }: Built) {
     this.#messages.replaceChildren(...messages.map(({ severity, code, message, help }) => h('li', { class: `message ${severity}` },
       h('span', { class: 'severity' }, strings[severity]), ' ', h('span', { class: 'code' }, code), h('span', { class: 'text' }, message), help && h('span', { class: 'help' }, help))));
-    this.#report(said ?? strings.photos.notBuilt, file === null);
-    if (file === null) return;
+    this.#report(said ?? strings.photos.notBuilt, said === null);
+    if (said === null) return;
+    this.#street.disabled = false;
+    await this.#show();
+  }
+
+  /** Shows the model of what was built last: the front alone or in its street. */
+  async #show() {
+    const { front, street } = this.#known.files, file = this.#street.getAttribute('aria-pressed') === 'true' ? street : front;
     this.showModel();
     if (this.#app.file === file) await this.#app.reload(); else await this.#app.openFile(file);
+  }
+
+  /** Puts the front into its street, or takes it out. */
+  async #stand(on: boolean) {
+    this.#street.setAttribute('aria-pressed', `${on}`);
+    await this.#show();
   }
 
   /** Goes on to another draft; null where it makes no sense. */

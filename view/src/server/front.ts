@@ -38,10 +38,17 @@ export interface Photograph {
   lost: string | null;
 }
 
+/** The texts that are written: the front alone, and between two town houses. */
+export interface Files {
+  front: string;
+  street: string;
+}
+
 export interface Photographs {
   photos: Photograph[];
   /** The name of the folder that is written. */
   folder: string;
+  files: Files;
   writes: boolean;
   /** The height of a storey where no size is told, metres. */
   storey: number;
@@ -72,9 +79,8 @@ export interface Straight {
   lattice: { columns: number[]; rows: number[] } | null;
 }
 
-/** What was built: the file, what is said of it, and messages; no file if there is no front. */
+/** What was built: what is said of it, nothing if there is no front, and messages. */
 export interface Built {
-  file: string | null;
   said: string | null;
   messages: { severity: 'error' | 'warning' | 'note'; code: string; message: string; help: string | null }[];
 }

@@ -296,7 +296,7 @@ test('Build writes the folder and shows the model; again after a change; axe fin
   await page.waitForSelector('html[data-revision]', { state: 'attached' });
   await until(async () => !await page.evaluate(() => hsd.front!.busy), 'it is built');
   const files = readdirSync(join(preview.folder, 'wall'));
-  for (const name of ['wall.hsd', 'parts.csv', 'rectified.png', 'compared.png', 'facade.json', 'by-hand.json']) assert.ok(files.includes(name), `${files}`);
+  for (const name of ['wall.hsd', 'parts.csv', 'rectified.png', 'compared.png', 'facade.json', 'by-hand.json', 'wall-street.hsd']) assert.ok(files.includes(name), `${files}`);
   assert.match(await told() ?? '', /12 places/);
   assert.ok(await page.locator('.pane.model').isVisible());
   const text = preview.read('wall/wall.hsd');
@@ -305,6 +305,15 @@ test('Build writes the folder and shows the model; again after a change; axe fin
   assert.match(text, /replaced by the same part|<repeat num/);
   await page.evaluate(() => hsd.settled());
   assert.deepEqual(await violations(page), []);
+  // Between two town houses, and out of the street again.
+  await does(page, 'in-street').click();
+  await until(async () => (await page.evaluate(() => hsd.app.model?.houses)) === 3, 'it stands in a street');
+  assert.equal(await does(page, 'in-street').getAttribute('aria-pressed'), 'true');
+  await page.evaluate(() => hsd.settled());
+  assert.deepEqual(await violations(page), []);
+  await does(page, 'in-street').click();
+  await until(async () => (await page.evaluate(() => hsd.app.model?.houses)) === 1, 'it stands alone');
+  await page.evaluate(() => hsd.settled());
   const revision = await page.evaluate(() => hsd.revision);
   await page.locator('[data-do=front-rows]').fill('2');
   await page.locator('[data-do=front-rows]').press('Enter');

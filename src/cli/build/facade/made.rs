@@ -51,8 +51,7 @@ impl Made<'_> {
             text.as_bytes(),
         );
         let mut files = self.files()?;
-        let street = format!("{}-street.hsd", name.to_string_lossy());
-        let street = self.output.join(street);
+        let street = self.output.join(street(&name.to_string_lossy()));
         files.push((street, front::street::write(self.front).into_bytes()));
         files.push((path.clone(), text.into_bytes()));
         output::write_all(files)?;
@@ -161,6 +160,11 @@ impl Made<'_> {
             })
             .collect()
     }
+}
+
+/// The name of the text that puts the front of a folder into a street.
+pub(in crate::cli) fn street(name: &str) -> String {
+    format!("{name}-street.hsd")
 }
 
 /// Reads a photograph, whose name becomes a source; `None` if it is none.
