@@ -330,8 +330,13 @@ fn storeys(edges: &Edges) -> (Vec<f64>, f64) {
             (unlike, 0.0)
         }
         (Some(equal), _) => equal,
-        (None, Some(unlike)) => (unlike, 0.0),
-        (None, None) => (bars(edges, 1), 0.0),
+        (None, unlike) => {
+            let bars = bars(edges, 1);
+            // A single bar over the whole wall is surer than what lies between two rows.
+            let is_single = bars.len() == 3;
+            let others = unlike.filter(|unlike| unlike.len() > 3 || !is_single);
+            (others.unwrap_or(bars), 0.0)
+        }
     }
 }
 
