@@ -8,6 +8,7 @@
 //! y north, z up, before azimuth and origin; x = -a * unit, y = b * unit.
 
 mod attic;
+mod contact;
 mod fixture;
 mod room;
 mod trim;
@@ -32,7 +33,7 @@ use crate::source::Span;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use serde::{Serialize, Serializer};
 use smallvec::SmallVec;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// All houses of a run, complete.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -246,16 +247,25 @@ pub struct HouseRoofs {
     pub ceilings: Vec<Ceiling>,
     /// Undersides of storeys that stand out over the one below.
     pub soffits: Vec<Soffit>,
+    /// The upper surfaces of the roofs, made when the first is asked for: nothing shows them from afar.
+    #[serde(skip)]
+    pub surfaces: OnceLock<Vec<RoofSurface>>,
 }
 
 impl HouseRoofs {
-    /// Returns the automatic roofs over the regions of a storey. The street pent roof is not among them.
-    pub fn over_regions(&self, storey: u32) -> impl Iterator<Item = &Roof> {
-        let automatic = |r: &&Roof| r.span.is_none() && r.shape != RoofShape::Pent;
-        self.roofs
-            .iter()
-            .filter(move |r| r.storey == storey)
-            .filter(automatic)
+    /// Returns the upper surfaces of the automatic roofs over the regions of a storey. The street pent roof is not among them.
+    pub fn over_regions(&self, storey: u32) -> impl Iterator<Item = &RoofSurface> {
+        let automatic = |r: &Roof| r.span.is_none() && r.shape != RoofShape::Pent;
+        let roofs = self.roofs.iter().zip(self.surfaces());
+        let of = move |(roof, surface): (&Roof, _)| {
+            (roof.storey == storey && automatic(roof)).then_some(surface)
+        };
+        roofs.filter_map(of)
+    }
+
+    /// Returns the upper surfaces of all roofs: facets, ridges, hips, valleys and the other edges.
+    pub fn surfaces(&self) -> &[RoofSurface] {
+        self.surfaces.get_or_init(|| contact::surfaces(&self.roofs))
     }
 }
 
@@ -309,9 +319,6 @@ pub struct Roof {
     /// The space between its sheets and the walls.
     #[serde(skip)]
     pub attic: Attic,
-    /// The upper surface of the solids: facets, ridges, hips, valleys and the other edges.
-    #[serde(skip)]
-    pub surface: RoofSurface,
     /// Closed solids in the house frame, metres.
     pub solids: Vec<Solid>,
 }

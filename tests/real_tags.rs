@@ -9,7 +9,7 @@ use crate::support::compile;
 use crate::support::maps::{Plan, maps, maps_in, plans};
 use glam::DVec2;
 use hsd::ast::{Purpose, RoofShape};
-use hsd::building::{Built, Roof};
+use hsd::building::{Built, Roof, RoofSurface};
 use std::path::Path;
 
 /// The shares of shapes and of ridges that must be right, per cent.
@@ -51,19 +51,19 @@ fn house(plan: &Plan) -> Option<Built> {
     run.building.houses.into_iter().next()
 }
 
-/// The roof over the largest part of a house.
-fn main_roof(built: &Built) -> Option<&Roof> {
-    let area = |roof: &&Roof| -> f64 {
-        let facets = roof.surface.facets.iter();
-        facets.map(|facet| roof.surface.area(facet)).sum()
+/// The roof over the largest part of a house, and its surface.
+fn main_roof(built: &Built) -> Option<(&Roof, &RoofSurface)> {
+    let area = |surface: &RoofSurface| -> f64 {
+        let facets = surface.facets.iter();
+        facets.map(|facet| surface.area(facet)).sum()
     };
-    let roofs = built.roofs.roofs.iter();
-    roofs.max_by(|p, q| area(p).total_cmp(&area(q)))
+    let roofs = built.roofs.roofs.iter().zip(built.roofs.surfaces());
+    roofs.max_by(|(_, p), (_, q)| area(p).total_cmp(&area(q)))
 }
 
 /// The direction in which the ridge of a roof runs in the world.
-fn ridge(built: &Built, roof: &Roof) -> Option<DVec2> {
-    let lines = roof.surface.lines(hsd::building::EdgeKind::Ridge);
+fn ridge(built: &Built, surface: &RoofSurface) -> Option<DVec2> {
+    let lines = surface.lines(hsd::building::EdgeKind::Ridge);
     let (house, unit) = (&built.house, built.house.unit);
     let world = |p: &glam::DVec3| house.world(DVec2::new(-p.x, p.y) / unit);
     let line = |[p, q]: &[glam::DVec3; 2]| world(q) - world(p);
@@ -107,7 +107,7 @@ fn shared_data_roofs_by_use_have_the_tagged_shapes_and_ridges() {
     for plan in maps.iter().flat_map(|map| plans(map)) {
         let Some(shape) = tagged(&plan) else { continue };
         let built = house(&plan).expect("a house is built");
-        let roof = main_roof(&built).expect("a house has a roof");
+        let (roof, surface) = main_roof(&built).expect("a house has a roof");
         shapes += 1;
         right += usize::from(roof.shape == shape);
         if roof.shape != shape {
@@ -120,7 +120,7 @@ fn shared_data_roofs_by_use_have_the_tagged_shapes_and_ridges() {
         }
         if roof.shape == RoofShape::Gable
             && shape == RoofShape::Gable
-            && let (Some(own), Some(tag)) = (ridge(&built, roof), tagged_ridge(&plan))
+            && let (Some(own), Some(tag)) = (ridge(&built, surface), tagged_ridge(&plan))
         {
             ridges += 1;
             along += usize::from(own.perp_dot(tag).abs() < ASIDE);

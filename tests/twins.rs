@@ -38,6 +38,7 @@ fn said(run: &Run, from: u32, to: u32) -> Vec<Diagnostic> {
 /// Roofs without their places in the text.
 pub(crate) fn built(roofs: &HouseRoofs) -> String {
     let mut roofs = roofs.clone();
+    roofs.surfaces();
     roofs.roofs.iter_mut().for_each(|r| r.span = None);
     format!("{roofs:?}")
 }

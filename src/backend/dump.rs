@@ -174,7 +174,7 @@ fn built(roofs: &HouseRoofs, plan: &StoreyPlan, unit: f64) -> Vec<RidgeLine> {
     let place = |p: DVec3| [-p.x / unit + 0.0, p.y / unit, p.z].map(Number);
     let roofs: Vec<_> = roofs.over_regions(plan.storey).collect();
     let of = |(kind, name): (EdgeKind, &'static str)| {
-        let lines = roofs.iter().flat_map(move |r| r.surface.lines(kind));
+        let lines = roofs.iter().flat_map(move |r| r.lines(kind));
         let line = move |[from, to]: [DVec3; 2]| RidgeLine {
             kind: name,
             from: place(from),

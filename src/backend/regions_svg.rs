@@ -78,13 +78,13 @@ impl Lines {
     fn of(roofs: &HouseRoofs, plan: &StoreyPlan, unit: f64) -> Lines {
         let place = |p: DVec3| dvec2(-p.x, p.y) / unit + 0.0;
         let mut lines = Lines::default();
-        for roof in roofs.over_regions(plan.storey) {
-            let of = |kind| roof.surface.lines(kind).into_iter();
+        for surface in roofs.over_regions(plan.storey) {
+            let of = |kind| surface.lines(kind).into_iter();
             let in_plan = |line: [DVec3; 2]| line.map(place);
             let above = of(EdgeKind::Ridge).chain(of(EdgeKind::Hip));
             lines.ridges.extend(above.map(in_plan));
             lines.valleys.extend(of(EdgeKind::Valley).map(in_plan));
-            let falls = arrows(&roof.surface);
+            let falls = arrows(surface);
             lines
                 .falls
                 .extend(falls.into_iter().map(|line| line.map(place)));

@@ -47,16 +47,22 @@ pub fn primitive(p: &Primitive, materials: &[Material]) -> bool {
         && (p.mirror_uvs.len() == count || p.mirror_uvs.is_empty())
         && !p.indices.is_empty()
         && p.indices.len().is_multiple_of(3)
-        && p.indices.iter().all(|&i| (i as usize) < count)
+        && every(p.indices.iter().map(|&i| (i as usize) < count))
         && materials
             .get(p.material.0 as usize)
             .is_some_and(|m| m.mirrored.is_none() || !p.mirror_uvs.is_empty())
-        && p.positions
-            .iter()
-            .all(|v| v.iter().all(|x| x.abs() < LARGEST as f32))
-        && p.normals.iter().all(|v| v.iter().all(|x| x.is_finite()))
-        && p.uvs
-            .iter()
-            .chain(&p.mirror_uvs)
-            .all(|v| v.iter().all(|x| x.is_finite()))
+        && every(
+            p.positions
+                .as_flattened()
+                .iter()
+                .map(|x| x.abs() < LARGEST as f32),
+        )
+        && every(p.normals.as_flattened().iter().map(|x| x.is_finite()))
+        && every(p.uvs.as_flattened().iter().map(|x| x.is_finite()))
+        && every(p.mirror_uvs.as_flattened().iter().map(|x| x.is_finite()))
+}
+
+/// Returns true if all hold. Nearly always they do, and without a way out many are looked at together.
+fn every(all: impl Iterator<Item = bool>) -> bool {
+    all.fold(true, |before, next| before & next)
 }

@@ -29,12 +29,9 @@ pub(super) fn lines(subject: &Subject<'_>, depths: &Depths<'_>, settings: &Setti
         }
     }
     for built in &subject.houses {
-        for roof in &built.roofs.roofs {
-            for facet in &roof.surface.facets {
-                let corners = facet
-                    .corners
-                    .iter()
-                    .map(|c| roof.surface.points[*c as usize]);
+        for surface in built.roofs.surfaces() {
+            for facet in &surface.facets {
+                let corners = facet.corners.iter().map(|c| surface.points[*c as usize]);
                 let place = |p| subject.point(&built.house, p);
                 let corners: Vec<DVec3> = corners.map(place).collect();
                 marks.extend(fall(&corners, depths, settings));
@@ -65,8 +62,8 @@ pub(super) fn outlines(subject: &Subject<'_>, depths: &Depths<'_>) -> Vec<Mark> 
 fn edges(subject: &Subject<'_>, depths: &Depths<'_>, kinds: &[EdgeKind]) -> Vec<[DVec2; 2]> {
     let mut found = vec![];
     for built in &subject.houses {
-        for roof in &built.roofs.roofs {
-            for line in kinds.iter().flat_map(|k| roof.surface.lines(*k)) {
+        for surface in built.roofs.surfaces() {
+            for line in kinds.iter().flat_map(|k| surface.lines(*k)) {
                 let raised = line.map(|p| subject.point(&built.house, p) + DVec3::Z * COVER);
                 depths.visible(raised, &mut found);
             }

@@ -379,7 +379,8 @@ impl PlanWriter<'_> {
             roofs: roofs
                 .roofs
                 .iter()
-                .map(|r| roofs::roof(r, house.unit))
+                .zip(roofs.surfaces())
+                .map(|(roof, surface)| roofs::roof(roof, surface, house.unit))
                 .collect(),
             outdoors: outdoors::outdoors(built, self.catalog),
         }

@@ -33,6 +33,8 @@ pub(super) struct Reporter<'a> {
     /// The line end of the first source.
     line_end: &'static str,
     out: Diagnostics,
+    /// The number of messages so far, those that were reported already included.
+    told: usize,
     said: usize,
     /// The highest severity of the omitted messages.
     worst: Option<Severity>,
@@ -60,6 +62,7 @@ impl<'a> Reporter<'a> {
             instead: None,
             line_end: line_end(source.text()),
             out: Diagnostics::new(),
+            told: 0,
             said: 0,
             worst: None,
             problem: None,
@@ -128,6 +131,11 @@ impl<'a> Reporter<'a> {
         source.span(offset(range.start)..offset(range.end))
     }
 
+    /// Returns the number of messages so far, those that were reported already included.
+    pub(super) fn told(&self) -> usize {
+        self.told
+    }
+
     /// Returns true if the next message will be kept; otherwise its fixes need not be computed.
     pub(super) fn wanted(&self) -> bool {
         self.said < ENOUGH
@@ -162,6 +170,7 @@ impl<'a> Reporter<'a> {
 
     /// Reports a message. It is built only if it will be kept.
     pub(super) fn push(&mut self, message: impl FnOnce() -> Diagnostic) {
+        self.told += 1;
         let instead = self.instead;
         let message = || {
             let mut message = message();

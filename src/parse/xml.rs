@@ -31,7 +31,7 @@ use crate::ast::Document;
 use crate::diagnostic::Diagnostics;
 use crate::parse::reporter::Reporter;
 use crate::source::{Limits, Source, SourceCache};
-use read::Reader;
+use read::{ReadSoFar, Reader};
 
 /// The maximum depth of elements whatever the limit is raised to: deeper nesting would overflow the stack of the
 /// passes, which recurse.
@@ -83,6 +83,7 @@ pub(super) fn parse_from<'a>(
         reporter: &mut reporter,
         suggest: suggest::Suggest::new(),
         views: vec![],
+        again: ReadSoFar::default(),
     };
     let (mut parts, mut town) = (vec![], None);
     let houses = match made.over {

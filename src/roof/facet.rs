@@ -3,6 +3,7 @@
 use crate::geometry::tolerance::{CUT, SLIVER};
 use crate::roof::frame::Plane;
 use glam::DVec2;
+use smallvec::SmallVec;
 use std::borrow::Cow;
 
 /// A corner of a facet.
@@ -124,7 +125,7 @@ impl HalfPlane {
 
     /// Returns the parts of a convex piece inside and outside; one may have no corners.
     pub(in crate::roof) fn halves(&self, piece: &[Corner]) -> [Vec<Corner>; 2] {
-        let depths: Vec<f64> = piece.iter().map(|c| self.depth(c.at)).collect();
+        let depths: SmallVec<[f64; 12]> = piece.iter().map(|c| self.depth(c.at)).collect();
         [part(piece, &depths, 1.0), part(piece, &depths, -1.0)]
     }
 
@@ -283,7 +284,7 @@ pub(in crate::roof) fn split_off<'p, 's>(
     off: &mut Vec<Vec<Corner>>,
 ) -> Option<Cow<'p, [Corner]>> {
     let mut inside = piece;
-    let mut depths = Vec::new();
+    let mut depths: SmallVec<[f64; 12]> = SmallVec::new();
     for side in sides {
         if inside.iter().all(|c| side.depth(c.at) > -CUT) {
             continue;

@@ -1,13 +1,12 @@
 //! Turns forms into solids: roofs of one height meet, then each gets its slab and its gable infills.
 
-pub(in crate::roof) mod contact;
 pub(in crate::roof) mod gable_infill;
 pub(in crate::roof) mod meet;
 pub(in crate::roof) mod nearby;
 pub(in crate::roof) mod verges;
 
 use crate::ast::RoofShape;
-use crate::building::{Attic, Roof, RoofSurface, Verge};
+use crate::building::{Attic, Roof, Verge};
 use crate::geometry::tolerance::JOINT;
 use crate::roof::facet::edges;
 use crate::roof::join::gable_infill::{Built, fit};
@@ -25,7 +24,6 @@ pub(super) fn assemble(
 ) -> bool {
     let mut all_met = true;
     let mut start = 0;
-    let count_before = roofs.len();
     // A stable sort, so that indices of trunks keep their meaning within a height.
     let first = planned.first().map_or(0.0, |p| p.base);
     planned.sort_by(|p, q| {
@@ -42,7 +40,6 @@ pub(super) fn assemble(
         all_met &= group(&mut planned[start..start + count], walls, roofs);
         start += count;
     }
-    contact::classify(roofs, count_before);
     all_met
 }
 
@@ -74,11 +71,9 @@ fn group(planned: &mut [RoofDraft], walls: &[Vec<DVec2>], roofs: &mut Vec<Roof>)
     for (planned, built) in planned.iter_mut().zip(built) {
         let mut solids = built.sheets;
         solids.extend(built.fills);
-        planned.roof.surface = RoofSurface::of(&solids);
         planned.roof.solids = solids;
         let empty = Roof {
             attic: Attic::default(),
-            surface: RoofSurface::default(),
             solids: vec![],
             ..planned.roof
         };

@@ -1,7 +1,7 @@
 //! The roofs of a house as nodes: each with what its storey's walls give it, and with its rows of tiles.
 
 use crate::ast::{RoofKind, RoofShape};
-use crate::building::{Built, Face, House, Roof, Solid};
+use crate::building::{Built, Face, House, HouseRoofs, Roof, Solid};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, NodeId};
 use crate::tessellate::Walker;
@@ -24,7 +24,7 @@ impl<'a> Walker<'a> {
         built: &'a Built,
         standing: &[OnceCell<WallIndex>],
     ) {
-        let (house, roofs, whole) = (&built.house, &built.roofs, self.shown);
+        let (house, roofs, whole) = (&built.house, &*built.roofs, self.shown);
         // Only trim needs them.
         let neighbours = match self.detail {
             Detail::Body => Neighbours::default(),
@@ -38,7 +38,7 @@ impl<'a> Walker<'a> {
             self.weather(|aged| aged.roof(i));
             let weather = self.store.weather;
             let alike = MeshKey::new(roof, shown, walls, beyond, weather, i + 1);
-            self.roof(root, roof, alike, i + 1);
+            self.roof((root, roofs), i, alike);
             if self.is_full() {
                 return;
             }
@@ -90,14 +90,16 @@ impl<'a> Walker<'a> {
         }
     }
 
-    fn roof(&mut self, root: NodeId, roof: &'a Roof, alike: MeshKey<'a>, number: usize) {
+    /// Writes a roof of a house.
+    fn roof(&mut self, (root, roofs): (NodeId, &HouseRoofs), index: usize, alike: MeshKey<'a>) {
+        let (roof, number) = (&roofs.roofs[index], index + 1);
         let name = format_compact!("roof {number}");
         let (mesh, rows) = match self.roofs.entry(alike) {
             Entry::Occupied(known) => known.get().clone(),
             Entry::Vacant(new) => {
                 let walls = new.key().walls();
                 let worn = crate::tessellate::trim::build(
-                    roof,
+                    (roofs, index),
                     new.key().beyond(),
                     walls.plastered,
                     self.detail,

@@ -29,7 +29,7 @@ mod tiles;
 mod tests;
 
 use crate::ast::RoofKind;
-use crate::building::Roof;
+use crate::building::{HouseRoofs, Roof};
 use crate::material::SurfaceId;
 use crate::scene::Detail;
 use crate::tessellate::mesh::Soup;
@@ -59,14 +59,20 @@ pub(super) struct TrimDetail {
     pub(super) runs: Vec<Run>,
 }
 
-/// Builds the trim of a roof at a detail; `beyond` describes the surfaces at its joints, `plastered` is true if the
+/// Builds the trim of a roof of a house at a detail; `beyond` describes the surfaces at its joints, `plastered` is true if the
 /// walls below are plastered over their posts.
-pub(super) fn build(roof: &Roof, beyond: &Beyond, plastered: bool, detail: Detail) -> TrimDetail {
+pub(super) fn build(
+    (roofs, number): (&HouseRoofs, usize),
+    beyond: &Beyond,
+    plastered: bool,
+    detail: Detail,
+) -> TrimDetail {
     let mut worn = TrimDetail::default();
     if detail == Detail::Body {
         return worn;
     }
-    let surface = Surface::of(&roof.surface);
+    let (roof, surface) = (&roofs.roofs[number], &roofs.surfaces()[number]);
+    let surface = Surface::of(surface);
     if surface.facets.is_empty() {
         return worn;
     }

@@ -87,10 +87,8 @@ fn a_hall_keeps_its_pyramid_behind_its_porch() {
         panic!("{:?}", plan.regions);
     };
     assert_eq!(hall.shape, hsd::ast::RoofShape::Pyramid);
-    let ridge = roofs
-        .roofs
-        .iter()
-        .flat_map(|r| r.surface.lines(hsd::building::EdgeKind::Ridge));
+    let surfaces = roofs.surfaces().iter();
+    let ridge = surfaces.flat_map(|s| s.lines(hsd::building::EdgeKind::Ridge));
     let longest = ridge.map(|[p, q]| (p - q).length()).fold(0.0, f64::max);
     assert!(longest < 4.0, "a ridge of {longest} m");
 }

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3, dvec2};
 use hsd::ast::{
     Order, RoofDirection, RoofKind, RoofLine, RoofMode, RoofShape, RoofStyle, StoreyKind,
 };
-use hsd::building::{Building, House, Ring, Roof, Shell, Solid, Storey, Wall};
+use hsd::building::{Building, House, Ring, Roof, RoofSurface, Shell, Solid, Storey, Wall};
 use hsd::check::solid_flaws;
 use hsd::diagnostic::Diagnostics;
 use hsd::geometry::SHAKU;
@@ -157,6 +157,10 @@ pub fn codes(out: &Diagnostics) -> Vec<u16> {
 
 pub fn roofs(building: &Building) -> &[Roof] {
     &building.houses[0].roofs.roofs
+}
+
+pub fn surfaces(building: &Building) -> &[RoofSurface] {
+    building.houses[0].roofs.surfaces()
 }
 
 pub fn all_solids(building: &Building) -> impl Iterator<Item = &Solid> {

@@ -54,11 +54,11 @@ fn corner(one: f64, other: f64) -> Vec<Ring> {
 
 /// Counts the hips: one at each mitred corner.
 fn hips(building: &Building) -> usize {
-    let of = |r: &hsd::building::Roof| {
-        let hips = r.surface.lines(EdgeKind::Hip).into_iter();
+    let of = |surface: &hsd::building::RoofSurface| {
+        let hips = surface.lines(EdgeKind::Hip).into_iter();
         hips.filter(|[p, q]| (*p - *q).length() > 1.0).count()
     };
-    roofs(building).iter().map(of).sum()
+    surfaces(building).iter().map(of).sum()
 }
 
 fn built(rings: Vec<Ring>) -> House {
@@ -85,9 +85,9 @@ fn corridors_turn_corners_in_hips() {
 #[test]
 fn the_ridge_of_a_corridor_goes_on_round_its_corners() {
     let building = quiet(built(closed(BAY)));
-    let ridges = roofs(&building)
+    let ridges = surfaces(&building)
         .iter()
-        .flat_map(|r| r.surface.lines(EdgeKind::Ridge))
+        .flat_map(|surface| surface.lines(EdgeKind::Ridge))
         .collect::<Vec<_>>();
     let length: f64 = ridges.iter().map(|[p, q]| (*p - *q).length()).sum();
     let round = 2.0 * (17.0 + 14.0) * BAY * U;

@@ -57,14 +57,14 @@ fn assert_typed(surface: &RoofSurface, raised: bool) {
 }
 
 fn assert_all_typed(building: &Building) {
-    for roof in roofs(building) {
-        assert_typed(&roof.surface, false);
+    for surface in surfaces(building) {
+        assert_typed(surface, false);
     }
 }
 
 fn lines(building: &Building, kind: EdgeKind) -> Vec<[DVec3; 2]> {
-    let roofs = roofs(building).iter();
-    roofs.flat_map(|r| r.surface.lines(kind)).collect()
+    let surfaces = surfaces(building).iter();
+    surfaces.flat_map(|surface| surface.lines(kind)).collect()
 }
 
 fn hipped(shape: RoofShape, ratio: Option<f64>) -> House {
@@ -89,9 +89,9 @@ fn every_shape_has_a_surface_of_typed_edges() {
             for pitch in PITCHES {
                 for sori in [0.0, 4.0] {
                     let (building, _) = build(under(shape, size, pitch, sori, false));
-                    for roof in roofs(&building) {
-                        assert!(!roof.surface.facets.is_empty());
-                        assert_typed(&roof.surface, sori > 0.0);
+                    for surface in surfaces(&building) {
+                        assert!(!surface.facets.is_empty());
+                        assert_typed(surface, sori > 0.0);
                     }
                 }
             }
@@ -115,7 +115,7 @@ fn a_ratio_and_half_hips_give_ridges_as_long_as_built() {
         let hips = lines(&building, EdgeKind::Hip);
         assert_eq!(hips.len(), 4);
         assert!(hips.iter().all(|[from, to]| from.z < to.z));
-        assert_eq!(roofs(&building)[0].surface.slopes().len(), 4);
+        assert_eq!(surfaces(&building)[0].slopes().len(), 4);
     }
 }
 
@@ -123,7 +123,7 @@ fn a_ratio_and_half_hips_give_ridges_as_long_as_built() {
 fn hips_and_gables_cover_their_outline_with_the_overhangs() {
     for shape in [RoofShape::Hip, RoofShape::Gable] {
         let building = quiet(hipped(shape, None));
-        let surface = &roofs(&building)[0].surface;
+        let surface = &surfaces(&building)[0];
         let min = surface.points.iter().copied().fold(DVec3::MAX, DVec3::min);
         let max = surface.points.iter().copied().fold(DVec3::MIN, DVec3::max);
         let area: f64 = surface.facets.iter().map(|f| surface.area(f)).sum();
@@ -154,7 +154,7 @@ fn images_and_dumps_show_ridges_as_built() {
 fn valleys_run_between_roofs_that_meet_and_in_skeletons() {
     let wings = quiet(house(vec![vec![ring(&L)]]));
     assert_all_typed(&wings);
-    let meeting = roofs(&wings).iter().flat_map(|r| &r.surface.edges);
+    let meeting = surfaces(&wings).iter().flat_map(|surface| &surface.edges);
     let meeting = meeting.filter(|e| matches!(e.beside, Beside::Roof(_)));
     let valleys = meeting.filter(|e| e.kind == EdgeKind::Valley);
     assert!(valleys.count() >= 2);

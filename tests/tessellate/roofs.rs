@@ -90,7 +90,6 @@ fn roofs_become_one_mesh() {
         kind: RoofKind::Metal,
         trim: Trim::default(),
         attic: Attic::default(),
-        surface: Default::default(),
         solids: vec![flat_roof()],
     });
     let scene = scene(&building);
@@ -125,7 +124,6 @@ fn courses_lie_level_and_run_up_the_slope() {
         kind: RoofKind::Tiles,
         trim: Trim::default(),
         attic: Attic::default(),
-        surface: hsd::building::RoofSurface::of(std::slice::from_ref(&solid)),
         solids: vec![solid],
     });
     let scene = tessellate(&building, hsd::parse::builtin(), Detail::Everything.into());

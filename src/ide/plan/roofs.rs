@@ -2,13 +2,13 @@
 
 use super::{Roof, place, point};
 use crate::backend::number::Number;
-use crate::building::{self, EdgeKind};
+use crate::building::{self, EdgeKind, RoofSurface};
 use glam::{DVec2, dvec2};
 
 /// Heights that differ by less are equal, metres.
 const LEVEL: f64 = 1e-3;
 
-pub(super) fn roof(roof: &building::Roof, unit: f64) -> Roof {
+pub(super) fn roof(roof: &building::Roof, surface: &RoofSurface, unit: f64) -> Roof {
     let points = || roof.solids.iter().flat_map(|s| &s.points);
     let plan = |p: &glam::DVec3| dvec2(-p.x / unit, p.y / unit);
     let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
@@ -16,7 +16,6 @@ pub(super) fn roof(roof: &building::Roof, unit: f64) -> Roof {
         (low, high) = (low.min(p), high.max(p));
     }
     let top = points().map(|p| p.z).fold(f64::NEG_INFINITY, f64::max);
-    let surface = &roof.surface;
     let upper = [EdgeKind::Ridge, EdgeKind::Crest, EdgeKind::Abutment];
     let edges = surface.edges.iter().filter(|e| upper.contains(&e.kind));
     let highest = edges

@@ -61,6 +61,7 @@ use crate::source::Span;
 use conditions::Branch;
 use pieces::Used;
 use scope::{Frame, Scope};
+use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use storeys::Storeys;
@@ -140,6 +141,11 @@ fn is_plain(tree: &Tree<'_>, reporter: &Reporter<'_>) -> bool {
     !reporter.source.text().contains(['{', '}']) && !tree.elements.iter().any(computes)
 }
 
+/// Returns true if the value of an attribute holds an expression.
+fn is_computed(attribute: &Attribute<'_>) -> bool {
+    braces::are_in(&attribute.value) && !attribute.is_foreign()
+}
+
 /// The state of the expansion.
 struct Expander<'a, 'f> {
     reporter: &'f mut Reporter<'a>,
@@ -151,11 +157,17 @@ struct Expander<'a, 'f> {
     parameters: Vec<Parameter>,
     /// Expressions by their place: a definition is parsed once however often it is used.
     parsed: BTreeMap<usize, Option<Rc<Expr>>>,
+    /// What is written of parameters, by the place of their element.
+    written: BTreeMap<usize, Rc<names::WrittenParameter>>,
     storeys: Storeys,
     /// The open output elements, outermost first.
     open: draws::Open<'a>,
     /// The active uses, outermost first.
     uses: Vec<Used<'a>>,
+    /// The uses so far of the house in the making.
+    again: Option<pieces::UsesSoFar<'a>>,
+    /// The number of results so far that hold at their place alone.
+    local: Cell<usize>,
     /// The houses being placed, outermost first.
     placed: Vec<places::Placed<'a>>,
     files: files::Files<'a>,
@@ -190,8 +202,11 @@ impl<'a, 'f> Expander<'a, 'f> {
             made: Tree::default(),
             parameters: vec![],
             parsed: BTreeMap::new(),
+            written: BTreeMap::new(),
             storeys: Storeys::default(),
             uses: vec![],
+            again: None,
+            local: Cell::new(0),
             placed: vec![],
             open: draws::Open::outermost(
                 setting.seed,
@@ -237,8 +252,10 @@ impl<'a> Expander<'a, '_> {
             Some(Tag::Storey | Tag::Floor) => self.storey(&element_ref, scope),
             Some(Tag::House | Tag::Facade) => {
                 let outside = std::mem::take(&mut self.storeys);
+                let before = self.again.replace(pieces::UsesSoFar::default());
                 let made = self.element(&element_ref, scope);
                 self.storeys = outside;
+                self.again = before;
                 made
             }
             _ => self.element(&element_ref, scope),
@@ -256,7 +273,7 @@ impl<'a> Expander<'a, '_> {
         }
         let made = self.made.elements.len();
         let mut attributes = element.attributes.clone();
-        for attribute in attributes.iter_mut().filter(|a| !a.is_foreign()) {
+        for attribute in attributes.iter_mut().filter(|a| is_computed(a)) {
             let before = self.key_draws(element.name, attribute.name);
             self.fill_attribute(attribute, scope);
             self.restore_draws(before);
@@ -273,6 +290,7 @@ impl<'a> Expander<'a, '_> {
             attributes,
             children: vec![],
             cut: element.cut,
+            shared: false,
         });
         self.enter(element_ref, made);
         self.inside(&element_ref.element().name_range, made, |expander| {
@@ -405,6 +423,11 @@ impl<'a> Expander<'a, '_> {
             let child = Child::Element(made);
             self.made.elements[into].children.push(child);
         }
+    }
+
+    /// Records that a result holds at its place alone.
+    fn note_local(&self) {
+        self.local.set(self.local.get() + 1);
     }
 
     /// Returns the known names for a message, up to the maximum number of messages.

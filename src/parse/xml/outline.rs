@@ -2,7 +2,7 @@
 
 use super::DEEPEST;
 use super::language::{Segment, segments};
-use super::read::Reader;
+use super::read::{ReadSoFar, Reader};
 use super::suggest::Suggest;
 use super::tree::{self, Child, Tree};
 use crate::ast::Item;
@@ -30,6 +30,7 @@ pub(in crate::parse) fn outline(source: &Source, at: usize, nesting: usize) -> O
         text: source.text(),
         reader: Reader {
             views: vec![],
+            again: ReadSoFar::default(),
             turn: None,
             unit: super::UNIT,
             tree: &tree,

@@ -1,5 +1,6 @@
 //! The parts that all element readers share: children and attributes, checked against the tables.
 
+mod again;
 pub(in crate::parse::xml) mod parts;
 pub(in crate::parse::xml) mod facades;
 pub(in crate::parse::xml) mod pieces;
@@ -15,6 +16,8 @@ pub(in crate::parse::xml) mod codes;
 pub(in crate::parse::xml) mod monuments;
 pub(in crate::parse::xml) mod views;
 pub(in crate::parse::xml) mod town;
+
+pub(in crate::parse::xml) use again::ReadSoFar;
 
 use super::edits;
 use super::suggest::Suggest;
@@ -44,6 +47,8 @@ pub(super) struct Reader<'t, 'a> {
     pub(super) unit: f64,
     /// The views read so far.
     pub(super) views: Vec<NamedView>,
+    /// What was read of elements of the house that stand in several places.
+    pub(super) again: ReadSoFar,
 }
 
 /// A child that is allowed at its place.
@@ -271,7 +276,7 @@ pub(super) fn check<'t>(
     let mut found = Attributes {
         element,
         schema,
-        list: vec![],
+        list: Vec::with_capacity(element.attributes.len()),
     };
     for attribute in &element.attributes {
         if attribute.is_foreign() {

@@ -1,7 +1,7 @@
 //! Evaluates the rules of a town at features of its maps.
 
 use super::language::Rules;
-use super::read::Reader;
+use super::read::{ReadSoFar, Reader};
 use super::suggest::Suggest;
 use super::trees::Trees;
 use super::{DEEPEST, UNIT, tree};
@@ -79,6 +79,7 @@ pub fn features<'a>(
                         reporter,
                         suggest: Suggest::new(),
                         views: vec![],
+                        again: ReadSoFar::default(),
                     };
                     reader.made(index, state.0, state.1, writes)
                 },

@@ -74,6 +74,8 @@ pub(super) struct Element<'a> {
     pub(super) children: Vec<Child<'a>>,
     /// True if children were dropped because they are nested too deeply.
     pub(super) cut: bool,
+    /// True if it stands in several places of the tree.
+    pub(super) shared: bool,
 }
 
 impl Element<'_> {
@@ -84,6 +86,7 @@ impl Element<'_> {
 }
 
 /// The content of an element.
+#[derive(Clone)]
 pub(super) enum Child<'a> {
     /// An element, by its index.
     Element(usize),
@@ -261,6 +264,7 @@ impl<'a> Builder<'a> {
             attributes: tag.attributes,
             children: vec![],
             cut: false,
+            shared: false,
         });
         index
     }

@@ -5,7 +5,7 @@
 //! `docs/evidence.md` 7.10, a square its hogyo, and any other outline a carpenter's roof of equal slopes.
 
 use crate::ast::RoofShape;
-use crate::building::{Attic, Roof, RoofSurface};
+use crate::building::{Attic, Roof};
 use crate::geometry::convex::parts;
 use crate::geometry::tolerance::CUT;
 use crate::geometry::triangulate::ears;
@@ -66,7 +66,6 @@ pub fn over(
             filled: true,
             ..Attic::default()
         },
-        surface: RoofSurface::of(&solids),
         solids,
     })
 }

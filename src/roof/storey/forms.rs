@@ -1,7 +1,7 @@
 //! Makes a roof of a rectangle and options: the neighbours of each side determine its ends.
 
 use crate::ast::{RoofShape, RoofStyle};
-use crate::building::{Attic, Roof, RoofSurface};
+use crate::building::{Attic, Roof};
 use crate::geometry::SAME;
 use crate::geometry::plan::{Cell, Plan};
 use crate::roof::frame::{Frame, Rect, end_sides, metres, near_side};
@@ -109,7 +109,6 @@ impl Context<'_> {
             kind: look.kind,
             trim: look.trim(),
             attic: Attic::default(),
-            surface: RoofSurface::default(),
             solids: vec![],
         }
     }

@@ -42,8 +42,8 @@ impl Neighbours {
         if !roofs.roofs.iter().any(has_joints) {
             return all;
         }
-        for (n, roof) in roofs.roofs.iter().enumerate() {
-            let surface = Surface::of(&roof.surface);
+        for (n, surface) in roofs.surfaces().iter().enumerate() {
+            let surface = Surface::of(surface);
             for facet in &surface.facets {
                 let points = facet.corners.iter().map(|i| surface.points[*i as usize]);
                 let plan: Vec<DVec2> = points.map(DVec3::truncate).collect();

@@ -154,7 +154,6 @@ fn roof(kind: RoofKind, solids: Vec<Solid>) -> Roof {
             arch: None,
         },
         attic: Attic::default(),
-        surface: RoofSurface::of(&solids),
         solids,
     }
 }
@@ -167,10 +166,18 @@ fn count(seams: &[Seam], kind: Kind) -> usize {
     seams.iter().filter(|s| s.kind == kind).count()
 }
 
+/// A house with one roof.
+fn alone(roof: &Roof) -> HouseRoofs {
+    HouseRoofs {
+        roofs: vec![roof.clone()],
+        ..HouseRoofs::default()
+    }
+}
+
 /// The plain blocks of ridges at detail 1.
 fn blocks(kind: RoofKind, finish: &str) -> Vec<Body> {
     let roof = roof(kind, gable(kind, 8.0, 6.0, 0.5));
-    let made = build(&roof, &Beyond::default(), false, Detail::Flat);
+    let made = build((&alone(&roof), 0), &Beyond::default(), false, Detail::Flat);
     let finish = SurfaceId::named(finish);
     let blocks = made.bodies.into_iter();
     blocks.filter(|body| body.finish == finish).collect()
@@ -270,7 +277,7 @@ fn bodies(roof: &Roof, detail: Detail) -> Vec<Body> {
 }
 
 fn bodies_on(roof: &Roof, plastered: bool, detail: Detail) -> Vec<Body> {
-    let worn = build(roof, &Beyond::default(), plastered, detail);
+    let worn = build((&alone(roof), 0), &Beyond::default(), plastered, detail);
     let rows = worn.runs.iter().flat_map(|run| run.row.bodies());
     worn.bodies.into_iter().chain(rows).collect()
 }
@@ -391,10 +398,9 @@ fn less_detail_wears_less_and_always_the_same() {
             "{kind:?}: {counts:?}"
         );
         let told = || {
-            format!(
-                "{:?}",
-                build(&roof, &Beyond::default(), false, Detail::Everything)
-            )
+            let roofs = alone(&roof);
+            let worn = build((&roofs, 0), &Beyond::default(), false, Detail::Everything);
+            format!("{worn:?}")
         };
         assert_eq!(told(), told());
     }
@@ -428,7 +434,7 @@ fn a_joint_is_a_valley_before_a_slope_and_a_flank_before_a_wall() {
             ..HouseRoofs::default()
         };
         let beyond = Neighbours::of(&both).beyond(0, &both.roofs[0]);
-        let seams = Surface::of(&both.roofs[0].surface).seams(&beyond);
+        let seams = Surface::of(&both.surfaces()[0]).seams(&beyond);
         seams.iter().map(|s| s.kind).collect::<Vec<_>>()
     };
     let rises = solids(kind, &[(&beside, [0.5, 0.0], 1.5)]);

@@ -16,6 +16,7 @@ use crate::tessellate::store::look::{Look, Share};
 use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::{Level, Walker, part, turn_of};
 use glam::{DVec3, dvec2};
+use smallvec::{SmallVec, smallvec};
 
 /// Corners sharper than this many faces are not mitred to their point.
 const LONGEST: f64 = 4.0;
@@ -268,13 +269,11 @@ fn draw(
             true => (stretch.tops.1, stretch.tops.0),
             false => (z1, z1),
         };
-        let mut corners = vec![(left, z0), (right, z0)];
+        let mut corners: SmallVec<[(f64, f64); 4]> = smallvec![(left, z0), (right, z0)];
         let high = [(right, high_right), (left, high_left)];
         corners.extend(high.into_iter().filter(|(_, z)| z - z0 > 1e-6));
-        let points: Vec<DVec3> = corners
-            .iter()
-            .map(|(x, z)| place(*x, stretch.face, *z))
-            .collect();
+        let points = corners.iter().map(|(x, z)| place(*x, stretch.face, *z));
+        let points: SmallVec<[DVec3; 4]> = points.collect();
         let soup = &mut soups[at].1;
         let first = soup.positions.len();
         soup.face(&points, false);

@@ -25,13 +25,18 @@ pub(in crate::parse::xml) enum Segment {
 
 /// Returns true if text contains braces, and so may contain expressions.
 pub(super) fn are_in(text: &Text<'_>) -> bool {
-    text.as_str().contains(['{', '}'])
+    brace(text.as_str()).is_some()
+}
+
+/// Returns the place of the first brace.
+fn brace(text: &str) -> Option<usize> {
+    text.bytes().position(|b| matches!(b, b'{' | b'}'))
 }
 
 /// Divides text into segments; an expression ends with its line.
 pub(in crate::parse::xml) fn segments(text: &str) -> Vec<Segment> {
     let (mut found, mut start) = (vec![], 0);
-    while let Some(open) = text[start..].find(['{', '}']).map(|i| start + i) {
+    while let Some(open) = brace(&text[start..]).map(|i| start + i) {
         if open > start {
             found.push(Segment::Plain(start..open));
         }

@@ -82,6 +82,11 @@ impl<'a> Open<'a> {
         level.place.named(kind).at(number)
     }
 
+    /// Counts an element of this kind in the current one.
+    pub(super) fn pass(&mut self, kind: &'a str) {
+        self.place_of(kind);
+    }
+
     /// Resets the record of choices, and returns whether there were any.
     pub(super) fn forget(&mut self) -> bool {
         std::mem::take(&mut self.drawn)
@@ -205,6 +210,7 @@ impl<'a> Expander<'a, '_> {
             choices.push(child);
         }
         let place = self.open.next();
+        self.note_local();
         if sum <= 0.0 {
             let span = self.reporter.span(&element.name_range);
             self.reporter.push(|| say::no_weight(span, None));
@@ -256,13 +262,16 @@ impl<'a> Expander<'a, '_> {
     pub(super) fn drawn(
         &mut self,
         of: &Parameter,
-        weights: Option<(Vec<f64>, Span)>,
+        weights: Option<&(Vec<f64>, Span)>,
         span: Span,
     ) -> Option<Value> {
         let seed = self.placed.last().and_then(|placed| placed.seed());
         let place = match (of.random, seed) {
             (false, _) => return None,
-            (true, None) => self.open.levels.last()?.place,
+            (true, None) => {
+                self.note_local();
+                self.open.levels.last()?.place
+            }
             // The same house for the same seed, wherever it stands.
             (true, Some(seed)) => Place::seed(self.open.seed.unwrap_or(0)).at(seed),
         };
@@ -273,17 +282,17 @@ impl<'a> Expander<'a, '_> {
             return None;
         };
         let weights = match weights {
-            Some((weights, at)) => self.fitting(weights, at, values.count()),
+            Some((weights, at)) => self.fitting(weights, *at, values.count()),
             None => None,
         };
         seed.or(self.open.seed)?;
         let index = match weights {
             Some(weights) => {
-                let add = |sum: &mut f64, weight: f64| {
+                let add = |sum: &mut f64, weight: &f64| {
                     *sum += weight;
                     Some(*sum)
                 };
-                let sums: Vec<f64> = weights.into_iter().scan(0.0, add).collect();
+                let sums: Vec<f64> = weights.iter().scan(0.0, add).collect();
                 place.pick(&sums)
             }
             None => (place.share() * values.count() as f64) as usize,
@@ -292,7 +301,7 @@ impl<'a> Expander<'a, '_> {
     }
 
     /// Returns the weights, if there are as many as values and one of them is positive.
-    fn fitting(&mut self, weights: Vec<f64>, span: Span, values: usize) -> Option<Vec<f64>> {
+    fn fitting<'w>(&mut self, weights: &'w [f64], span: Span, values: usize) -> Option<&'w [f64]> {
         if weights.len() != values {
             let given = weights.len();
             self.reporter

@@ -65,6 +65,7 @@ impl Meanings for Names<'_, '_, '_> {
         let (expander, scope) = (self.expander, self.scope);
         if name == "k" {
             expander.storeys.asked.set(true);
+            expander.note_local();
             let number = expander.storeys.number.ok_or(Problem::NoStorey)?;
             return Ok(Value::Number(number as f64));
         }
@@ -125,6 +126,7 @@ impl Names<'_, '_, '_> {
         let place = match name {
             Some(name) => self.expander.place_of_feature().named("draw").named(name),
             None => {
+                self.expander.note_local();
                 let number = self.drawn.replace(self.drawn.get() + 1);
                 let drawing = self.expander.feature.drawing;
                 let place = drawing.unwrap_or_else(|| self.expander.place_of_feature());
@@ -289,6 +291,7 @@ impl<'a, 'f> Expander<'a, 'f> {
     /// Records that the feature lacks a field.
     pub(super) fn lacks(&mut self, name: &str, place: &Range<usize>) {
         self.feature.lacks = true;
+        self.note_local();
         let span = self.reporter.span(place);
         let key = (span, name.to_owned());
         *self.feature.missing.entry(key).or_default() += 1;

@@ -6,8 +6,8 @@ use super::super::tree::{Child, Element};
 use super::places::{Arguments, Filled, Origin, Placed, bare};
 use super::scope::Frame;
 use super::{ELEMENT, ElementRef, Expander, Scope};
-use crate::ast::Parameter;
 use crate::ast::town::{GapAt, PlaceOn, Stood, Wish};
+use crate::ast::{Parameter, Value};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::schema;
 use crate::parse::schema::Kind;
@@ -253,10 +253,10 @@ impl<'a> Expander<'a, '_> {
     }
 
     /// Records the value of a parameter of the house that is being placed.
-    pub(super) fn note_parameter(&mut self, parameter: &Parameter) {
+    pub(super) fn note_parameter(&mut self, parameter: &Parameter, value: Option<&Value>) {
         let uses = self.uses.len();
         if let Some(placed) = self.placed.last_mut().filter(|p| p.uses == uses)
-            && let Some(value) = &parameter.value
+            && let Some(value) = value
         {
             placed.values.push((parameter.name.clone(), value.clone()));
         }

@@ -233,6 +233,7 @@ impl<'a> Expander<'a, '_> {
             attributes: vec![],
             children: vec![],
             cut: false,
+            shared: false,
         });
         self.made.elements.len() - 1
     }

@@ -1,14 +1,16 @@
 //! `let` and `Param`: names for values.
 
 use super::super::read::{Attributes, check};
+use super::super::tree::Element;
 use super::scope::Bound;
-use super::{ElementRef, Expander, Scope, fixes};
+use super::{ElementRef, Expander, Scope, fixes, is_computed};
 use crate::ast::{Parameter, Value};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::expr;
 use crate::parse::schema;
 use crate::parse::schema::Tag;
 use crate::source::{Span, Spanned};
+use std::rc::Rc;
 
 /// The source of a parameter's value.
 pub(super) enum Given {
@@ -16,6 +18,16 @@ pub(super) enum Given {
     Run,
     /// A `use`, if it sets the parameter. `None` inside = an error was reported.
     Use(Option<Spanned<Option<Value>>>),
+}
+
+/// What is written of a parameter.
+pub(super) struct WrittenParameter {
+    name: Spanned<String>,
+    /// Without its value.
+    parameter: Parameter,
+    /// The weights of its values, and their place.
+    weights: Option<(Vec<f64>, Span)>,
+    has_default: bool,
 }
 
 impl<'a> Expander<'a, '_> {
@@ -69,16 +81,68 @@ impl<'a> Expander<'a, '_> {
         scope: &Scope<'a>,
         given: Given,
     ) {
+        let Some(written) = self.written_parameter(element_ref, scope) else {
+            return;
+        };
+        let (name, parameter) = (&written.name, &written.parameter);
+        let at_run = matches!(given, Given::Run);
+        let drawn = self.drawn(parameter, written.weights.as_ref(), parameter.span);
+        // In a placed house the default takes the place of a faulty value: its author wrote no wall that could miss a length.
+        let value = self.given(parameter, given, name.span);
+        let value = value.filter(|value| value.is_some() || self.placed.is_empty());
+        let value = value.or_else(|| self.offered(parameter).map(Some));
+        let value = value.unwrap_or_else(|| drawn.or_else(|| parameter.default.clone()));
+        self.note_parameter(parameter, value.as_ref());
+        if value.is_none() && !written.has_default && !at_run {
+            let span = self.uses.last().map_or(name.span, |u| u.span);
+            let at = self.uses.last().map(|u| (parameter, u.tag));
+            self.reporter
+                .push(|| say::parameter_missing(span, &name.value, Some(name.span), at));
+        } else if value.is_none() && !written.has_default {
+            let tag = self.reporter.span(&element_ref.element().name_range);
+            let at = Some((parameter, tag));
+            self.reporter
+                .push(|| say::parameter_missing(name.span, &name.value, None, at));
+        }
+        if at_run {
+            self.parameters.push(Parameter {
+                value: value.clone(),
+                ..parameter.clone()
+            });
+        }
+        self.bind(name, value, scope);
+    }
+
+    /// Returns what is written of a parameter. What has no expressions and no faults says the same in every house, so it is
+    /// read once.
+    fn written_parameter(
+        &mut self,
+        element_ref: &ElementRef<'_, 'a>,
+        scope: &Scope<'a>,
+    ) -> Option<Rc<WrittenParameter>> {
         let element = element_ref.element();
-        let Some(schema) = schema::named(element.name) else {
-            return;
-        };
+        if let Some(known) = self.written.get(&element.tag.start) {
+            return Some(Rc::clone(known));
+        }
+        let told = self.reporter.told();
+        let made = Rc::new(self.read_parameter(element, scope)?);
+        let computes = element.attributes.iter().any(is_computed);
+        if !computes && self.reporter.told() == told {
+            self.written.insert(element.tag.start, Rc::clone(&made));
+        }
+        Some(made)
+    }
+
+    /// Reads what is written of a parameter.
+    fn read_parameter(
+        &mut self,
+        element: &Element<'a>,
+        scope: &Scope<'a>,
+    ) -> Option<WrittenParameter> {
+        let schema = schema::named(element.name)?;
         let of = check(self.reporter, &mut self.suggest, schema, element);
-        let Some(name) = self.name(&of) else {
-            return;
-        };
-        let written = of.get("default").is_some();
-        let mut parameter = Parameter {
+        let name = self.name(&of)?;
+        let parameter = Parameter {
             span: self.reporter.span(&element.tag),
             default: of.get("default").and_then(|d| self.value(&d.value, scope)),
             value: None,
@@ -93,30 +157,12 @@ impl<'a> Expander<'a, '_> {
             name: name.value.clone(),
         };
         self.check_default(&of, &parameter);
-        let at_run = matches!(given, Given::Run);
-        let weights = self.weights(&of, scope);
-        let drawn = self.drawn(&parameter, weights, parameter.span);
-        // In a placed house the default takes the place of a faulty value: its author wrote no wall that could miss a length.
-        let value = self.given(&parameter, given, name.span);
-        let value = value.filter(|value| value.is_some() || self.placed.is_empty());
-        let value = value.or_else(|| self.offered(&parameter).map(Some));
-        let usual = drawn.or_else(|| parameter.default.clone());
-        parameter.value = value.unwrap_or(usual);
-        self.note_parameter(&parameter);
-        if parameter.value.is_none() && !written && !at_run {
-            let span = self.uses.last().map_or(name.span, |u| u.span);
-            let at = self.uses.last().map(|u| (&parameter, u.tag));
-            self.reporter
-                .push(|| say::parameter_missing(span, &name.value, Some(name.span), at));
-        } else if parameter.value.is_none() && !written {
-            let at = Some((&parameter, self.reporter.span(&element.name_range)));
-            self.reporter
-                .push(|| say::parameter_missing(name.span, &name.value, None, at));
-        }
-        self.bind(&name, parameter.value.clone(), scope);
-        if at_run {
-            self.parameters.push(parameter);
-        }
+        Some(WrittenParameter {
+            weights: self.weights(&of, scope),
+            has_default: of.get("default").is_some(),
+            parameter,
+            name,
+        })
     }
 
     /// Reports a default that the parameter does not allow.

@@ -1,6 +1,10 @@
 //! `define` and `use`: definitions and their uses. The attributes of a `define` are its parameters and their defaults
 //! (an empty one must be given), and so are the `Param`s in it; those of a `use` set them.
 
+mod again;
+
+pub(super) use again::UsesSoFar;
+
 use super::super::read::check;
 use super::super::tree::{Child, Element};
 use super::names::Given;
@@ -96,6 +100,11 @@ impl<'a> Expander<'a, '_> {
         arguments: Arguments<'_, 'a>,
         into: usize,
     ) {
+        let key = self.use_key(&piece, home, &arguments);
+        if key.as_ref().is_some_and(|key| self.put_again(key, into)) {
+            return;
+        }
+        let before = self.before_use(into);
         let tree = Rc::clone(&piece.tree);
         let body = ElementRef {
             tree: &tree,
@@ -115,6 +124,9 @@ impl<'a> Expander<'a, '_> {
             });
         }
         self.uses.pop();
+        if let Some(key) = key {
+            self.remember_use(key, &before, into);
+        }
     }
 
     /// Returns the arguments of a `use`, evaluated at its place.

@@ -451,5 +451,6 @@ pub(super) fn bare<'a>(element: &Element<'a>) -> Element<'a> {
         attributes: vec![],
         children: vec![],
         cut: element.cut,
+        shared: false,
     }
 }

@@ -7,7 +7,7 @@ use crate::parse::schema::vocabulary::{STOREY_KINDS, TURNS};
 use crate::parse::schema::{Schema, Tag};
 use crate::parse::xml::edits;
 use crate::parse::xml::read::pieces::WallItems;
-use crate::parse::xml::read::{AllowedChild, Attributes, Reader};
+use crate::parse::xml::read::{AllowedChild, Attributes, ReadSoFar, Reader};
 use crate::parse::xml::suggest::narrow_ascii;
 use crate::parse::xml::tree::Element;
 use crate::parse::xml::tree::chars::is_blank;
@@ -24,6 +24,7 @@ impl<'t> Reader<'t, '_> {
         schema: &'static Schema,
         element: &'t Element<'t>,
     ) -> House {
+        self.again = ReadSoFar::default();
         let of = self.attributes(schema, element);
         let settings = self.settings(&of);
         self.unit = settings.unit.map_or(of.usual("unit"), |unit| unit.value);

@@ -153,17 +153,26 @@ impl<'t> Reader<'t, '_> {
         let mut sides = vec![];
         for node in self.children(element, schema.content()) {
             if let AllowedChild::Element(schema, child) = node {
-                let of = self.attributes(schema, child);
-                sides.push(SideWall {
-                    span: self.whole(child),
-                    on: self
-                        .on(&of)
-                        .unwrap_or_else(|| Spanned::new(On::Any, self.start(child))),
-                    parts: self.side_parts(child, schema),
-                });
+                let side = match self.again.side(child) {
+                    Some(known) => known,
+                    None => self.side_wall(schema, child),
+                };
+                sides.push(side);
             }
         }
         sides
+    }
+
+    fn side_wall(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> SideWall {
+        let of = self.attributes(schema, element);
+        let on = self.on(&of);
+        let side = SideWall {
+            span: self.whole(element),
+            on: on.unwrap_or_else(|| Spanned::new(On::Any, self.start(element))),
+            parts: self.side_parts(element, schema),
+        };
+        self.again.keep_side(element, &side);
+        side
     }
 
     /// Reads a kind of side, or the number of one.

@@ -58,6 +58,20 @@ impl<'t> Reader<'t, '_> {
         element: &'t Element<'t>,
         turns: bool,
     ) -> Option<Item<Piece>> {
+        if let Some(known) = self.again.piece(element) {
+            return known;
+        }
+        let piece = self.piece_anew(schema, element, turns);
+        self.again.keep_piece(element, &piece);
+        piece
+    }
+
+    fn piece_anew(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+        turns: bool,
+    ) -> Option<Item<Piece>> {
         match schema.tag {
             Tag::Part => Some(Item::One(self.part(schema, element))),
             Tag::Split => {

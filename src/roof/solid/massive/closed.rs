@@ -75,12 +75,10 @@ const NOTHING: f64 = 6e-9;
 fn volume(solid: &Solid) -> f64 {
     let from = solid.points.first().copied().unwrap_or_default();
     let of = |face: &Face| -> f64 {
-        let corners = face.corners.iter();
-        let points: Vec<DVec3> = corners.map(|c| solid.points[*c as usize] - from).collect();
-        points
-            .windows(2)
-            .map(|w| points[0].dot(w[0].cross(w[1])))
-            .sum()
+        let at = |c: &u32| solid.points[*c as usize] - from;
+        let first = face.corners.first().map_or(DVec3::ZERO, at);
+        let pairs = face.corners.windows(2);
+        pairs.map(|w| first.dot(at(&w[0]).cross(at(&w[1])))).sum()
     };
     solid.faces.iter().map(of).sum()
 }

@@ -32,6 +32,7 @@ pub(super) struct Raised {
 }
 
 /// A vertical side over a stretch between two corners of the plan.
+#[derive(Clone, Copy)]
 struct Side {
     /// The stretch: the lower number, then the higher one.
     over: (u32, u32),
@@ -151,7 +152,7 @@ impl Plan {
     /// Returns the points over all corners.
     pub(super) fn raised(&self, pieces: &[Piece]) -> Option<Raised> {
         let count: usize = self.rings.iter().flatten().map(Vec::len).sum();
-        let mut heights: Vec<(u32, f64, u32)> = Vec::with_capacity(2 * count);
+        let mut heights: Vec<(u32, f64)> = Vec::with_capacity(2 * count);
         for ([slab, filling], piece) in self.rings.iter().zip(pieces) {
             for (ring, filled) in [(slab, false), (filling, true)] {
                 for (id, _) in ring {
@@ -161,26 +162,26 @@ impl Plan {
                         true => [low, piece.bottom.at(self.corners[*id as usize])],
                         false => [top, low],
                     };
-                    for z in both {
-                        heights.push((*id, z, heights.len() as u32));
-                    }
+                    heights.extend(both.map(|z| (*id, z)));
                 }
             }
         }
-        heights.sort_unstable_by(|p, q| {
-            (p.0.cmp(&q.0))
-                .then(p.1.total_cmp(&q.1))
-                .then(p.2.cmp(&q.2))
-        });
+        let z = |place: &u32| heights[*place as usize].1;
+        let mut order = by_number(&heights, self.corners.len(), |h| h.0);
         let mut points: Vec<DVec3> = Vec::with_capacity(heights.len() / 2);
         let mut number = vec![0; heights.len()];
-        let mut last = (u32::MAX, 0.0);
-        for (id, z, place) in heights {
-            if last.0 != id || z - last.1 > JOINT {
-                points.push(self.corners[id as usize].extend(z));
-                last = (id, z);
+        for over in order.chunk_by_mut(|p, q| heights[*p as usize].0 == heights[*q as usize].0) {
+            over.sort_by(|p, q| z(p).total_cmp(&z(q)));
+            let corner = self.corners[heights[over[0] as usize].0 as usize];
+            let mut last: Option<f64> = None;
+            for place in over.iter() {
+                let z = z(place);
+                if last.is_none_or(|last| z - last > JOINT) {
+                    points.push(corner.extend(z));
+                    last = Some(z);
+                }
+                number[*place as usize] = points.len() as u32 - 1;
             }
-            number[place as usize] = points.len() as u32 - 1;
         }
         let mut pairs = number.chunks_exact(2).map(|p| [p[0], p[1]]);
         let mut of = |ring: &Ring| -> Vec<[u32; 2]> { pairs.by_ref().take(ring.len()).collect() };
@@ -216,8 +217,12 @@ impl Plan {
                 }
             }
         }
-        sides.sort_by_key(|s| s.over);
-        sides
+        let mut order = by_number(&sides, self.corners.len(), |s| s.over.0);
+        let over = |n: &u32| sides[*n as usize].over;
+        for same in order.chunk_by_mut(|m, n| over(m).0 == over(n).0) {
+            same.sort_by_key(|n| over(n).1);
+        }
+        order.iter().map(|n| sides[*n as usize]).collect()
     }
 
     /// Adds corners where edges over one stretch cross; returns whether there were any.
@@ -327,6 +332,24 @@ impl Plan {
         }
         Some(())
     }
+}
+
+/// Returns the places of items in the order of their numbers below `count`, those of one number as they come.
+fn by_number<T>(items: &[T], count: usize, number: impl Fn(&T) -> u32) -> Vec<u32> {
+    let mut next = vec![0_u32; count + 1];
+    for item in items {
+        next[number(item) as usize + 1] += 1;
+    }
+    for n in 1..next.len() {
+        next[n] += next[n - 1];
+    }
+    let mut order = vec![0; items.len()];
+    for (place, item) in (0..).zip(items) {
+        let at = &mut next[number(item) as usize];
+        order[*at as usize] = place;
+        *at += 1;
+    }
+    order
 }
 
 fn upward(plane: Plane) -> DVec3 {

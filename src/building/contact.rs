@@ -1,8 +1,7 @@
 //! Edges where the roofs of one storey meet: for each, the slope of the other roof beyond it is found, and it becomes a
 //! valley, a ridge, a hip or a fold; all others stay abutments.
 
-use crate::building::{Beside, EdgeKind, Roof, meeting};
-use crate::roof::frame::Rect;
+use crate::building::{Beside, EdgeKind, Roof, RoofSurface, meeting};
 use glam::{DVec2, DVec3};
 
 /// Storeys with more facets than this keep plain abutments, since the search visits every facet.
@@ -17,7 +16,8 @@ const FLAT: f64 = 0.05;
 /// A facet of a roof.
 struct Slope {
     roof: usize,
-    bounds: Rect,
+    low: DVec2,
+    high: DVec2,
     plan: Vec<DVec2>,
     at: DVec3,
     rise: DVec2,
@@ -27,7 +27,7 @@ impl Slope {
     fn holds(&self, p: DVec2) -> bool {
         let next = self.plan.iter().cycle().skip(1);
         let mut sides = self.plan.iter().zip(next);
-        let inside = self.bounds.min.cmple(p).all() && p.cmple(self.bounds.max).all();
+        let inside = self.low.cmple(p).all() && p.cmple(self.high).all();
         inside && sides.all(|(a, b)| (*b - *a).perp_dot(p - *a) >= -1e-9)
     }
 
@@ -36,17 +36,31 @@ impl Slope {
     }
 }
 
-/// Types the edges at which the roofs from index `first` on, those of one storey, meet each other.
-pub(in crate::roof) fn classify(roofs: &mut [Roof], first: usize) {
-    let wall = |r: &Roof| r.surface.edges.iter().any(|e| e.beside == Beside::Wall);
-    let count: usize = roofs[first..].iter().map(|r| r.surface.facets.len()).sum();
-    if roofs.len() < first + 2 || count > MOST_FACETS || !roofs[first..].iter().any(wall) {
+/// Returns the upper surfaces of the roofs of a house.
+pub(super) fn surfaces(roofs: &[Roof]) -> Vec<RoofSurface> {
+    let own = roofs.iter().map(|roof| RoofSurface::of(&roof.solids));
+    let mut surfaces: Vec<RoofSurface> = own.collect();
+    let mut first = 0;
+    for storey in roofs.chunk_by(|p, q| p.storey == q.storey) {
+        let next = first + storey.len();
+        classify(&mut surfaces[first..next], first);
+        first = next;
+    }
+    surfaces
+}
+
+/// Types the edges at which the roofs of one storey, of which the first has this index in the house, meet each other.
+fn classify(roofs: &mut [RoofSurface], first: usize) {
+    let wall = |r: &RoofSurface| r.edges.iter().any(|e| e.beside == Beside::Wall);
+    let count: usize = roofs.iter().map(|r| r.facets.len()).sum();
+    if roofs.len() < 2 || count > MOST_FACETS || !roofs.iter().any(wall) {
         return;
     }
-    let all = (first..roofs.len()).flat_map(|n| slopes(n, &roofs[n]));
-    let all: Vec<Slope> = all.collect();
-    for (n, roof) in roofs.iter_mut().enumerate().skip(first) {
-        let surface = &mut roof.surface;
+    let all: Vec<Slope> = (first..)
+        .zip(roofs.iter())
+        .flat_map(|(n, r)| slopes(n, r))
+        .collect();
+    for (n, surface) in (first..).zip(roofs) {
         for i in 0..surface.edges.len() {
             let edge = surface.edges[i];
             if edge.beside != Beside::Wall {
@@ -73,8 +87,7 @@ pub(in crate::roof) fn classify(roofs: &mut [Roof], first: usize) {
     }
 }
 
-fn slopes(n: usize, roof: &Roof) -> impl Iterator<Item = Slope> + '_ {
-    let surface = &roof.surface;
+fn slopes(n: usize, surface: &RoofSurface) -> impl Iterator<Item = Slope> + '_ {
     surface.facets.iter().map(move |facet| {
         let points = facet.corners.iter().map(|i| surface.at(*i).truncate());
         let plan: Vec<DVec2> = points.collect();
@@ -82,7 +95,8 @@ fn slopes(n: usize, roof: &Roof) -> impl Iterator<Item = Slope> + '_ {
         let max = plan.iter().copied().fold(DVec2::MIN, DVec2::max);
         Slope {
             roof: n,
-            bounds: Rect { min, max },
+            low: min,
+            high: max,
             plan,
             at: surface.at(facet.corners[0]),
             rise: facet.rise,
