@@ -40,7 +40,7 @@ fn gables_are_filled_with_what_the_wall_below_is_made_of() {
         "0 0\n\nKTU  KTU  KTU  KTU  KTU  KTU\nGSI  GSI  GSI  GSI\nKTU  KTU  KTU  KTU  KTU  KTU\nGSI  GSI  GSI  GSI\n",
     );
     let shown = materials(&run, "roof 1");
-    assert!(shown.iter().any(|m| m == "clay"), "{shown:?}");
+    assert!(shown.iter().any(|m| m == "nakanuri"), "{shown:?}");
 }
 
 /// How far a part reaches into the house, metres.

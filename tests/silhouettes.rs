@@ -17,8 +17,11 @@ const MOST: [f64; 3] = [0.10, 0.05, 0.03];
 /// What is less deep is a front without a house behind it, metres.
 const SHEET: f64 = 1.5;
 
-/// Directions, and what a point is in their picture.
-const SIDES: [(&str, fn(DVec3) -> DVec2); 3] = [
+/// Where a point is in a picture.
+type Place = fn(DVec3) -> DVec2;
+
+/// Directions, and the place of a point in their pictures.
+const SIDES: [(&str, Place); 3] = [
     ("the front", |p| dvec2(p.x, p.z)),
     ("the side", |p| dvec2(p.y, p.z)),
     ("above", |p| dvec2(p.x, p.y)),
@@ -33,7 +36,7 @@ struct Frame {
 }
 
 /// The triangles of a scene in a picture.
-fn flat(scene: &Scene, place: fn(DVec3) -> DVec2) -> Vec<[DVec2; 3]> {
+fn flat(scene: &Scene, place: Place) -> Vec<[DVec2; 3]> {
     let skins = skins_of(scene).into_iter();
     skins.map(|(corners, _)| corners.map(place)).collect()
 }
