@@ -1,6 +1,7 @@
 //! Houses in their years: what has weathered, where and how much, and that it costs little.
 
-use crate::support::{Run, compile};
+use crate::support::{Run, compile, root};
+use hsd::material::{Luck, SurfaceId, Wear};
 use hsd::scene::{Kind, Scene};
 use std::collections::BTreeSet;
 
@@ -197,5 +198,37 @@ fn the_legacy_form_has_years_too() {
     for bad in ["age old", "age -3", "age 5000", "era T"] {
         let run = compile("a.hsd", format!("0 0 180\n9\n{bad}\n\n{walls}").as_bytes());
         assert!(!run.diagnostics.is_empty(), "{bad}");
+    }
+}
+
+#[test]
+fn new_roof_tiles_are_silver_everywhere() {
+    let new = Wear {
+        years: 0.0,
+        exposure: 1.0,
+        luck: Luck(1),
+    };
+    for name in [
+        "kawara",
+        "kawara_edge",
+        "hongawara",
+        "noshi",
+        "ibushi",
+        "flat_tile",
+    ] {
+        let look = SurfaceId::named(name).worn(new).surface().picture;
+        let look = look.expect("tiles have a picture");
+        assert!(look.ends_with("_new"), "{name}: {look}");
+        // Their mean colours: those of a silver face (docs/evidence.md 4.9), as the fired face has it.
+        let path = root().join(format!("textures/{look}_color.jpg"));
+        let picture = image::open(path).expect("is a picture").into_rgb8();
+        let count = f64::from(picture.width() * picture.height());
+        let mean = [0, 1, 2].map(|c| {
+            let sum: f64 = picture.pixels().map(|p| f64::from(p.0[c])).sum();
+            sum / count
+        });
+        for (found, wanted) in mean.into_iter().zip([101.0, 106.0, 112.0]) {
+            assert!((found - wanted).abs() < 6.0, "{look}: {mean:?}");
+        }
     }
 }

@@ -14,7 +14,7 @@ const MOST: f64 = 0.03;
 const LARGE: usize = 120_000;
 
 /// What is more than that, by materials.
-fn told(scene: &Scene, skins: &[Skin], found: &[Fight]) -> Vec<String> {
+pub fn told(scene: &Scene, skins: &[Skin], found: &[Fight]) -> Vec<String> {
     let mut pairs: BTreeMap<[&str; 2], (f64, &Fight)> = BTreeMap::new();
     for fight in found {
         let name = |i: usize| scene.materials[skins[i].1 as usize].name.as_str();

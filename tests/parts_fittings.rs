@@ -208,8 +208,8 @@ fn every_fitting_and_modern_part_is_sound() {
     crate::support::assert_none(&flaws_of_classes("AN", 2000));
 }
 
-/// A dressed street house at full detail: under 60,000 triangles seen, under 500 KB of meshes, of which verges
-/// tile by tile and the joints of eaves tiles take a fifth.
+/// A dressed street house at full detail: under 60,000 triangles seen, under 550 KB of meshes, of which verges
+/// tile by tile, the joints of eaves tiles and their discs take a fourth.
 #[test]
 fn houses_stay_light() {
     for name in ["machiya", "omotedana", "kanban", "buke-nagaya"] {
@@ -222,7 +222,7 @@ fn houses_stay_light() {
             .sum();
         let seen = scene.stats().triangles;
         assert!(
-            seen < 60_000 && bytes < 500_000,
+            seen < 60_000 && bytes < 550_000,
             "{name}: {seen} triangles, {bytes} bytes"
         );
     }

@@ -104,7 +104,7 @@ fn scene(part: &PartDef, front: Front, detail: Detail) -> Scene {
 }
 
 /// Where level lines of sight in a plane pass between the segments: the first gap, as a place along the front.
-fn gap(segments: &[[DVec2; 2]], angle: f64, (from, to): (f64, f64)) -> Option<(f64, f64)> {
+pub fn gap(segments: &[[DVec2; 2]], angle: f64, (from, to): (f64, f64)) -> Option<(f64, f64)> {
     let across = dvec2(angle.cos(), angle.sin());
     let seen = |p: DVec2| p.dot(across);
     let mut shadows: Vec<(f64, f64)> = segments
@@ -125,7 +125,7 @@ fn gap(segments: &[[DVec2; 2]], angle: f64, (from, to): (f64, f64)) -> Option<(f
 }
 
 /// The cut of a triangle with the level plane at a height.
-fn cut(t: &Triangle, z: f64) -> Option<[DVec2; 2]> {
+pub fn cut(t: &Triangle, z: f64) -> Option<[DVec2; 2]> {
     let mut ends = vec![];
     for k in 0..3 {
         let (p, q) = (t[k], t[(k + 1) % 3]);

@@ -126,6 +126,8 @@ pub(super) static TABLE: &[Surface] = &[
     worn("black_plaster_old", &BLACK_PLASTER, 1),
     worn("clay", &CLAY, 0),
     worn("clay_washed", &CLAY, 1),
+    // Greyer than raw earth: the middle coat has sand and much straw in it.
+    tinted(worn("nakanuri", &CLAY, 0), [0.78, 0.86, 1.0]),
     worn("juraku", &JURAKU, 0),
     worn("juraku_old", &JURAKU, 1),
     worn("mortar", &MORTAR, 0),

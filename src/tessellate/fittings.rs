@@ -104,6 +104,7 @@ impl<'a> Walker<'a> {
             size: [width, height, foot, height].map(tenths),
             post: 0,
             room: part::passage(part).map_or(0, tenths),
+            grounded: part::is_wing(part),
             picture: 0,
         };
         let mesh = self.store.part(it.part, part, key);

@@ -22,6 +22,7 @@ use crate::catalog::{Below, Catalog, PartDef, Stance};
 use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
 use crate::program::Content;
+use crate::scene::PartNames;
 use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::part::bay::{Bay, Layer};
 
@@ -57,6 +58,19 @@ pub(super) fn has_passage(catalog: &Catalog, content: &Content) -> bool {
         }
         Content::Void | Content::Picture(_) => false,
     }
+}
+
+/// Returns the names of a part.
+pub(super) fn names_of(part: &PartDef) -> PartNames {
+    PartNames {
+        ja: part.ja.clone(),
+        en: part.en.clone(),
+    }
+}
+
+/// Returns true if a part is a wall at right angles to its facade.
+pub(super) fn is_wing(part: &PartDef) -> bool {
+    part.body.iter().any(|e| matches!(e.shape, Shape::Wing(_)))
 }
 
 /// Returns the layer of a plain wall of a stance.

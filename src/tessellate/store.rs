@@ -54,6 +54,8 @@ pub(super) struct PartKey {
     pub(super) post: u32,
     /// The depth available for a passage, for parts that have one.
     pub(super) room: u32,
+    /// True for wing walls that stand on the ground.
+    pub(super) grounded: bool,
     /// The texture on the part, counted from 1; 0 = none.
     pub(super) picture: u32,
 }

@@ -239,6 +239,8 @@ struct Slot<'a> {
     around: SurfaceId,
     /// Depth available for a passage behind it, metres.
     room: f64,
+    /// True if its foot stands on the foundation.
+    grounded: bool,
     /// Half the width of a post written in the source file, metres.
     post: Option<f64>,
     /// True if the facade's glass reflects.
@@ -306,6 +308,7 @@ impl Walker<'_> {
             z: (0.0, placed.top()),
             around: placed.around,
             room: self.room(level, line, placed),
+            grounded: level.grounded(),
             post: level.post(),
             mirrors: line.wall.reflection,
             half: false,
@@ -346,7 +349,9 @@ impl Walker<'_> {
                     return;
                 }
                 let names = self.names.entry(*id);
-                let names = names.or_insert_with(|| Arc::new(names_of(part))).clone();
+                let names = names
+                    .or_insert_with(|| Arc::new(part::names_of(part)))
+                    .clone();
                 (self.part(slot, unit, *id, part), part.code(), Some(names))
             }
             Content::Picture(id) => (self.picture(slot, unit, *id), "picture", None),
@@ -387,6 +392,7 @@ impl Walker<'_> {
             size: [slot.width, height, z0, z1].map(tenths),
             post: slot.post.map_or(0, tenths),
             room: part::passage(part).map_or(0, |depth| tenths(slot.room.min(depth))),
+            grounded: slot.grounded && slot.z.0 == 0.0 && part::is_wing(part),
             picture: unit.picture.map_or(0, |id| id.0 + 1),
         };
         self.store.part(id, part, key)
@@ -454,14 +460,6 @@ impl Walker<'_> {
     /// Returns true if a sub-unit is between posts.
     fn framed(&self, unit: &Unit) -> bool {
         stance(self.catalog, &unit.content).0 == Stance::Posts
-    }
-}
-
-/// Returns the names of a part.
-pub(super) fn names_of(part: &PartDef) -> PartNames {
-    PartNames {
-        ja: part.ja.clone(),
-        en: part.en.clone(),
     }
 }
 

@@ -38,6 +38,8 @@ pub(in crate::tessellate) struct Bay<'a> {
     pub(in crate::tessellate) pictured: bool,
     /// Depth of the house behind the bay, metres.
     pub(in crate::tessellate) room: f64,
+    /// True if it stands on the ground, which a wing wall reaches down to.
+    pub(in crate::tessellate) grounded: bool,
     pub(in crate::tessellate) bodies: Bodies,
 }
 
@@ -80,6 +82,7 @@ impl<'a> Bay<'a> {
             detail,
             pictured: posts.is_none(),
             room: crate::tessellate::part::DEEPEST,
+            grounded: false,
             bodies: Bodies::default(),
         }
     }

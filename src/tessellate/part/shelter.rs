@@ -1,14 +1,26 @@
 //! Small roofs: over windows, along fences, on wing walls.
 
 use crate::catalog::body::{Coping, Place, Wing};
+use crate::geometry::FOUNDATION;
 use crate::material::SurfaceId;
+use crate::tessellate::mesh::Bodies;
 use crate::tessellate::mesh::panel::Rect;
-use crate::tessellate::mesh::{Axis, Bodies};
 use crate::tessellate::part::bay::Bay;
-use glam::{DVec2, DVec3, dvec2, dvec3};
+use glam::{DVec2, DVec3, dvec3};
+use std::f64::consts::FRAC_PI_2;
 
 /// Thickness of a small roof, metres.
 const SLAB: f64 = 0.035;
+
+/// The course of stone under a wing on the ground: its top above the floor, and how far it stands out, metres.
+const STONE_TOP: f64 = -0.12;
+const STONE_OUT: f64 = 0.02;
+/// The corbel under a wing upstairs: its depth at the wall and the straight rest of the foot at its nose, as shares of the wing's
+/// projection; its flat foot at the wall, metres; the pieces of its curve.
+const CORBEL: f64 = 0.6;
+const CORBEL_NOSE: f64 = 0.1;
+const CORBEL_FLAT: f64 = 0.07;
+const CORBEL_STEPS: u32 = 5;
 
 /// Adds a hood whose slab slopes from the top of its rectangle.
 pub(in crate::tessellate) fn hood(bay: &mut Bay<'_>, pitch: f64, place: &Place, rect: Rect) {
@@ -91,16 +103,14 @@ pub(in crate::tessellate) fn wing(bay: &mut Bay<'_>, wing: &Wing, place: &Place,
     let half = place.thick.0 / 2.0;
     let (inner, outer) = (-place.front.0, wing.out.0);
     let roof = 0.280_f64.min(rect.height() / 3.0);
-    // A millimetre above the feet of other walls.
-    let foot = rect.z0 + 0.001;
-    let wall = [
-        dvec2(foot, -half),
-        dvec2(foot, half),
-        dvec2(rect.z1 - roof * 0.6, half),
-        dvec2(rect.z1 - roof * 0.6, -half),
-    ];
-    bay.bodies
-        .prism(place.finish, &wall, Axis::Y, -outer, -inner);
+    let head = rect.z1 - roof * 0.6;
+    if bay.grounded {
+        grounded_wall(bay, place.finish, (inner, outer), (half, head));
+    } else {
+        // A millimetre above the feet of other walls.
+        let outline = on_corbel((inner, outer), (rect.z0 + 0.001, head));
+        bay.profile(place.finish, &outline, -half, half);
+    }
     let gable = Gable {
         along: DVec3::NEG_Y,
         across: DVec3::X,
@@ -113,6 +123,39 @@ pub(in crate::tessellate) fn wing(bay: &mut Bay<'_>, wing: &Wing, place: &Place,
         rolls: wing.rolls.0,
     };
     gable.draw(&mut bay.bodies);
+}
+
+/// Adds the wall of a wing that stands on the ground, on a course of stone.
+fn grounded_wall(
+    bay: &mut Bay<'_>,
+    finish: SurfaceId,
+    (inner, outer): (f64, f64),
+    (half, head): (f64, f64),
+) {
+    let (foot, stone) = (STONE_TOP - 0.01, half + STONE_OUT);
+    let side =
+        |out: f64, low: f64, high: f64| [(inner, low), (out, low), (out, high), (inner, high)];
+    bay.profile(finish, &side(outer, foot, head), -half, half);
+    let course = side(outer + STONE_OUT, -FOUNDATION, STONE_TOP);
+    bay.profile(SurfaceId::named("stone"), &course, -stone, stone);
+}
+
+/// Returns the side of a wing that hangs on the wall of an upper storey, from its inner to its outer end and from foot to head:
+/// a corbel (持送り mochiokuri) below it curves back to the wall.
+fn on_corbel((inner, outer): (f64, f64), (foot, head): (f64, f64)) -> Vec<(f64, f64)> {
+    let (run, deep) = (outer * (1.0 - CORBEL_NOSE), outer * CORBEL);
+    let mut outline = vec![(inner, head), (inner, foot - deep)];
+    for step in 0..=CORBEL_STEPS {
+        // A quarter of an ellipse, hollow below.
+        let angle = FRAC_PI_2 * f64::from(step) / f64::from(CORBEL_STEPS);
+        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+        outline.push((
+            CORBEL_FLAT + (run - CORBEL_FLAT) * (1.0 - cos),
+            foot - deep * (1.0 - sin),
+        ));
+    }
+    outline.extend([(outer, foot), (outer, head)]);
+    outline
 }
 
 /// A small gable roof: a slab with a flat underside, rolls of round tiles down its slopes, and a ridge of two courses

@@ -41,6 +41,7 @@ impl PartKey {
         let post = (self.post > 0).then(|| f64::from(self.post) / 10_000.0);
         let mut bay = Bay::new(part, (width, height), (z0, z1), self.around, detail, post);
         bay.room = f64::from(self.room) / 10_000.0;
+        bay.grounded = self.grounded;
         part::build(bay)
     }
 }

@@ -5,7 +5,7 @@ use crate::material::SurfaceId;
 use crate::scene::Detail;
 use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
-use crate::tessellate::trim::line::level_left;
+use crate::tessellate::trim::line::{Line, level_left};
 use crate::tessellate::trim::seams::{End, Seam};
 use crate::tessellate::trim::slope::{Field, places};
 use glam::{DVec2, DVec3};
@@ -64,6 +64,9 @@ pub(super) fn eaves(
                 cuts.sort_by(f64::total_cmp);
             }
             plain(finish, &cuts, at, out, bodies);
+            if context.detail == Detail::Everything && out.dot(STREET) < 0.9 {
+                discs(finish, (lo, hi), at, (out, 5), bodies);
+            }
             continue;
         }
         // From crest to crest the foot of the front sags as the pan does.
@@ -84,10 +87,22 @@ pub(super) fn eaves(
         let sections = cuts.iter().map(|s| front(at(*s), out, 0.055 + sag(*s)));
         let front = Body::loft(finish, &sections.collect::<Vec<_>>());
         bodies.extend(front.map(Body::smooth));
-        for crest in places(lo + DISC, hi - DISC, WIDTH, CREST) {
-            let place = (-0.028, OUT + 0.016);
-            bodies.extend(disc(finish, at(crest), out, DISC, place, 7));
-        }
+        discs(finish, (lo, hi), at, (out, 7), bodies);
+    }
+}
+
+/// Adds the small discs (万十 manju) at the ends of the rolls between two places along the eaves, with a number of sides.
+fn discs(
+    finish: SurfaceId,
+    (lo, hi): (f64, f64),
+    at: impl Fn(f64) -> DVec3,
+    (out, sides): (DVec2, u32),
+    bodies: &mut Vec<Body>,
+) {
+    for crest in places(lo + DISC, hi - DISC, WIDTH, CREST) {
+        let place = (-0.028, OUT + 0.016);
+        let disc = disc(finish, at(crest), out, DISC, place, sides);
+        bodies.extend(disc.map(|body| body.in_row("eaves tiles", out)));
     }
 }
 
@@ -153,37 +168,53 @@ pub(super) fn verge(context: &TrimContext<'_>, seam: &Seam, bodies: &mut Vec<Bod
             points[at] += way * (OVER / way.truncate().length().max(OVER));
         }
     }
-    let straight = last <= 2 && context.detail == Detail::Everything;
-    if straight && points.windows(2).all(|w| w[0].distance(w[1]) > SHORTEST) {
-        for ends in points.windows(2) {
-            one_by_one(ends, bodies);
-        }
+    let whole = Line { points };
+    if context.detail == Detail::Everything && whole.length() > SHORTEST {
+        one_by_one(&whole, bodies);
         return;
     }
     let section = |i: usize| -> Vec<DVec3> {
         let way = seam.points[(i + 1).min(last)] - seam.points[i.max(1) - 1];
-        lapped(points[i], -level_left(way), 0.0)
+        lapped(whole.points[i], -level_left(way), 0.0)
     };
     let sections: Vec<Vec<DVec3>> = (0..=last).map(section).collect();
     let tiles = Body::loft(SurfaceId::named("ibushi"), &sections);
     bodies.extend(tiles.map(Body::smooth));
 }
 
-/// Adds the verge tiles of a straight edge, each with its foot on the head of the one below.
-fn one_by_one(ends: &[DVec3], bodies: &mut Vec<Body>) {
-    let out = -level_left(ends[1] - ends[0]);
-    let (low, high) = match ends[0].z < ends[1].z {
-        true => (ends[0], ends[1]),
-        false => (ends[1], ends[0]),
+/// Adds the verge tiles of an edge, from each of its feet up to its apex.
+fn one_by_one(edge: &Line, bodies: &mut Vec<Body>) {
+    let points = &edge.points;
+    let highest = |best: usize, i: usize| match points[i].z > points[best].z {
+        true => i,
+        false => best,
     };
-    let count = ((high - low).length() / LENGTH).round().clamp(2.0, 400.0);
-    let at = |n: f64| low.lerp(high, n / count);
+    let top = (0..points.len()).fold(0, highest);
+    for (half, falls) in [(&points[..=top], false), (&points[top..], true)] {
+        if half.len() > 1 {
+            let mut points = half.to_vec();
+            if falls {
+                points.reverse();
+            }
+            upwards(&Line { points }, falls, bodies);
+        }
+    }
+}
+
+/// Adds the verge tiles along a line that runs upwards, each with its foot on the head of the one below; `falls` is true if
+/// the edge runs the other way.
+fn upwards(line: &Line, falls: bool, bodies: &mut Vec<Body>) {
+    let count = (line.length() / LENGTH).round().clamp(1.0, 400.0);
+    let step = line.length() / count;
     for n in 0..count as u32 {
         let n = f64::from(n);
         // Each reaches under the next one, the last one under the ridge.
         let head = (n + 1.0 + UNDER_NEXT).min(count);
-        let mut sections = [lapped(at(n), out, RISE), lapped(at(head), out, 0.0)];
-        if ends[0].z >= ends[1].z {
+        let (foot, head) = (line.at(n * step), line.at(head * step));
+        let along = if falls { foot - head } else { head - foot };
+        let out = -level_left(along);
+        let mut sections = [lapped(foot, out, RISE), lapped(head, out, 0.0)];
+        if falls {
             sections.reverse();
         }
         let tile = Body::loft(SurfaceId::named("ibushi"), &sections);

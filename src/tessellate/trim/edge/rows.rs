@@ -9,7 +9,6 @@ use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::line::level_left;
 use crate::tessellate::trim::seams::Seam;
 use crate::tessellate::trim::slope::{Field, places};
-use crate::tessellate::trim::tiles::disc;
 use glam::{DVec2, DVec3};
 
 /// Spacing of rows of cover tiles, and their radius, metres: as in the texture.
@@ -22,6 +21,12 @@ const SHEET: f64 = 0.455;
 const SEAM: (f64, f64) = (0.009, 0.028);
 /// Half the joint between two fronts, metres.
 const JOINT: f64 = 0.001;
+/// The disc at the end of a row: its radius, how high its middle lies over the edge and how far its rim stands before it,
+/// metres; rings from its back to its face, metres before its rim and shares of its radius.
+const DISC: f64 = 1.08 * RADIUS;
+const DISC_UP: f64 = 0.004;
+const DISC_OUT: f64 = 0.045;
+const DISC_RINGS: [(f64, f64); 4] = [(-0.035, 1.0), (0.0, 1.0), (0.0, 0.78), (-0.012, 0.72)];
 /// How far rows extend into the slope, metres.
 const SUNK: f64 = 0.012;
 
@@ -107,11 +112,28 @@ pub(in crate::tessellate::trim) fn eaves(
             bodies.extend(front.map(|body| body.smooth().in_row("eaves tiles", right)));
         }
         for row in places(lo + RADIUS, hi - RADIUS, ROW, ROW / 2.0) {
-            let place = (0.004, 0.045);
-            let disc = disc(finish, at(row), out, 1.08 * RADIUS, place, 8);
+            let disc = rimmed_disc(finish, at(row), out);
             bodies.extend(disc.map(|body| body.in_row("eaves tiles", right)));
         }
     }
+}
+
+/// Builds the disc (瓦当 gato) that closes a row at the eaves: a rim round a sunken face with a boss, which a whorl of commas
+/// (巴 tomoe) fills on real ones.
+fn rimmed_disc(finish: SurfaceId, at: DVec3, out: DVec2) -> Option<Body> {
+    const SIDES: u32 = 8;
+    let (across, out) = (out.perp().extend(0.0), out.extend(0.0));
+    let ring = |(ahead, share): (f64, f64)| -> Vec<DVec3> {
+        let middle = at + DVec3::Z * DISC_UP + out * (DISC_OUT + ahead);
+        let corner = |i: u32| {
+            let angle = std::f64::consts::TAU * (f64::from(i) + 0.5) / f64::from(SIDES);
+            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+            middle + (across * cos + DVec3::Z * sin) * (DISC * share)
+        };
+        (0..SIDES).map(corner).collect()
+    };
+    let sections: Vec<Vec<DVec3>> = DISC_RINGS.into_iter().map(ring).collect();
+    Body::loft(finish, &sections).map(Body::smooth)
 }
 
 /// Returns a vertical section of the front with this hang, metres.
