@@ -26,7 +26,7 @@ const JOINT: f64 = 0.001;
 const DISC: f64 = 1.08 * RADIUS;
 const DISC_UP: f64 = 0.004;
 const DISC_OUT: f64 = 0.045;
-const DISC_RINGS: [(f64, f64); 4] = [(-0.035, 1.0), (0.0, 1.0), (0.0, 0.78), (-0.012, 0.72)];
+const DISC_RINGS: [(f64, f64); 4] = [(-0.035, 1.0), (0.0, 1.0), (0.0, 0.78), (-0.012, 0.78)];
 /// How far rows extend into the slope, metres.
 const SUNK: f64 = 0.012;
 
