@@ -246,6 +246,9 @@ fn bays(edges: &Edges, rows: usize) -> (Vec<f64>, f64) {
     let best = shortest(&tried, NEARLY[0], ALIKE[0]);
     let is_doubtful = best.is_none_or(|b| b.1 < SURELY[0] && openings.are_cut(&lines(b.0)));
     let uncut = || {
+        if openings.is_empty() {
+            return None;
+        }
         let uncut = tried.iter().filter(|t| !openings.are_cut(&lines(t.0)));
         shortest(&uncut.copied().collect::<Vec<_>>(), NEARLY[0], PLAUSIBLE)
     };

@@ -1,4 +1,5 @@
-//! Storeys of unlike heights, from the rows of windows: jambs are seen along a storey's openings and not between two storeys.
+//! Rows of openings, from which storeys of unlike heights follow: jambs are seen along a storey's openings and not between two
+//! storeys. Columns of openings, by sills and lintels in the same way, tell which bays would cut them.
 
 use super::Edges;
 
@@ -21,7 +22,8 @@ const SHIFTED: f64 = 0.02;
 /// How far a line may reach into openings and still lie between them, as a part of their height.
 const INTO: f64 = 0.15;
 
-/// The rows of openings of a wall, from above: top and bottom of each, as parts of the wall; `edges` is turned.
+/// The rows of openings of a wall, from above: top and bottom of each, as parts of the wall. Edges that are not turned give its columns,
+/// from the left.
 pub(super) struct Openings(Vec<[f64; 2]>);
 
 impl Openings {
@@ -42,6 +44,10 @@ impl Openings {
         }
         rows.retain(|[top, bottom]| bottom - top >= LEAST[0]);
         Openings(rows)
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
     }
 
     /// Whether lines between storeys go through openings, or leave several storeys of them between two lines.
@@ -165,25 +171,21 @@ fn parted(values: &[f64]) -> Option<f64> {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
     let all: f64 = sorted.iter().sum();
-    let (mut below, mut best) = (0.0, None::<(f64, f64, f64, f64)>);
+    let (mut below, mut best) = (0.0, None::<(f64, f64, f64)>);
     for k in 1..sorted.len() {
         below += sorted[k - 1];
         let (few, many) = (below / k as f64, (all - below) / (sorted.len() - k) as f64);
         let apart = (k * (sorted.len() - k)) as f64 * (many - few).powi(2);
         if best.is_none_or(|b| apart > b.0) {
-            best = Some((apart, few, many, (sorted[k - 1] + sorted[k]) / 2.0));
+            best = Some((apart, few, many));
         }
     }
-    let (_, few, many, _) = best?;
+    let (_, few, many) = best?;
     (many > CLEAR * few.max(1.0)).then_some(few + OPEN * (many - few))
 }
 
 /// The part of a row of the wall in which it changes from above to below, as at a string course.
 fn courses(edges: &Edges, row: usize) -> f64 {
-    part(edges, row, 1, super::EDGE)
-}
-
-fn part(edges: &Edges, row: usize, of: usize, least: u8) -> f64 {
-    let strong = (0..edges.height).filter(|at| edges.at(row, *at)[of] >= least);
+    let strong = (0..edges.height).filter(|at| edges.at(row, *at)[1] >= super::EDGE);
     strong.count() as f64 / edges.height as f64
 }
