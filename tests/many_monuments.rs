@@ -79,7 +79,7 @@ fn count() -> usize {
     }
 }
 
-/// Looks at all of them; what is found is told with the text.
+/// Checks each monument; a finding is reported with the source text.
 fn findings(look: impl Fn(&Run, &Scene) -> Vec<String> + Sync) -> Vec<String> {
     on_all_processors(count(), |number| {
         let text = text(number);

@@ -10,7 +10,7 @@ use hsd::geometry::SHAKU;
 /// The share by which a size may differ.
 const SHARE: f64 = 0.01;
 
-/// What is measured, where it is published, what is published, and what the model has.
+/// A dimension: its name, the source of the published value, that value, and the value in the model.
 type Figure = (&'static str, &'static str, f64, f64);
 
 fn differing(figures: &[Figure]) -> Vec<String> {

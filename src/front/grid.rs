@@ -22,8 +22,6 @@ const NEARLY: [f64; 2] = [0.92, 0.86];
 const ALIKE: [f64; 2] = [0.42, 0.58];
 /// Bays, and storeys, that are so alike are equal, whatever openings say.
 const SURELY: [f64; 2] = [0.55, 0.68];
-/// The least likeness of bays between which no opening is cut.
-const PLAUSIBLE: f64 = 0.3;
 /// The least change of a colour at the edge of a bar, times [`STRONG`].
 const EDGE: u8 = 56;
 /// The least part of the wall along which the edge of a bar is seen.
@@ -250,9 +248,9 @@ fn bays(edges: &Edges, rows: usize) -> (Vec<f64>, f64) {
             return None;
         }
         let uncut = tried.iter().filter(|t| !openings.are_cut(&lines(t.0)));
-        shortest(&uncut.copied().collect::<Vec<_>>(), NEARLY[0], PLAUSIBLE)
+        shortest(&uncut.copied().collect::<Vec<_>>(), NEARLY[0], ALIKE[0])
     };
-    let found = best.filter(|_| !is_doubtful).or_else(uncut).or(best);
+    let found = best.filter(|_| !is_doubtful).or_else(uncut);
     match found {
         Some((bay, alike)) => (lines(bay), alike),
         None => (bars(edges, 0), 0.0),

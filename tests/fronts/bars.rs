@@ -141,7 +141,7 @@ fn bright(front: &Front) -> Vec<f64> {
         .collect()
 }
 
-/// What was found in scenes, in words and figures: in the middle, of all, or of so many.
+/// The figures of a run over scenes: medians of errors, and counts.
 struct Measured {
     said: String,
     scenes: usize,

@@ -157,7 +157,7 @@ struct Expander<'a, 'f> {
     parameters: Vec<Parameter>,
     /// Expressions by their place: a definition is parsed once however often it is used.
     parsed: BTreeMap<usize, Option<Rc<Expr>>>,
-    /// What is written of parameters, by the place of their element.
+    /// The definitions of parameters, by the place of their element.
     written: BTreeMap<usize, Rc<names::WrittenParameter>>,
     storeys: Storeys,
     /// The open output elements, outermost first.

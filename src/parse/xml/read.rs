@@ -47,7 +47,7 @@ pub(super) struct Reader<'t, 'a> {
     pub(super) unit: f64,
     /// The views read so far.
     pub(super) views: Vec<NamedView>,
-    /// What was read of elements of the house that stand in several places.
+    /// The parts of the house that have been read once and stand in several places.
     pub(super) again: ReadSoFar,
 }
 

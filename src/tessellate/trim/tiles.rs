@@ -137,7 +137,7 @@ fn plain(
 
 /// Adds a round plate facing out over the eaves; `from` and `up` give its start outside the edge and the height of its
 /// centre.
-pub(super) fn disc(
+fn disc(
     finish: SurfaceId,
     at: DVec3,
     out: DVec2,
@@ -145,14 +145,19 @@ pub(super) fn disc(
     (up, to): (f64, f64),
     sides: u32,
 ) -> Option<Body> {
-    let (across, out) = (out.perp().extend(0.0), out.extend(0.0));
-    let middle = at + DVec3::Z * up + out * (to - 0.035);
+    let middle = at + DVec3::Z * up + (out * (to - 0.035)).extend(0.0);
+    let ring = ring(middle, out, radius, sides);
+    Body::sweep(finish, ring, (out * 0.035).extend(0.0)).map(Body::smooth)
+}
+
+/// Returns the corners of an upright regular polygon that faces out.
+pub(super) fn ring(middle: DVec3, out: DVec2, radius: f64, sides: u32) -> Vec<DVec3> {
+    let across = out.perp().extend(0.0);
     let corner = |i: u32| {
         let angle = std::f64::consts::TAU * (f64::from(i) + 0.5) / f64::from(sides);
         middle + across * (radius * libm::cos(angle)) + DVec3::Z * (radius * libm::sin(angle))
     };
-    let body = Body::sweep(finish, (0..sides).map(corner).collect(), out * 0.035);
-    body.map(Body::smooth)
+    (0..sides).map(corner).collect()
 }
 
 /// Adds verge tiles over the outermost tiles and down the edge.

@@ -45,7 +45,7 @@ function photograph(corners: Corners, tree: Place | null): Uint8Array {
 let preview: Preview, page: Page;
 const open = async (query = '') => {
   const opened = await preview.open(query, { viewport: { width: 1400, height: 900 }, deviceScaleFactor: 1 }, false);
-  await opened.waitForFunction(() => globalThis.hsd?.front?.straight && !hsd.front.busy);
+  await opened.waitForFunction(() => globalThis.hsd?.front?.straight && !hsd.front!.busy);
   return opened;
 };
 const corners = () => page.evaluate(() => hsd.front!.draft.photos[0]!.corners);

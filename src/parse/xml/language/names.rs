@@ -20,7 +20,7 @@ pub(super) enum Given {
     Use(Option<Spanned<Option<Value>>>),
 }
 
-/// What is written of a parameter.
+/// The definition of a parameter, as its element gives it.
 pub(super) struct WrittenParameter {
     name: Spanned<String>,
     /// Without its value.

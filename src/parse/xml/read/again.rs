@@ -3,7 +3,7 @@
 use crate::ast::{Item, Piece, SideWall};
 use crate::parse::xml::tree::Element;
 
-/// What was read of the elements of a house that stand in several places, by their addresses.
+/// The parts of a house that have been read once and stand in several places, by the addresses of their elements.
 #[derive(Default)]
 pub(in crate::parse::xml) struct ReadSoFar {
     sides: Vec<(usize, SideWall)>,

@@ -9,6 +9,7 @@ use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::line::level_left;
 use crate::tessellate::trim::seams::Seam;
 use crate::tessellate::trim::slope::{Field, places};
+use crate::tessellate::trim::tiles::ring;
 use glam::{DVec2, DVec3};
 
 /// Spacing of rows of cover tiles, and their radius, metres: as in the texture.
@@ -118,21 +119,15 @@ pub(in crate::tessellate::trim) fn eaves(
     }
 }
 
-/// Builds the disc (瓦当 gato) that closes a row at the eaves: a rim round a sunken face with a boss, which a whorl of commas
-/// (巴 tomoe) fills on real ones.
+/// Builds the disc (瓦当 gato) that closes a row at the eaves: a rim round a sunken face, without the whorl of commas
+/// (巴 tomoe) of real ones.
 fn rimmed_disc(finish: SurfaceId, at: DVec3, out: DVec2) -> Option<Body> {
     const SIDES: u32 = 8;
-    let (across, out) = (out.perp().extend(0.0), out.extend(0.0));
-    let ring = |(ahead, share): (f64, f64)| -> Vec<DVec3> {
-        let middle = at + DVec3::Z * DISC_UP + out * (DISC_OUT + ahead);
-        let corner = |i: u32| {
-            let angle = std::f64::consts::TAU * (f64::from(i) + 0.5) / f64::from(SIDES);
-            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-            middle + (across * cos + DVec3::Z * sin) * (DISC * share)
-        };
-        (0..SIDES).map(corner).collect()
+    let section = |(ahead, share): (f64, f64)| -> Vec<DVec3> {
+        let middle = at + DVec3::Z * DISC_UP + (out * (DISC_OUT + ahead)).extend(0.0);
+        ring(middle, out, DISC * share, SIDES)
     };
-    let sections: Vec<Vec<DVec3>> = DISC_RINGS.into_iter().map(ring).collect();
+    let sections: Vec<Vec<DVec3>> = DISC_RINGS.into_iter().map(section).collect();
     Body::loft(finish, &sections).map(Body::smooth)
 }
 

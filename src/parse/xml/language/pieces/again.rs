@@ -19,7 +19,7 @@ const MOST: usize = 64;
 #[derive(Default)]
 pub(in crate::parse::xml::language) struct UsesSoFar<'a>(Vec<KnownUse<'a>>);
 
-/// What a definition made with some arguments.
+/// The elements that a definition made with certain arguments.
 struct KnownUse<'a> {
     of: UseKey<'a>,
     children: Vec<Child<'a>>,
