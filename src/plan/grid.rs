@@ -1,6 +1,7 @@
 //! The grid of half ken that a plan keeps to: how long a unit is on the sheet, and where its lines run.
 
 mod period;
+mod posts;
 
 use super::sheet::Ink;
 use glam::{DMat3, DVec2, dvec2};
@@ -78,9 +79,11 @@ impl Grid {
         for _ in 0..2 {
             grid.refine(ink, 0.15, true);
         }
-        if grid.support(ink) < LEANS * level.support(ink) {
+        let leans = grid.support(ink) >= LEANS * level.support(ink);
+        if !leans {
             grid = level;
         }
+        grid.onto_posts(ink, leans);
         Some(grid)
     }
 

@@ -153,9 +153,14 @@ pub(super) fn in_phase(sums: &[f64], period: f64) -> f64 {
 
 /// How well a multiple of what fits best has to fit beside it to be the unit.
 ///
-/// Walls on every second line alone are not rare, on every fourth they are, and boards are four to a unit.
+/// Walls on every second line alone are not rare, on every third and fourth they are; the thickness of walls may be a third of a
+/// unit, and boards are four to one.
 fn nearly(multiple: u32) -> f64 {
-    if multiple == 4 { 0.8 } else { 0.94 }
+    match multiple {
+        2 => 0.94,
+        3 => 0.85,
+        _ => 0.8,
+    }
 }
 
 /// The units to the right and down that the strokes keep to best; the two differ by at most a share.

@@ -12,6 +12,12 @@ const UNDRAWN: f64 = 0.3;
 const STRAY: f64 = 0.7;
 /// The cost of a cell outside of the outline that has ink in it: mats, writing.
 const LEFT_OUT: f64 = 0.2;
+/// The cost of a corner of the outline.
+const CORNER: f64 = 0.1;
+/// The cost of a cell of the house that is blank though one should have ink in it.
+const BLANK: f64 = 0.2;
+/// The share of cells that have ink in them in a house: names, mats, boards, what stands in rooms.
+const LIVED_IN: f64 = 0.25;
 /// The share of the cost of a wall that is not connected to the house.
 const APART: f64 = 0.1;
 /// The lead over another reading from which on there is no doubt of a wall.
@@ -23,7 +29,9 @@ struct Region {
     /// For each of its sides the region beyond it, the cost of the side where nothing is drawn, and the cost of its wall. A wall
     /// inside the region has two sides there, each at half the cost.
     sides: Vec<(usize, f64, f64)>,
+    /// The cost of what is drawn in it if it lies outside, and of what is not if it lies inside.
     inked: f64,
+    blank: f64,
 }
 
 /// The cells of the house: of those that walls and gaps enclose, the regions with which the outline is best.
@@ -43,7 +51,8 @@ pub(super) fn settled(lines: &Lines<'_>) -> BTreeSet<(i32, i32)> {
             {
                 continue;
             }
-            let change = change(&regions, &is_in, group);
+            let change = change(&regions, &is_in, group)
+                + CORNER * f64::from(corners(&regions, &number, &is_in, group));
             if change < best.0 {
                 best = (change, Some(group));
             }
@@ -104,13 +113,44 @@ fn change(regions: &[Region], is_in: &[bool], group: &[usize]) -> f64 {
                 _ => *undrawn * share,
             }
         };
-        let inked = if mine { 0.0 } else { regions[k].inked };
-        regions[k].sides.iter().map(side).sum::<f64>() + inked
+        let within = if mine {
+            regions[k].blank
+        } else {
+            regions[k].inked
+        };
+        regions[k].sides.iter().map(side).sum::<f64>() + within
     };
     let changes = group
         .iter()
         .map(|k| cost(*k, !is_in[*k]) - cost(*k, is_in[*k]));
     changes.sum()
+}
+
+/// How many corners more the outline has if some regions, all on one side, change it.
+fn corners(
+    regions: &[Region],
+    number: &BTreeMap<(i32, i32), usize>,
+    is_in: &[bool],
+    group: &[usize],
+) -> i32 {
+    let cells = group.iter().flat_map(|k| &regions[*k].cells);
+    let crossings: BTreeSet<(i32, i32)> = cells
+        .flat_map(|(u, v)| [(*u, *v), (u + 1, *v), (*u, v + 1), (u + 1, v + 1)])
+        .collect();
+    let count = |changed: bool| {
+        let inside = |cell: (i32, i32)| {
+            let region = number.get(&cell).copied().unwrap_or(0);
+            is_in[region] != (changed && group.contains(&region))
+        };
+        let is_corner = |(u, v): &&(i32, i32)| {
+            let [a, b] = [inside((u - 1, v - 1)), inside((*u, v - 1))];
+            let [c, d] = [inside((u - 1, *v)), inside((*u, *v))];
+            // Straight on if both cells of one side are alike.
+            !(a == b && c == d || a == c && b == d)
+        };
+        crossings.iter().filter(is_corner).count() as i32
+    };
+    count(true) - count(false)
 }
 
 /// The regions of a drawing; the first is what lies round it.
@@ -144,9 +184,11 @@ fn regions(lines: &Lines<'_>) -> (Vec<Region>, BTreeMap<(i32, i32), usize>) {
             }
         }
         let inked = cells.iter().filter(|c| lines.units.is_inked(**c)).count();
+        let expected = LIVED_IN * cells.len() as f64;
         Region {
             sides,
             inked: LEFT_OUT * inked as f64,
+            blank: BLANK * (expected - inked as f64).max(0.0),
             cells,
         }
     };

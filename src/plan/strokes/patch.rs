@@ -12,6 +12,9 @@ pub(super) const ACROSS: usize = 45;
 pub(super) const REACH: f64 = 0.3;
 /// The share of a unit at its ends that posts and other walls cover.
 pub(super) const END: f64 = 0.14;
+/// How far from the end of a unit leaves may hang, and the shortest leaf that is looked for there, units: they hang at posts.
+const HINGES: [f64; 4] = [0.0, 0.04, 0.08, 0.12];
+const LEAVES: [f64; 4] = [0.82, 0.82, 0.82, 0.7];
 /// Samples to each side over which ink is spread, so that strokes a hair beside each other still agree.
 const SOFT: usize = 1;
 /// How far from the line of the grid a stroke may lie whose sway is measured, units.
@@ -232,19 +235,13 @@ fn straighten(black: &mut [f32], red: &mut [f32]) {
 /// The best share of ink along a quarter circle about one of the ends, on one of the sides.
 fn arc(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> f64 {
     let mut most = 0.0_f64;
-    for (hinge, way) in [
-        (0.0, 1.0),
-        (0.04, 1.0),
-        (0.08, 1.0),
-        (1.0, -1.0),
-        (0.96, -1.0),
-        (0.92, -1.0),
-    ] {
-        for (side, k) in [-1.0, 1.0]
+    let ways = |k: usize| [(HINGES[k], 1.0), (1.0 - HINGES[k], -1.0)];
+    for (k, (hinge, way)) in (0..HINGES.len()).flat_map(|k| ways(k).map(|w| (k, w))) {
+        for (side, step) in [-1.0, 1.0]
             .into_iter()
-            .flat_map(|side| (0..8).map(move |k| (side, k)))
+            .flat_map(|side| (0..8).map(move |step| (side, step)))
         {
-            let radius = 0.82 + 0.025 * f64::from(k);
+            let radius = LEAVES[k] + 0.025 * f64::from(step);
             let seen = (0..18).filter(|k| {
                 let angle = (14.0 + 62.0 * f64::from(*k) / 17.0_f64).to_radians();
                 let (along, across) = (libm::cos(angle), libm::sin(angle));
