@@ -77,12 +77,16 @@ const SLIM: f64 = 0.3;
 const ON_LINE: f64 = 0.06;
 /// The least agreement of walls with a legend.
 const LEAST_LIKENESS: f64 = 0.4;
-/// How far strokes sway within a unit that are drawn along a ruler, and by hand, units. On scans of 28 to 56 pixels a unit 0.0003 to
-/// 0.0018 were seen along a ruler, 0.0016 and more by hand: between the two it counts in part.
-const STRAIGHT: f64 = 0.001;
-const SWAYS: f64 = 0.0018;
-/// The share by which legends of strokes by hand agree the less with strokes along a ruler. Blur makes all legends agree alike.
+/// How far strokes sway within a unit that are drawn along a ruler, units, and what the pixels of a sheet add to that, pixels. On
+/// 26 to 100 pixels a unit 0.0001 to 0.0018 were seen along a ruler, 0.0012 and more by hand.
+const STRAIGHT: f64 = 0.0006;
+const STRAIGHT_PIXELS: f64 = 0.02;
+/// How far beyond that strokes sway that are surely drawn by hand, units: up to there it counts in part.
+const SWAYS: f64 = 0.0006;
+/// The share by which legends of strokes by hand agree the less with strokes along a ruler, and the others with strokes by hand.
+/// Blur makes all legends agree alike.
 const RULED: f64 = 0.1;
+const BY_HAND: f64 = 0.03;
 /// The ink of a wall beside that of the walls of the outline: edges of mats reach 0.57 on blurred sheets, walls have 0.6 and more.
 const THIN: f64 = 0.58;
 /// The same for windows and lattices between rooms: on scans of survey drawings most such edges have less, and hardly any true
@@ -258,9 +262,14 @@ fn by_best_legend<'l>(
     let lines = strokes::Lines::of(&walls, ink, grid);
     let look = |legend| (strokes::Look::of(&lines, legend, pen), legend);
     let looks: Vec<(strokes::Look, &Legend)> = legends.par_iter().map(look).collect();
-    let ruled = RULED * (1.0 - ((lines.sway() - STRAIGHT) / (SWAYS - STRAIGHT)).clamp(0.0, 1.0));
+    let along_ruler = STRAIGHT + STRAIGHT_PIXELS / grid.unit;
+    // 0 along a ruler, 1 as soon as strokes surely sway, 2 twice as far beyond.
+    let sways = ((lines.sway() - along_ruler) / SWAYS).clamp(0.0, 2.0);
     let agreement = |(look, legend): &(strokes::Look, &Legend)| {
-        let doubt = if legend.is_by_hand { ruled } else { 0.0 };
+        let doubt = match legend.is_by_hand {
+            true => RULED * (1.0 - sways).max(0.0),
+            false => BY_HAND * (sways - 1.0).max(0.0),
+        };
         look.likeness * (1.0 - doubt)
     };
     let better = |a: (strokes::Look, &'l Legend), b: (strokes::Look, &'l Legend)| {

@@ -114,7 +114,8 @@ fn posts(ink: &Ink, grid: &Grid) -> Vec<Post> {
 fn post(ink: &Ink, grid: &Grid, at: DVec2, half: f64, is_filled: bool) -> Option<Post> {
     let dark = |x: f64, y: f64| dark_at(ink, grid.at(at.x + x, at.y + y)) > ink.threshold;
     let side = |k: i32| f64::from(k) / f64::from(STEPS) * AROUND;
-    let offs = (-STEPS..=STEPS).flat_map(|y| (-STEPS..=STEPS).map(move |x| dvec2(side(x), side(y))));
+    let offs =
+        (-STEPS..=STEPS).flat_map(|y| (-STEPS..=STEPS).map(move |x| dvec2(side(x), side(y))));
     let shares: Vec<(DVec2, f64)> = offs
         .map(|off| {
             let dark = |x: f64, y: f64| dark(off.x + x * half, off.y + y * half);

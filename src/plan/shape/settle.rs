@@ -7,17 +7,18 @@ use super::{Lines, flood};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The cost of a unit of the outline where nothing is drawn.
-const UNDRAWN: f64 = 0.3;
+const UNDRAWN: f64 = 0.25;
 /// The cost of a unit of wall that stands outside of the outline.
-const STRAY: f64 = 0.7;
+const STRAY: f64 = 0.9;
 /// The cost of a cell outside of the outline that has ink in it: mats, writing.
 const LEFT_OUT: f64 = 0.2;
 /// The cost of a corner of the outline.
 const CORNER: f64 = 0.1;
 /// The cost of a cell of the house that is blank though one should have ink in it.
 const BLANK: f64 = 0.2;
-/// The share of cells that have ink in them in a house: names, mats, boards, what stands in rooms.
+/// The share of cells that have ink in them in a house: names, mats, boards, what stands in rooms. A few need none.
 const LIVED_IN: f64 = 0.25;
+const FEW: f64 = 4.0;
 /// The share of the cost of a wall that is not connected to the house.
 const APART: f64 = 0.1;
 /// The lead over another reading from which on there is no doubt of a wall.
@@ -29,9 +30,8 @@ struct Region {
     /// For each of its sides the region beyond it, the cost of the side where nothing is drawn, and the cost of its wall. A wall
     /// inside the region has two sides there, each at half the cost.
     sides: Vec<(usize, f64, f64)>,
-    /// The cost of what is drawn in it if it lies outside, and of what is not if it lies inside.
+    /// How many of its cells have ink in them.
     inked: f64,
-    blank: f64,
 }
 
 /// The cells of the house: of those that walls and gaps enclose, the regions with which the outline is best.
@@ -113,17 +113,21 @@ fn change(regions: &[Region], is_in: &[bool], group: &[usize]) -> f64 {
                 _ => *undrawn * share,
             }
         };
-        let within = if mine {
-            regions[k].blank
-        } else {
-            regions[k].inked
-        };
-        regions[k].sides.iter().map(side).sum::<f64>() + within
+        regions[k].sides.iter().map(side).sum::<f64>()
+    };
+    let sum = |of: fn(&Region) -> f64| group.iter().map(|k| of(&regions[*k])).sum::<f64>();
+    let (inked, cells) = (sum(|r| r.inked), sum(|r| r.cells.len() as f64));
+    let blank = BLANK * (LIVED_IN * (cells - FEW) - inked).max(0.0);
+    let drawn = LEFT_OUT * inked;
+    let within = if is_in[group[0]] {
+        drawn - blank
+    } else {
+        blank - drawn
     };
     let changes = group
         .iter()
         .map(|k| cost(*k, !is_in[*k]) - cost(*k, is_in[*k]));
-    changes.sum()
+    changes.sum::<f64>() + within
 }
 
 /// How many corners more the outline has if some regions, all on one side, change it.
@@ -184,11 +188,9 @@ fn regions(lines: &Lines<'_>) -> (Vec<Region>, BTreeMap<(i32, i32), usize>) {
             }
         }
         let inked = cells.iter().filter(|c| lines.units.is_inked(**c)).count();
-        let expected = LIVED_IN * cells.len() as f64;
         Region {
             sides,
-            inked: LEFT_OUT * inked as f64,
-            blank: BLANK * (expected - inked as f64).max(0.0),
+            inked: inked as f64,
             cells,
         }
     };
@@ -196,7 +198,8 @@ fn regions(lines: &Lines<'_>) -> (Vec<Region>, BTreeMap<(i32, i32), usize>) {
     (regions, number)
 }
 
-/// The largest number of units of wall that hold on to each other: the house. Chains of dimensions stand apart.
+/// The walls of the house: the largest number of units of wall that hold on to each other, and what stands in the line of a way
+/// beside them. Chains of dimensions stand apart.
 fn connected(lines: &Lines<'_>) -> BTreeSet<((i32, i32), bool)> {
     let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
     let all = (v0..=v1).flat_map(|v| (u0..=u1).map(move |u| (u, v)));
@@ -212,18 +215,67 @@ fn connected(lines: &Lines<'_>) -> BTreeSet<((i32, i32), bool)> {
         ends.map(|end| end.0).collect::<Vec<_>>()
     };
     let mut left: BTreeSet<(i32, i32)> = all.collect();
-    let mut most = BTreeSet::new();
+    let mut groups = Vec::new();
     while let Some(&first) = left.iter().next() {
         let crossings = flood(first, |_| true, beside);
         left.retain(|c| !crossings.contains(c));
-        if crossings.len() > most.len() {
-            most = crossings;
+        groups.push(crossings);
+    }
+    groups.sort_by_key(|g| std::cmp::Reverse(g.len()));
+    let mut groups = groups.into_iter();
+    let mut most = groups.next().unwrap_or_default();
+    let ways = ways(lines);
+    let extent = |of: fn(&(i32, i32)) -> i32| {
+        let all = || most.iter().map(of);
+        all().min().unwrap_or(0)..=all().max().unwrap_or(0)
+    };
+    let (across, down) = (extent(|c| c.0), extent(|c| c.1));
+    // Chains of dimensions lie beyond the walls.
+    let is_within = |g: &BTreeSet<(i32, i32)>| {
+        g.len() > 1
+            && g.iter()
+                .all(|c| across.contains(&c.0) && down.contains(&c.1))
+    };
+    let others: Vec<_> = groups.filter(is_within).collect();
+    for group in others {
+        let continues = |(way, before, after): &(Vec<(i32, i32)>, Side, Side)| {
+            let of_group = |(at, upright): Side| stands(at, upright) && group.contains(&at);
+            (of_group(*before) || of_group(*after)) && way.iter().any(|c| most.contains(c))
+        };
+        if ways.iter().any(continues) {
+            most.extend(group);
         }
     }
     let sides = most.into_iter().flat_map(|c| [(c, false), (c, true)]);
     sides
         .filter(|(at, upright)| stands(*at, *upright))
         .collect()
+}
+
+/// A unit of the grid: where it begins, and whether it is upright.
+type Side = ((i32, i32), bool);
+
+/// The gaps between walls: their crossings, and the units of their line before and after them.
+fn ways(lines: &Lines<'_>) -> Vec<(Vec<(i32, i32)>, Side, Side)> {
+    let along = |(u, v): (i32, i32), upright: bool, by: i32| match upright {
+        true => (u, v + by),
+        false => (u + by, v),
+    };
+    let is_gap = |at: (i32, i32), upright: bool| lines.joined.contains_key(&(at, upright));
+    let starts = lines
+        .joined
+        .keys()
+        .filter(|(at, upright)| !is_gap(along(*at, *upright, -1), *upright));
+    let way = |(at, upright): &Side| {
+        let length = (1..)
+            .find(|k| !is_gap(along(*at, *upright, *k), *upright))
+            .unwrap_or(1);
+        let crossings = (0..=length).map(|k| along(*at, *upright, k)).collect();
+        let before = (along(*at, *upright, -1), *upright);
+        let after = (along(*at, *upright, length), *upright);
+        (crossings, before, after)
+    };
+    starts.map(way).collect()
 }
 
 /// How well a unit closes a house, 0 to 1.
