@@ -21,10 +21,11 @@ pub(in crate::tessellate) struct Body {
     pub(in crate::tessellate) soft: bool,
     /// Shared corners, metres.
     pub(in crate::tessellate) points: Vec<DVec3>,
-    /// Plane faces, counter-clockwise seen from outside; the ends come last.
+    /// Plane faces, counter-clockwise seen from outside: the sides, the ends, then those of what was added to it.
     pub(in crate::tessellate) faces: Vec<Corners>,
-    /// Number of points in a section.
+    /// Number of points in a section, and in all sections.
     pub(super) round: u32,
+    pub(super) lofted: usize,
     /// Number of faces that are sides.
     pub(super) sides: usize,
     /// The name of its row, and the direction that is to the right in the whole row, unit length; `None` if it is not
@@ -74,6 +75,7 @@ impl Body {
         Body {
             finish,
             soft: false,
+            lofted: points.len(),
             points,
             round: count,
             sides: faces.len(),
@@ -109,6 +111,15 @@ impl Body {
     /// Returns the body as one of a row whose bodies have this direction to their right.
     pub(super) fn in_row(mut self, name: &'static str, right: DVec2) -> Body {
         self.row = Some((name, right));
+        self
+    }
+
+    /// Returns the body together with another one of its surface, which is shaded as it is.
+    pub(super) fn and(mut self, other: &Body) -> Body {
+        let before = self.points.len() as u32;
+        self.points.extend(&other.points);
+        let moved = |face: &Corners| face.iter().map(|i| i + before).collect();
+        self.faces.extend(other.faces.iter().map(moved));
         self
     }
 
@@ -173,7 +184,7 @@ impl Body {
         if n == 0 {
             return vec![];
         }
-        let all = self.points.len() / n;
+        let all = self.lofted / n;
         let lengths = |count: usize, at: &dyn Fn(usize) -> DVec3| -> Vec<f64> {
             let mut sum = 0.0;
             let steps = (0..count).map(|i| {
@@ -198,9 +209,7 @@ impl Body {
             };
             face.iter().map(place).collect()
         };
-        let ends = if self.faces.len() > self.sides { 2 } else { 0 };
-        let count = self.faces.len() - ends;
-        let mut sides: Vec<Vec<DVec2>> = self.faces[..count].iter().map(side).collect();
+        let mut sides: Vec<Vec<DVec2>> = self.faces[..self.sides].iter().map(side).collect();
         // Pictures are not to be seen from behind.
         if sides
             .first()

@@ -33,17 +33,23 @@ pub(in crate::tessellate) const CEILING: (f64, f64) = (-0.100, -0.075);
 pub(in crate::tessellate) struct Rooms(HashMap<(Vec<i64>, SurfaceId, Weather), MeshId>);
 
 impl Walker<'_> {
-    /// Returns floor and ceiling of a storey whose inside is visible, and of every storey of a monument: its posts are the
-    /// author's, and its storeys stand over each other without a house's joists.
+    /// Returns floor and ceiling of a storey whose inside is visible, of every storey of a monument, whose storeys stand over
+    /// each other without a house's joists, and with every detail of all houses that say nothing of their rooms.
     pub(in crate::tessellate) fn interior(
         &mut self,
         level: Level<'_>,
         lines: &[(&Ring, Vec<Line<'_>>)],
     ) {
-        let units = || lines.iter().flat_map(|(_, l)| l).flat_map(|l| &l.units);
-        let seen = units().find_map(|s| self.floor(level, s.unit));
-        let ordered = level.storey.order.posts.as_ref();
-        let floor = seen.or(ordered.map(|_| SurfaceId::named("boards")));
+        // Through columns and walls inside one looks from one part of it into another.
+        let around = || {
+            let around = lines.iter().filter(|(ring, _)| !ring.inner);
+            around.flat_map(|(_, l)| l).flat_map(|l| &l.units)
+        };
+        let seen = around().find_map(|s| self.floor(level, s.unit));
+        let ordered = level.storey.order.posts.is_some();
+        let walled = self.detail == Detail::Everything && !self.furnished;
+        let walled = walled && around().all(|s| s.stance != Stance::Fence);
+        let floor = seen.or((ordered || walled).then(|| self.usual_floor(around())));
         let Some(floor) = floor.filter(|_| level.framed() && self.detail > Detail::Flat) else {
             return;
         };
@@ -51,15 +57,18 @@ impl Walker<'_> {
         if outlines.is_empty() {
             return;
         }
-        // Posts of a porch and walls inside may be lower.
-        let around = lines.iter().filter(|(ring, _)| !ring.inner);
-        let mut around = around.flat_map(|(_, l)| l).flat_map(|l| &l.units);
-        // No ceiling over yards behind fences, and none that would stick out of a lean-to.
+        // No ceiling over yards behind fences, and none that would stick out of a lean-to. Posts of a porch and walls inside
+        // may be lower.
         let own = |c: &&crate::building::Ceiling| c.storey == level.storey.number;
         let covered = self.shown.has_ceiling(level.storey.number, self.storeys)
             && !level.ceilings.iter().any(|c| own(&c))
-            && around.all(|s| s.stance != Stance::Fence && is_full(level, s));
-        let foot = if level.grounded() { GROUND } else { BOARDS };
+            && around().all(|s| s.stance != Stance::Fence && is_full(level, s));
+        let rise = level.floor_rise();
+        let foot = if level.grounded() {
+            GROUND
+        } else {
+            BOARDS + rise
+        };
         let step = |metres: f64| (metres * 10_000.0).round() as i64;
         let points = outlines.iter().flatten().flat_map(|p| [p.x, p.y]);
         let mut key: Vec<i64> = points.map(step).collect();
@@ -74,7 +83,7 @@ impl Walker<'_> {
                 // Earth lies lower than boards: one walks in from the ground.
                 let top = match level.grounded() && floor == SurfaceId::named("earth") {
                     true => DOMA,
-                    false => UNDER,
+                    false => UNDER + rise,
                 };
                 for outline in &outlines {
                     bodies.prism(floor, outline, Axis::Z, foot, top);
@@ -92,6 +101,15 @@ impl Walker<'_> {
         let node = self.node(Some(level.node), Kind::Member, "room".into(), DVec3::ZERO);
         node.mesh = Some(mesh);
         node.storey = Some(level.storey.number);
+    }
+
+    /// Returns the floor behind closed walls.
+    fn usual_floor<'u>(&self, mut around: impl Iterator<Item = &'u PlacedUnit<'u>>) -> SurfaceId {
+        let modern = around.any(|s| match &s.unit.content {
+            Content::Part(id) => self.catalog.part(*id).era == Era::Modern,
+            _ => false,
+        });
+        SurfaceId::named(if modern { "concrete" } else { "boards" })
     }
 
     /// Returns the floor that is visible through a unit; `None` if none is.
