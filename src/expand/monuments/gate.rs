@@ -44,8 +44,7 @@ impl Pass<'_, '_> {
         };
         // Doors hang in the middle row, or in front if there is none.
         let row = if ny > 1 { ny / 2 } else { 0 };
-        let joinery = joinery(paint);
-        let leaves = bays(nx, bx, WALL, (joinery.0, doors));
+        let leaves = bays(nx, bx, WALL, (joinery(paint).0, doors));
         let open = bays(nx, bx, OPEN, (OPEN, 0));
         let front = if row == 0 { &leaves } else { &open };
         let side = bays(ny, by, WALL, (WALL, 0));
@@ -72,7 +71,7 @@ impl Pass<'_, '_> {
                 bays: [nx, ny],
                 inset: or(it.inset, INSET * bx).clamp(0.05, most.max(0.05)),
                 doors,
-                joinery,
+                joinery: joinery(paint),
                 order: order(draft),
             };
             self.upper(it, draft, up);

@@ -145,7 +145,13 @@ impl Body {
         let grain = grain_along(self.finish);
         let mut made: Vec<Vec<u32>> = vec![vec![]; self.points.len()];
         for (n, face) in self.faces.iter().enumerate() {
-            let planar = planar(&shapes[n], normals[n], grain);
+            // What was added lies on the last end and has its picture.
+            let front = if n > self.sides + 1 {
+                self.sides + 1
+            } else {
+                n
+            };
+            let planar = planar(&shapes[n], normals[front], grain);
             let mut ids: Corners = Corners::new();
             for (k, point) in face.iter().enumerate() {
                 let uv = unrolled.get(n).map_or(planar[k], |face| face[k]);

@@ -28,6 +28,9 @@ pub(in crate::tessellate) const BOARDS: f64 = -0.060;
 /// Foot and top of a ceiling relative to the storey's top, metres.
 pub(in crate::tessellate) const CEILING: (f64, f64) = (-0.100, -0.075);
 
+/// How far the floors behind closed walls stay inside the lines of these, metres.
+const IN: f64 = 0.012;
+
 /// Interiors made so far, by outline and surfaces. Never iterated.
 #[derive(Debug, Default)]
 pub(in crate::tessellate) struct Rooms(HashMap<(Vec<i64>, SurfaceId, Weather), MeshId>);
@@ -53,7 +56,11 @@ impl Walker<'_> {
         let Some(floor) = floor.filter(|_| level.framed() && self.detail > Detail::Flat) else {
             return;
         };
-        let outlines = outlines(level, lines);
+        let mut outlines = outlines(level, lines);
+        if seen.is_none() && !ordered {
+            // Between walls that nobody looks through; some have their face on their line.
+            outlines = outlines.iter().map(|o| inset(o)).collect();
+        }
         if outlines.is_empty() {
             return;
         }
@@ -63,6 +70,20 @@ impl Walker<'_> {
         let covered = self.shown.has_ceiling(level.storey.number, self.storeys)
             && !level.ceilings.iter().any(|c| own(&c))
             && around().all(|s| s.stance != Stance::Fence && is_full(level, s));
+        let mesh = self.room_mesh(level, &outlines, floor, covered);
+        let node = self.node(Some(level.node), Kind::Member, "room".into(), DVec3::ZERO);
+        node.mesh = Some(mesh);
+        node.storey = Some(level.storey.number);
+    }
+
+    /// Returns the mesh of a floor, and of the ceiling over it where the storey has one.
+    fn room_mesh(
+        &mut self,
+        level: Level<'_>,
+        outlines: &[Vec<DVec2>],
+        floor: SurfaceId,
+        covered: bool,
+    ) -> MeshId {
         let rise = level.floor_rise();
         let foot = if level.grounded() {
             GROUND
@@ -76,7 +97,7 @@ impl Walker<'_> {
         key.extend([step(foot), step(height)]);
         self.weather(|aged| aged.even("room", 0.0));
         let key = (key, floor, self.store.weather);
-        let mesh = match self.rooms.0.get(&key) {
+        match self.rooms.0.get(&key) {
             Some(mesh) => *mesh,
             None => {
                 let mut bodies = Bodies::default();
@@ -85,7 +106,7 @@ impl Walker<'_> {
                     true => DOMA,
                     false => UNDER + rise,
                 };
-                for outline in &outlines {
+                for outline in outlines {
                     bodies.prism(floor, outline, Axis::Z, foot, top);
                     if covered {
                         let (lo, hi) = (height + CEILING.0, height + CEILING.1);
@@ -97,10 +118,7 @@ impl Walker<'_> {
                 self.rooms.0.insert(key, mesh);
                 mesh
             }
-        };
-        let node = self.node(Some(level.node), Kind::Member, "room".into(), DVec3::ZERO);
-        node.mesh = Some(mesh);
-        node.storey = Some(level.storey.number);
+        }
     }
 
     /// Returns the floor behind closed walls.
@@ -198,6 +216,25 @@ fn outlines(level: Level<'_>, lines: &[(&Ring, Vec<Line<'_>>)]) -> Vec<Vec<DVec2
         }
     }
     outer
+}
+
+/// Returns a counter-clockwise outline drawn in a little; where it turns back it stays.
+fn inset(outline: &[DVec2]) -> Vec<DVec2> {
+    let n = outline.len();
+    let inwards = |i: usize| {
+        (outline[(i + 1) % n] - outline[i % n])
+            .normalize_or_zero()
+            .perp()
+    };
+    let moved = |i: usize| {
+        let (before, after) = (inwards(i + n - 1), inwards(i));
+        let turn = 1.0 + before.dot(after);
+        match turn > 0.1 {
+            true => outline[i] + (before + after) * (IN / turn),
+            false => outline[i],
+        }
+    };
+    (0..n).map(moved).collect()
 }
 
 /// Joins a hole to the polygon around it by two mutually visible corners, trying the nearest first.
