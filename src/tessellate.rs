@@ -128,6 +128,7 @@ impl<'c> Tessellator<'c> {
             detail,
             shown,
             storeys: 0,
+            furnished: false,
             store: Store::new((detail, town), &self.bank),
             roofs: Roofs::default(),
             fitting_meshes: FittingMeshes::default(),
@@ -170,6 +171,8 @@ struct Walker<'a> {
     shown: Shown,
     /// The number of storeys of the house in the making.
     storeys: u32,
+    /// True if it has rooms.
+    furnished: bool,
     store: Store<'a>,
     roofs: Roofs<'a>,
     fitting_meshes: FittingMeshes<'a>,
@@ -230,6 +233,13 @@ impl Level<'_> {
     fn on_stone(&self) -> bool {
         let veranda = self.storey.order.veranda.as_ref();
         veranda.is_none_or(|v| v.height == 0.0)
+    }
+
+    /// Metres from its foot to its floor: upstairs a veranda may lie higher, and its doors lead to the boards of that.
+    fn floor_rise(&self) -> f64 {
+        let veranda = self.storey.order.veranda.as_ref();
+        let upstairs = veranda.filter(|_| self.storey.number > 1);
+        upstairs.map_or(0.0, |v| v.height * crate::geometry::SHAKU)
     }
 
     /// The posts that the author asked for: half the width that they take from joinery, metres. A round column, which is
@@ -302,6 +312,7 @@ impl<'a> Walker<'a> {
             house.storeys.iter().map(|_| OnceCell::new()).collect();
         let whole = self.shown;
         self.storeys = house.storeys.last().map_or(0, |s| s.number);
+        self.furnished = !built.rooms.is_empty();
         let standing_storeys = house.storeys.iter().zip(&standing).enumerate();
         for (i, (storey, standing)) in
             standing_storeys.filter(|(_, (s, _))| whole.has_storey(s.number))

@@ -92,3 +92,28 @@ fn a_ring_of_facades_that_closes_nearly_gets_a_sloped_roof() {
     assert_eq!(plan.regions[0].shape.letters(), "KIR");
     assert_eq!(plan.regions[0].ridge, Some("a"));
 }
+
+#[test]
+fn every_storey_has_a_floor_and_a_ceiling() {
+    let walls = |code: &str| format!("<Row>{}</Row>", code.repeat(4)).repeat(4);
+    let rooms = |text: &str| {
+        let run = house(text);
+        let rooms = run.scene.nodes.iter().filter(|n| n.name == "room");
+        let of = |node: &Node| {
+            let mesh = &run.scene.meshes[node.mesh.unwrap().0 as usize];
+            let shown = mesh.primitives.iter().map(|p| p.material.0 as usize);
+            let mut names: Vec<String> =
+                shown.map(|m| run.scene.materials[m].name.clone()).collect();
+            names.sort_unstable();
+            (node.storey, names)
+        };
+        rooms.map(of).collect::<Vec<_>>()
+    };
+    let storey = format!("<Storey>{}</Storey>", walls("KSK  "));
+    let both = || vec!["boards".to_owned(), "soffit".to_owned()];
+    let found = rooms(&format!("<House>{storey}{storey}</House>"));
+    assert_eq!(found, [(Some(1), both()), (Some(2), both())]);
+    // A wall round a yard has neither.
+    let yard = format!("<House><Storey>{}</Storey></House>", walls("KDB  "));
+    assert_eq!(rooms(&yard), []);
+}

@@ -355,7 +355,7 @@ fn parts_of_any_width_are_sound() {
                 continue;
             }
             // Nor has a window of thirteen bars room for them in half its bay.
-            if part.code() == "MRG  " && share < 0.75 {
+            if part.code().starts_with("MRG") && share < 0.75 {
                 continue;
             }
             let width = share * part.width() * 10.0 / 11.0;

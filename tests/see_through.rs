@@ -1,7 +1,7 @@
 //! Closed bays are closed: no line of sight from outside leads through a part into the house, in any width and height and
 //! between any columns.
 
-use crate::support::depths::{Triangle, skins_below};
+use crate::support::depths::{Triangle, skins_below, skins_of};
 use crate::support::{assert_none, compile, on_all_processors};
 use glam::{DVec2, dvec2};
 use hsd::catalog::PartDef;
@@ -196,4 +196,35 @@ fn one_does_not_see_through_closed_bays() {
         found
     });
     assert_none(&findings);
+}
+
+/// Gates whose leaves are boards from post to post.
+const GATES: [&str; 5] = ["OKB 4", "OMU 4", "OYK 4", "OKR 4", "OSK 4"];
+
+#[test]
+fn one_does_not_see_through_the_leaves_of_gates() {
+    assert_none(&on_all_processors(GATES.len(), |index| {
+        let code = GATES[index];
+        let mut found = vec![];
+        for (width, height) in [(3.5, 13.0), (4.0, 15.0), (6.0, 18.0)] {
+            let text = format!(
+                "<House><Put code=\"{code}\" at=\"0 0\" width=\"{width}\" height=\"{height}\"/></House>"
+            );
+            let run = compile("gate.hsd", text.as_bytes());
+            assert!(!run.has_errors(), "{text}{}", run.short());
+            let scene = hsd::driver::scene(&run.building, &run.catalog, Detail::Everything);
+            let own: Vec<Triangle> = skins_of(&scene).into_iter().map(|s| s.0).collect();
+            // Between the middles of its great posts.
+            let half = width * 3.0 * SHAKU * 0.33;
+            for z in [0.5, 1.5, 2.0] {
+                let segments: Vec<[DVec2; 2]> = own.iter().filter_map(|t| cut(t, z)).collect();
+                for angle in [0.0, 0.41, -0.41] {
+                    if let Some((a, b)) = gap(&segments, angle, (-half, half)) {
+                        found.push(format!("{text} at {z}, {angle}: {a:.4} to {b:.4}"));
+                    }
+                }
+            }
+        }
+        found
+    }));
 }

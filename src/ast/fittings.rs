@@ -126,7 +126,8 @@ pub struct Veranda {
     pub span: Span,
     /// Distance from the walls to its edge.
     pub width: f64,
-    /// Height of its boards: on the ground storey, which it raises, above the ground; upstairs above the storey's foot.
+    /// Height of its boards: on the ground storey, which it raises, above the ground; upstairs above the storey's foot, as high
+    /// as the floor inside.
     pub height: f64,
     /// Its railing.
     pub rail: Rail,

@@ -134,6 +134,17 @@ impl<'c> Draft<'c> {
         }
     }
 
+    /// Adds columns inside the last storey, so far in from its walls, in bays like those of a front and a side.
+    pub(super) fn columns(&mut self, inset: [f64; 2], [front, side]: [&[Bay]; 2]) {
+        let lines = [front, side, front, side];
+        let lines = lines.map(|bays| self.line(bays, 1.0)).into();
+        let [a, b] = inset.map(|shaku| units(shaku, self.unit));
+        let walk = self.walk((a, b), lines, true);
+        if let Some(storey) = self.storeys.last_mut() {
+            storey.loops.push(walk);
+        }
+    }
+
     fn walk(&self, start: (f64, f64), lines: Vec<WallLine>, inner: bool) -> Loop {
         Loop {
             span: self.span,
@@ -311,6 +322,17 @@ pub(super) struct Usual {
 /// White plaster between posts.
 pub(super) const WALL: &str = "KSK";
 
+/// Nothing between columns.
+pub(super) const OPEN: &str = "AFU";
+
+/// Returns the doors and the windows between posts: painted as these are, or bare wood.
+pub(super) fn joinery(paint: Paint) -> (&'static str, &'static str) {
+    match paint {
+        Paint::Vermilion | Paint::Bengara => ("TIK", "MRG"),
+        _ => ("TIKS", "MRGS"),
+    }
+}
+
 /// Returns the bays of a side, mirrored: `edge` at the ends, `next` beside them, and this number of `middle` in the
 /// middle.
 pub(super) fn bays(
@@ -334,7 +356,9 @@ mod tests {
 
     #[test]
     fn codes_are_known() {
-        for code in ["KSK", "KOB", "TIK", "TIH", "TSK", "TST", "MRG", "AFU"] {
+        for code in [
+            "KSK", "KOB", "TIK", "TIKS", "TIH", "TSK", "TST", "MRG", "MRGS", "AFU",
+        ] {
             let part = crate::parse::builtin().find(&CodeText::new(code));
             assert!(part.is_some(), "{code}");
         }

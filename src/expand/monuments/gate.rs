@@ -2,7 +2,7 @@
 //! veranda runs round the upper storey. Defaults after Suzakumon (`docs/evidence.md` 4.8, S30): bays of 17 shaku, eaves
 //! of 12, set back a little upstairs; heights as shares of the bay.
 
-use super::draft::{Draft, DraftStorey, Usual, WALL, bays};
+use super::draft::{Draft, DraftStorey, OPEN, Usual, WALL, bays, joinery};
 use super::{Pass, count, or};
 use crate::ast::{self, FinialKind, Order, Paint, Rail, RoofKind, RoofShape, RoofStyle, Side};
 use crate::diagnostic::messages::fittings::Scarce;
@@ -44,8 +44,8 @@ impl Pass<'_, '_> {
         };
         // Doors hang in the middle row, or in front if there is none.
         let row = if ny > 1 { ny / 2 } else { 0 };
-        let leaves = bays(nx, bx, WALL, ("TIK", doors));
-        let open = bays(nx, bx, "AFU", ("AFU", 0));
+        let leaves = bays(nx, bx, WALL, (joinery(paint).0, doors));
+        let open = bays(nx, bx, OPEN, (OPEN, 0));
         let front = if row == 0 { &leaves } else { &open };
         let side = bays(ny, by, WALL, (WALL, 0));
         draft.storey(&DraftStorey {
@@ -71,6 +71,7 @@ impl Pass<'_, '_> {
                 bays: [nx, ny],
                 inset: or(it.inset, INSET * bx).clamp(0.05, most.max(0.05)),
                 doors,
+                joinery: joinery(paint),
                 order: order(draft),
             };
             self.upper(it, draft, up);
@@ -96,8 +97,9 @@ impl Pass<'_, '_> {
         let wish = or(it.upper, UPPER * bay);
         let columns = self.at_least(it.span, Scarce::Upper, wish, LEAST);
         let (bx, by) = (size[0] / f64::from(nx), size[1] / f64::from(ny));
-        let front = bays(nx, bx, "MRG", ("TIK", up.doors));
-        let side = bays(ny, by, "MRG", ("MRG", 0));
+        let (door, window) = up.joinery;
+        let front = bays(nx, bx, window, (door, up.doors));
+        let side = bays(ny, by, window, (window, 0));
         let order = Order {
             veranda: draft.veranda(bay * 0.19, base, Rail::Crossed, vec![]),
             ..up.order
@@ -123,6 +125,8 @@ struct Upper {
     bays: [u32; 2],
     inset: f64,
     doors: u32,
+    /// Doors and windows.
+    joinery: (&'static str, &'static str),
     order: Order,
 }
 

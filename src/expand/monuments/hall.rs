@@ -1,13 +1,16 @@
 //! `<Hall>` and `<Shrine>`: one model (000-79, 000-80); slope, thickness and covering of the roof, paint and floor make
 //! it a temple hall or a shrine. With an aisle, the core has a roof of its own above that of the aisle.
 
-use super::draft::{Bay, Draft, DraftStorey, Usual, WALL, bays};
+use super::draft::{Bay, Draft, DraftStorey, OPEN, Usual, WALL, bays, joinery};
 use super::{Pass, count, or};
 use crate::ast::{self, FinialKind, Order, Paint, Rail, RoofKind, RoofShape, RoofStyle, Side};
 use crate::diagnostic::messages::fittings::Scarce;
 
 /// The minimum height of columns, shaku.
 const LEAST: f64 = 2.0;
+
+/// Halls of as many bays each way have columns inside.
+const BROAD: u32 = 4;
 
 /// Defaults of a hall or a shrine; lengths in shaku, shares of a bay.
 struct Kind {
@@ -121,23 +124,29 @@ impl Pass<'_, '_> {
         let margin = veranda + (0.3 * bx).max(2.0);
         draft.platform(m, kind.platform, margin, (vec![Side::Front], bx));
         draft.look(m, &kind.usual, paint);
-        let size = [f64::from(nx) * bx, f64::from(ny) * by];
-        self.core(it, draft, &codes, size, order);
+        self.core(it, draft, &codes, ([nx, ny], [bx, by]), order);
         self.crown(it, draft);
     }
 
-    /// Adds the core above the roof of its aisle.
+    /// Adds the columns of the core (身舎 moya), and above the roof of an aisle its walls.
     fn core(
         &mut self,
         it: &ast::Hall,
         draft: &mut Draft<'_>,
         codes: &Codes,
-        size: [f64; 2],
+        (count, bay): ([u32; 2], [f64; 2]),
         order: Order,
     ) {
+        let size = [0, 1].map(|k| f64::from(count[k]) * bay[k]);
+        let open = |n: u32, width: f64| bays(n, width, OPEN, (OPEN, 0));
         let most = size[0].min(size[1]) / 2.0 - 1.0;
         let aisle = or(it.aisle, 0.0).min(most);
         if aisle < 0.05 {
+            // One bay inside the walls, so that no ceiling spans a broad hall.
+            if !it.shrine && count.iter().all(|n| *n >= BROAD) {
+                let [front, side] = [0, 1].map(|k| open(count[k] - 2, bay[k]));
+                draft.columns(bay, [&front, &side]);
+            }
             return;
         }
         let m = &it.measures;
@@ -152,11 +161,13 @@ impl Pass<'_, '_> {
         let zone = order.brackets.as_ref().map_or(0.0, |b| b.zone());
         let wish = or(it.upper, or(m.columns, 12.0) * 0.35);
         let clear = self.at_least(it.span, Scarce::Core, wish, 1.0);
-        let count = |length: f64| ((length / 9.0).round() as u32).clamp(1, 60);
-        let [nx, ny] = size.map(count);
+        let [nx, ny] = size.map(|length| ((length / 9.0).round() as u32).clamp(1, 60));
         let wall =
             |n: u32, length: f64| bays(n, length / f64::from(n), codes.wall, (codes.wall, 0));
         let (front, side) = (wall(nx, size[0]), wall(ny, size[1]));
+        let below =
+            [(nx, size[0]), (ny, size[1])].map(|(n, length)| open(n, length / f64::from(n)));
+        draft.columns([aisle; 2], [&below[0], &below[1]]);
         draft.storey(&DraftStorey {
             walls: [&front, &side, &front, &side],
             height: hidden + clear + zone,
@@ -192,7 +203,10 @@ struct Codes {
 impl Codes {
     fn of(shrine: bool, paint: Paint) -> Codes {
         let (wall, door, window) = match (shrine, paint) {
-            (_, Paint::Vermilion) => (WALL, "TIK", "MRG"),
+            (_, Paint::Vermilion | Paint::Bengara) => {
+                let (door, window) = joinery(paint);
+                (WALL, door, window)
+            }
             (true, _) => ("KOB", "TIH", "KOB"),
             (false, _) => (WALL, "TSK", "TST"),
         };

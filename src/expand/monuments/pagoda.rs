@@ -2,7 +2,7 @@
 //! with the finial on top. Rules after Horyu-ji's (`docs/evidence.md` 4.8, S54 and S55), as shares of widths: they give
 //! its documented height, and To-ji's, from the width and the taper alone.
 
-use super::draft::{Bay, Draft, Usual, WALL};
+use super::draft::{Bay, Draft, Usual, WALL, joinery};
 use super::{Pass, count, or};
 use crate::ast::{self, FinialKind, Order, Paint, Rail, RoofKind, RoofShape, RoofStyle, Side};
 use crate::diagnostic::messages::fittings::Scarce;
@@ -71,7 +71,7 @@ impl Pass<'_, '_> {
                 },
                 brackets: draft.brackets(steps, zone, REACH * tier.eaves),
             };
-            let walls = side(tier.bays, tier.width);
+            let walls = side(tier.bays, tier.width, paint);
             draft.tier(&walls, (base, base + columns + zone), order);
             draft.roof(RoofStyle {
                 shape: draft.style.shape,
@@ -138,7 +138,8 @@ fn tiers(it: &ast::Pagoda, first: f64) -> Vec<Tier> {
 }
 
 /// Returns the bays of a side: doors in the middle, windows beside them, walls beyond.
-fn side(bays: u32, width: f64) -> Vec<Bay> {
+fn side(bays: u32, width: f64, paint: Paint) -> Vec<Bay> {
+    let (door, window) = joinery(paint);
     let wide = if bays > 2 && bays % 2 == 1 {
         MIDDLE
     } else {
@@ -148,10 +149,10 @@ fn side(bays: u32, width: f64) -> Vec<Bay> {
     let bay = |i: u32| {
         let off = (2 * i).abs_diff(bays - 1);
         match off {
-            0 => ("TIK", plain * wide),
+            0 => (door, plain * wide),
             // Two bays are two doors.
-            1 if bays == 2 => ("TIK", plain),
-            1 | 2 => ("MRG", plain),
+            1 if bays == 2 => (door, plain),
+            1 | 2 => (window, plain),
             _ => (WALL, plain),
         }
     };
@@ -165,7 +166,7 @@ mod tests {
     #[test]
     fn sides_add_up_and_are_mirrored() {
         for bays in 1..8 {
-            let side = side(bays, 21.0);
+            let side = side(bays, 21.0, Paint::Keyaki);
             let sum: f64 = side.iter().map(|b| b.1).sum();
             assert!((sum - 21.0).abs() < 1e-9);
             assert!(side.iter().eq(side.iter().rev()), "{bays}");

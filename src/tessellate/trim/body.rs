@@ -21,10 +21,11 @@ pub(in crate::tessellate) struct Body {
     pub(in crate::tessellate) soft: bool,
     /// Shared corners, metres.
     pub(in crate::tessellate) points: Vec<DVec3>,
-    /// Plane faces, counter-clockwise seen from outside; the ends come last.
+    /// Plane faces, counter-clockwise seen from outside: the sides, the ends, then those of what was added to it.
     pub(in crate::tessellate) faces: Vec<Corners>,
-    /// Number of points in a section.
+    /// Number of points in a section, and in all sections.
     pub(super) round: u32,
+    pub(super) lofted: usize,
     /// Number of faces that are sides.
     pub(super) sides: usize,
     /// The name of its row, and the direction that is to the right in the whole row, unit length; `None` if it is not
@@ -74,6 +75,7 @@ impl Body {
         Body {
             finish,
             soft: false,
+            lofted: points.len(),
             points,
             round: count,
             sides: faces.len(),
@@ -112,6 +114,15 @@ impl Body {
         self
     }
 
+    /// Returns the body together with another one of its surface, which is shaded as it is.
+    pub(super) fn and(mut self, other: &Body) -> Body {
+        let before = self.points.len() as u32;
+        self.points.extend(&other.points);
+        let moved = |face: &Corners| face.iter().map(|i| i + before).collect();
+        self.faces.extend(other.faces.iter().map(moved));
+        self
+    }
+
     /// Returns six times its volume.
     fn volume(&self) -> f64 {
         let Some(apex) = self.points.first() else {
@@ -134,7 +145,13 @@ impl Body {
         let grain = grain_along(self.finish);
         let mut made: Vec<Vec<u32>> = vec![vec![]; self.points.len()];
         for (n, face) in self.faces.iter().enumerate() {
-            let planar = planar(&shapes[n], normals[n], grain);
+            // What was added lies on the last end and has its picture.
+            let front = if n > self.sides + 1 {
+                self.sides + 1
+            } else {
+                n
+            };
+            let planar = planar(&shapes[n], normals[front], grain);
             let mut ids: Corners = Corners::new();
             for (k, point) in face.iter().enumerate() {
                 let uv = unrolled.get(n).map_or(planar[k], |face| face[k]);
@@ -173,7 +190,7 @@ impl Body {
         if n == 0 {
             return vec![];
         }
-        let all = self.points.len() / n;
+        let all = self.lofted / n;
         let lengths = |count: usize, at: &dyn Fn(usize) -> DVec3| -> Vec<f64> {
             let mut sum = 0.0;
             let steps = (0..count).map(|i| {
@@ -198,9 +215,7 @@ impl Body {
             };
             face.iter().map(place).collect()
         };
-        let ends = if self.faces.len() > self.sides { 2 } else { 0 };
-        let count = self.faces.len() - ends;
-        let mut sides: Vec<Vec<DVec2>> = self.faces[..count].iter().map(side).collect();
+        let mut sides: Vec<Vec<DVec2>> = self.faces[..self.sides].iter().map(side).collect();
         // Pictures are not to be seen from behind.
         if sides
             .first()

@@ -24,6 +24,7 @@ pub(in crate::tessellate) struct Shape {
     finish: SurfaceId,
     soft: bool,
     round: u32,
+    lofted: usize,
     sides: usize,
     /// Hundredths of a millimetre.
     points: Vec<[i32; 3]>,
@@ -58,6 +59,7 @@ impl Shape {
             finish: body.finish,
             soft: body.soft,
             round: body.round,
+            lofted: body.lofted,
             sides: body.sides,
             points: body.points.iter().map(place).collect(),
             faces: body.faces.clone(),
@@ -78,6 +80,7 @@ impl Row {
                 points: points.map(|p| metres(*p, ALIKE) + moved).collect(),
                 faces: shape.faces.clone(),
                 round: shape.round,
+                lofted: shape.lofted,
                 sides: shape.sides,
                 row: None,
             }

@@ -28,38 +28,68 @@ pub(in crate::tessellate) const BOARDS: f64 = -0.060;
 /// Foot and top of a ceiling relative to the storey's top, metres.
 pub(in crate::tessellate) const CEILING: (f64, f64) = (-0.100, -0.075);
 
+/// How far the floors behind closed walls stay inside the lines of these, metres.
+const IN: f64 = 0.012;
+
 /// Interiors made so far, by outline and surfaces. Never iterated.
 #[derive(Debug, Default)]
 pub(in crate::tessellate) struct Rooms(HashMap<(Vec<i64>, SurfaceId, Weather), MeshId>);
 
 impl Walker<'_> {
-    /// Returns floor and ceiling of a storey whose inside is visible, and of every storey of a monument: its posts are the
-    /// author's, and its storeys stand over each other without a house's joists.
+    /// Returns floor and ceiling of a storey whose inside is visible, of every storey of a monument, whose storeys stand over
+    /// each other without a house's joists, and with every detail of all houses that say nothing of their rooms.
     pub(in crate::tessellate) fn interior(
         &mut self,
         level: Level<'_>,
         lines: &[(&Ring, Vec<Line<'_>>)],
     ) {
-        let units = || lines.iter().flat_map(|(_, l)| l).flat_map(|l| &l.units);
-        let seen = units().find_map(|s| self.floor(level, s.unit));
-        let ordered = level.storey.order.posts.as_ref();
-        let floor = seen.or(ordered.map(|_| SurfaceId::named("boards")));
+        // Through columns and walls inside one looks from one part of it into another.
+        let around = || {
+            let around = lines.iter().filter(|(ring, _)| !ring.inner);
+            around.flat_map(|(_, l)| l).flat_map(|l| &l.units)
+        };
+        let seen = around().find_map(|s| self.floor(level, s.unit));
+        let ordered = level.storey.order.posts.is_some();
+        let walled = self.detail == Detail::Everything && !self.furnished;
+        let walled = walled && around().all(|s| s.stance != Stance::Fence);
+        let floor = seen.or((ordered || walled).then(|| self.usual_floor(around())));
         let Some(floor) = floor.filter(|_| level.framed() && self.detail > Detail::Flat) else {
             return;
         };
-        let outlines = outlines(level, lines);
+        let mut outlines = outlines(level, lines);
+        if seen.is_none() && !ordered {
+            // Between walls that nobody looks through; some have their face on their line.
+            outlines = outlines.iter().map(|o| inset(o)).collect();
+        }
         if outlines.is_empty() {
             return;
         }
-        // Posts of a porch and walls inside may be lower.
-        let around = lines.iter().filter(|(ring, _)| !ring.inner);
-        let mut around = around.flat_map(|(_, l)| l).flat_map(|l| &l.units);
-        // No ceiling over yards behind fences, and none that would stick out of a lean-to.
+        // No ceiling over yards behind fences, and none that would stick out of a lean-to. Posts of a porch and walls inside
+        // may be lower.
         let own = |c: &&crate::building::Ceiling| c.storey == level.storey.number;
         let covered = self.shown.has_ceiling(level.storey.number, self.storeys)
             && !level.ceilings.iter().any(|c| own(&c))
-            && around.all(|s| s.stance != Stance::Fence && is_full(level, s));
-        let foot = if level.grounded() { GROUND } else { BOARDS };
+            && around().all(|s| s.stance != Stance::Fence && is_full(level, s));
+        let mesh = self.room_mesh(level, &outlines, floor, covered);
+        let node = self.node(Some(level.node), Kind::Member, "room".into(), DVec3::ZERO);
+        node.mesh = Some(mesh);
+        node.storey = Some(level.storey.number);
+    }
+
+    /// Returns the mesh of a floor, and of the ceiling over it where the storey has one.
+    fn room_mesh(
+        &mut self,
+        level: Level<'_>,
+        outlines: &[Vec<DVec2>],
+        floor: SurfaceId,
+        covered: bool,
+    ) -> MeshId {
+        let rise = level.floor_rise();
+        let foot = if level.grounded() {
+            GROUND
+        } else {
+            BOARDS + rise
+        };
         let step = |metres: f64| (metres * 10_000.0).round() as i64;
         let points = outlines.iter().flatten().flat_map(|p| [p.x, p.y]);
         let mut key: Vec<i64> = points.map(step).collect();
@@ -67,16 +97,16 @@ impl Walker<'_> {
         key.extend([step(foot), step(height)]);
         self.weather(|aged| aged.even("room", 0.0));
         let key = (key, floor, self.store.weather);
-        let mesh = match self.rooms.0.get(&key) {
+        match self.rooms.0.get(&key) {
             Some(mesh) => *mesh,
             None => {
                 let mut bodies = Bodies::default();
                 // Earth lies lower than boards: one walks in from the ground.
                 let top = match level.grounded() && floor == SurfaceId::named("earth") {
                     true => DOMA,
-                    false => UNDER,
+                    false => UNDER + rise,
                 };
-                for outline in &outlines {
+                for outline in outlines {
                     bodies.prism(floor, outline, Axis::Z, foot, top);
                     if covered {
                         let (lo, hi) = (height + CEILING.0, height + CEILING.1);
@@ -88,10 +118,16 @@ impl Walker<'_> {
                 self.rooms.0.insert(key, mesh);
                 mesh
             }
-        };
-        let node = self.node(Some(level.node), Kind::Member, "room".into(), DVec3::ZERO);
-        node.mesh = Some(mesh);
-        node.storey = Some(level.storey.number);
+        }
+    }
+
+    /// Returns the floor behind closed walls.
+    fn usual_floor<'u>(&self, mut around: impl Iterator<Item = &'u PlacedUnit<'u>>) -> SurfaceId {
+        let modern = around.any(|s| match &s.unit.content {
+            Content::Part(id) => self.catalog.part(*id).era == Era::Modern,
+            _ => false,
+        });
+        SurfaceId::named(if modern { "concrete" } else { "boards" })
     }
 
     /// Returns the floor that is visible through a unit; `None` if none is.
@@ -180,6 +216,25 @@ fn outlines(level: Level<'_>, lines: &[(&Ring, Vec<Line<'_>>)]) -> Vec<Vec<DVec2
         }
     }
     outer
+}
+
+/// Returns a counter-clockwise outline drawn in a little; where it turns back it stays.
+fn inset(outline: &[DVec2]) -> Vec<DVec2> {
+    let n = outline.len();
+    let inwards = |i: usize| {
+        (outline[(i + 1) % n] - outline[i % n])
+            .normalize_or_zero()
+            .perp()
+    };
+    let moved = |i: usize| {
+        let (before, after) = (inwards(i + n - 1), inwards(i));
+        let turn = 1.0 + before.dot(after);
+        match turn > 0.1 {
+            true => outline[i] + (before + after) * (IN / turn),
+            false => outline[i],
+        }
+    };
+    (0..n).map(moved).collect()
 }
 
 /// Joins a hole to the polygon around it by two mutually visible corners, trying the nearest first.

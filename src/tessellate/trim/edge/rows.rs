@@ -28,6 +28,14 @@ const DISC: f64 = 1.08 * RADIUS;
 const DISC_UP: f64 = 0.004;
 const DISC_OUT: f64 = 0.045;
 const DISC_RINGS: [(f64, f64); 4] = [(-0.035, 1.0), (0.0, 1.0), (0.0, 0.78), (-0.012, 0.78)];
+/// A comma from its head to its tail: the angle from its own direction, degrees, how far its spine lies from the middle and
+/// half its width, shares of the face, and the height of its back over the face, metres; how far it extends into the face.
+const COMMA: [[f64; 4]; 3] = [
+    [-20.0, 0.42, 0.20, 0.008],
+    [40.0, 0.58, 0.20, 0.010],
+    [110.0, 0.80, 0.06, 0.005],
+];
+const SUNK_COMMA: f64 = 0.002;
 /// How far rows extend into the slope, metres.
 const SUNK: f64 = 0.012;
 
@@ -119,16 +127,35 @@ pub(in crate::tessellate::trim) fn eaves(
     }
 }
 
-/// Builds the disc (瓦当 gato) that closes a row at the eaves: a rim round a sunken face, without the whorl of commas
-/// (巴 tomoe) of real ones.
+/// Builds the disc (瓦当 gato) that closes a row at the eaves: a rim round a sunken face, on which three commas whirl
+/// (三つ巴 mitsudomoe).
 fn rimmed_disc(finish: SurfaceId, at: DVec3, out: DVec2) -> Option<Body> {
     const SIDES: u32 = 8;
-    let section = |(ahead, share): (f64, f64)| -> Vec<DVec3> {
-        let middle = at + DVec3::Z * DISC_UP + (out * (DISC_OUT + ahead)).extend(0.0);
-        ring(middle, out, DISC * share, SIDES)
-    };
+    let middle = |ahead: f64| at + DVec3::Z * DISC_UP + (out * (DISC_OUT + ahead)).extend(0.0);
+    let section = |(ahead, share): (f64, f64)| ring(middle(ahead), out, DISC * share, SIDES);
     let sections: Vec<Vec<DVec3>> = DISC_RINGS.into_iter().map(section).collect();
-    Body::loft(finish, &sections).map(Body::smooth)
+    let disc = Body::loft(finish, &sections)?.smooth();
+    let (face, share) = DISC_RINGS[DISC_RINGS.len() - 1];
+    let commas = [0.0, 120.0, 240.0].map(|turn| {
+        let sections = COMMA.map(|[angle, radius, half, high]| {
+            let angle = f64::to_radians(angle + turn);
+            let way = out.perp().extend(0.0) * libm::cos(angle) + DVec3::Z * libm::sin(angle);
+            let off = |share_out: f64, ahead: f64| {
+                middle(face + ahead) + way * (DISC * share * share_out)
+            };
+            vec![
+                off(radius - half, -SUNK_COMMA),
+                off(radius + half, -SUNK_COMMA),
+                off(radius, high),
+            ]
+        });
+        Body::loft(finish, &sections)
+    });
+    let whole = commas
+        .iter()
+        .flatten()
+        .fold(disc, |disc, comma| disc.and(comma));
+    Some(whole)
 }
 
 /// Returns a vertical section of the front with this hang, metres.
