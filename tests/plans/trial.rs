@@ -143,13 +143,14 @@ fn judge(seed: u64, convention: Convention, way: Degradation, px: f32) -> Score 
     score
 }
 
-/// Reads some plans of a convention, from a seed on, at 26 to 60 pixels a unit.
+/// Reads some plans of a convention, from a seed on, at 26 to 60 pixels a unit, or from as many on as `HSD_PLAN_PX` says.
 fn trial(convention: Convention, way: Degradation) -> Score {
     let (first, plans) = (number("HSD_PLAN_SEED", 100) as u64, number("HSD_PLANS", 4));
+    let least = number("HSD_PLAN_PX", 26) as f32;
     let sum = Mutex::new(Score::default());
     on_all_processors(plans, |k| {
         let seed = first + k as u64;
-        let px = 26.0 + (seed * 7919 % 35) as f32;
+        let px = least + (seed * 7919 % 35) as f32;
         let score = judge(seed, convention, way, px);
         *sum.lock().unwrap() += score;
         vec![]

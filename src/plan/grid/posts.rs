@@ -17,7 +17,8 @@ const STEPS: i32 = 9;
 const HALVES: [f64; 6] = [0.045, 0.06, 0.075, 0.09, 0.105, 0.12];
 /// The least share of ink in a filled post, or along each side of the outline of one.
 const LEAST: f64 = 0.9;
-/// How much farther than others of the sheet the middle of a post may be uncertain, units: along a wall it is.
+/// How wide the places may spread where a post fits, units: along a thick wall it fits everywhere, so only its other direction
+/// counts.
 const VAGUE: f64 = 0.05;
 /// The fewest posts, and the fewest lines of each direction on which they stand.
 const FEWEST: usize = 8;

@@ -238,9 +238,10 @@ fn connected(lines: &Lines<'_>) -> BTreeSet<((i32, i32), bool)> {
     };
     let others: Vec<_> = groups.filter(is_within).collect();
     for group in others {
-        let continues = |(way, before, after): &(Vec<(i32, i32)>, Side, Side)| {
+        let continues = |way: &Way| {
             let of_group = |(at, upright): Side| stands(at, upright) && group.contains(&at);
-            (of_group(*before) || of_group(*after)) && way.iter().any(|c| most.contains(c))
+            (of_group(way.before) || of_group(way.after))
+                && way.crossings.iter().any(|c| most.contains(c))
         };
         if ways.iter().any(continues) {
             most.extend(group);
@@ -255,8 +256,15 @@ fn connected(lines: &Lines<'_>) -> BTreeSet<((i32, i32), bool)> {
 /// A unit of the grid: where it begins, and whether it is upright.
 type Side = ((i32, i32), bool);
 
-/// The gaps between walls: their crossings, and the units of their line before and after them.
-fn ways(lines: &Lines<'_>) -> Vec<(Vec<(i32, i32)>, Side, Side)> {
+/// A gap between walls: its crossings, and the units of its line before and after it.
+struct Way {
+    crossings: Vec<(i32, i32)>,
+    before: Side,
+    after: Side,
+}
+
+/// The gaps between walls.
+fn ways(lines: &Lines<'_>) -> Vec<Way> {
     let along = |(u, v): (i32, i32), upright: bool, by: i32| match upright {
         true => (u, v + by),
         false => (u + by, v),
@@ -273,7 +281,11 @@ fn ways(lines: &Lines<'_>) -> Vec<(Vec<(i32, i32)>, Side, Side)> {
         let crossings = (0..=length).map(|k| along(*at, *upright, k)).collect();
         let before = (along(*at, *upright, -1), *upright);
         let after = (along(*at, *upright, length), *upright);
-        (crossings, before, after)
+        Way {
+            crossings,
+            before,
+            after,
+        }
     };
     starts.map(way).collect()
 }
