@@ -1,4 +1,4 @@
-//! The grid moved onto what stands on its crossings: posts, and the thick walls between them.
+//! Moves the grid onto the posts of the plan, and onto the middle of thick walls.
 //!
 //! Strokes near a line of the grid are walls and the edges of mats that lie against them, always on the inner side: the
 //! lines drift inwards with them. Posts stand in the middle.
@@ -67,7 +67,7 @@ impl Grid {
         }
     }
 
-    /// What a post tells of the upright and of the level line on which it stands.
+    /// The places where the upright and the level line through a post should run.
     fn seen_posts(&self, post: &Post) -> impl Iterator<Item = Seen> {
         let at = self.at(post.crossing.x + post.off.x, post.crossing.y + post.off.y);
         let both = [(at.x, post.off.x), (at.y, post.off.y)];
@@ -88,9 +88,8 @@ impl Grid {
 /// The posts of a sheet, by the width that most of them have.
 fn posts(ink: &Ink, grid: &Grid) -> Vec<Post> {
     let ((u0, u1), (v0, v1)) = (grid.across, grid.down);
-    let crossings: Vec<DVec2> = (v0..=v1)
-        .flat_map(|v| (u0..=u1).map(move |u| dvec2(f64::from(u), f64::from(v))))
-        .collect();
+    let crossings = (v0..=v1).flat_map(|v| (u0..=u1).map(move |u| dvec2(u.into(), v.into())));
+    let crossings: Vec<DVec2> = crossings.filter(|at| has_ink(ink, grid, *at)).collect();
     let of = |half: f64, is_filled: bool| -> Vec<Post> {
         let found = crossings
             .par_iter()
@@ -109,6 +108,14 @@ fn posts(ink: &Ink, grid: &Grid) -> Vec<Post> {
     } else {
         filled
     }
+}
+
+/// Whether there is ink about a crossing: round a house most are blank.
+fn has_ink(ink: &Ink, grid: &Grid, at: DVec2) -> bool {
+    let side = |k: i32| f64::from(k) / f64::from(STEPS) * AROUND;
+    let mut places =
+        (-STEPS..=STEPS).flat_map(|y| (-STEPS..=STEPS).map(move |x| at + dvec2(side(x), side(y))));
+    places.any(|p| dark_at(ink, grid.at(p.x, p.y)) > ink.threshold)
 }
 
 /// The post of such a width at a crossing: the middle of all places where it may be.

@@ -16,7 +16,8 @@ const LEFT_OUT: f64 = 0.2;
 const CORNER: f64 = 0.1;
 /// The cost of a cell of the house that is blank though one should have ink in it.
 const BLANK: f64 = 0.2;
-/// The share of cells that have ink in them in a house: names, mats, boards, what stands in rooms. A few need none.
+/// The least share of cells with ink in a house, from names, mats, boards and fixtures, and the number of cells that may be blank
+/// besides.
 const LIVED_IN: f64 = 0.25;
 const FEW: f64 = 4.0;
 /// The share of the cost of a wall that is not connected to the house.
@@ -198,8 +199,8 @@ fn regions(lines: &Lines<'_>) -> (Vec<Region>, BTreeMap<(i32, i32), usize>) {
     (regions, number)
 }
 
-/// The walls of the house: the largest number of units of wall that hold on to each other, and what stands in the line of a way
-/// beside them. Chains of dimensions stand apart.
+/// Finds the walls of the house: the largest connected group, and smaller groups within its extent that a gap in their own line
+/// separates from it. Dimension chains stay apart.
 fn connected(lines: &Lines<'_>) -> BTreeSet<((i32, i32), bool)> {
     let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
     let all = (v0..=v1).flat_map(|v| (u0..=u1).map(move |u| (u, v)));
