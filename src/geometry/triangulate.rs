@@ -3,7 +3,9 @@
 use crate::geometry::tolerance::EAR;
 use glam::DVec2;
 
-/// Polygons with more corners take the first ear instead of the roundest, to stay far from cubic time.
+mod many;
+
+/// Rings with more corners take the next ear instead of the roundest, to stay far from cubic time.
 const MANY: usize = 48;
 
 /// Points nearer to the border of an ear, in twice the area of the triangle they span with it, lie on the border.
@@ -13,6 +15,11 @@ const ON_BORDER: f64 = 1e-12;
 /// ring may pass a place twice, as along a bridge to a hole.
 pub(crate) fn ears(ring: &[DVec2], mut out: impl FnMut([u32; 3])) {
     let mut rest: Vec<u32> = (0..ring.len() as u32).collect();
+    if rest.len() > MANY {
+        let mut cutting = many::Cutting::new(ring);
+        (MANY..rest.len()).for_each(|_| out(cutting.cut()));
+        rest = cutting.rest().collect();
+    }
     while rest.len() > 2 {
         let ear = best_ear(ring, &rest);
         let n = rest.len();
@@ -41,34 +48,40 @@ fn best_ear(ring: &[DVec2], rest: &[u32]) -> usize {
     let n = rest.len();
     let mut best = (f64::NEG_INFINITY, 0);
     for i in 0..n {
-        let [a, b, c] = [i + n - 1, i, i + 1].map(|j| ring[rest[j % n] as usize]);
-        let area = (b - a).perp_dot(c - b);
-        let longest = (b - a)
-            .length_squared()
-            .max((c - b).length_squared())
-            .max((a - c).length_squared());
-        let roundness = area / longest.max(1e-12);
+        let triangle = [i + n - 1, i, i + 1].map(|j| ring[rest[j % n] as usize]);
+        let (roundness, convex) = shape(triangle);
         if roundness <= best.0 || roundness.is_nan() {
             continue;
         }
         let blocked = |j: &u32| {
             let p = ring[*j as usize];
-            p != a && p != b && p != c && holds([a, b, c], p)
+            !triangle.contains(&p) && holds(triangle, p)
         };
-        let clear = area > EAR && !rest.iter().any(blocked);
-        // Anything else is worse than every ear.
-        let worth = match clear {
+        let worth = match convex && !rest.iter().any(blocked) {
             true => roundness,
-            false => roundness.min(0.0) - 2.0,
+            false => worth_blocked(roundness),
         };
         if worth > best.0 {
             best = (worth, i);
         }
-        if clear && n > MANY {
-            break;
-        }
     }
     best.1
+}
+
+/// Returns how round the triangle of a corner is, twice its area by the square of its longest side, and true if it has area
+/// and lies to the left of its corners.
+fn shape([a, b, c]: [DVec2; 3]) -> (f64, bool) {
+    let area = (b - a).perp_dot(c - b);
+    let longest = (b - a)
+        .length_squared()
+        .max((c - b).length_squared())
+        .max((a - c).length_squared());
+    (area / longest.max(1e-12), area > EAR)
+}
+
+/// Returns the worth of a corner that is no ear: less than that of every ear.
+fn worth_blocked(roundness: f64) -> f64 {
+    roundness.min(0.0) - 2.0
 }
 
 /// Returns true if a point lies in a counter-clockwise triangle or on its border.
@@ -172,6 +185,46 @@ pub(in crate::geometry) mod tests {
         (0..n)
             .map(|i| radius * dvec2(libm::cos(at(i)), libm::sin(at(i))))
             .collect()
+    }
+
+    /// A comb of so many teeth, two metres high.
+    fn comb(teeth: usize) -> Vec<DVec2> {
+        let tooth = |i: usize| {
+            let x = 2.0 * i as f64;
+            [(x + 1.0, 1.0), (x + 1.0, 2.0), (x, 2.0), (x, 1.0)].map(DVec2::from)
+        };
+        let back = [(0.0, 0.0), (2.0 * teeth as f64 - 1.0, 0.0)].map(DVec2::from);
+        let mut ring: Vec<DVec2> = (0..teeth).rev().flat_map(tooth).collect();
+        ring.pop();
+        ring.remove(0);
+        ring.splice(0..0, back);
+        ring
+    }
+
+    #[test]
+    fn rings_of_many_corners_keep_their_area() {
+        for teeth in [13, 100, 3_000] {
+            let ring = comb(teeth);
+            let whole = 2.0 * teeth as f64 - 1.0 + teeth as f64;
+            let found = triangles(&ring, &[]);
+            let told = (teeth, area(&found), whole);
+            assert!((area(&found) - whole).abs() < 1e-6, "{told:?}");
+            assert!(found.iter().all(|[p, q, r]| turn(*p, *q, *r) > 0.0));
+        }
+    }
+
+    #[test]
+    fn stars_of_many_corners_keep_their_area() {
+        for n in [90, 333, 4_001] {
+            let away = |i: usize| 4.0 + ((i * i * 7919) % 101) as f64 / 20.0;
+            let star: Vec<DVec2> = (circle(n, 1.0).into_iter().enumerate())
+                .map(|(i, p)| p * away(i))
+                .collect();
+            let whole: f64 = (0..n).map(|i| star[i].perp_dot(star[(i + 1) % n])).sum();
+            let found = triangles(&star, &[]);
+            assert!((area(&found) - whole / 2.0).abs() < 1e-6, "{n}");
+            assert!(found.iter().all(|[p, q, r]| turn(*p, *q, *r) > 0.0));
+        }
     }
 
     #[test]
