@@ -92,6 +92,16 @@ pub(super) fn bake(
     })
 }
 
+/// Returns how many rays from straight ahead hit each surface first inside a rectangle.
+pub(super) fn seen(soups: &[(SurfaceId, Soup)], rect: Rect, lens: Lens) -> Vec<(SurfaceId, usize)> {
+    let rays = Rays::cast(soups, rect, lens, vec![]);
+    let mut seen: Vec<(SurfaceId, usize)> = soups.iter().map(|(id, _)| (*id, 0)).collect();
+    for surface in rays.surfaces() {
+        seen[surface].1 += 1;
+    }
+    seen
+}
+
 /// Returns the image that rays saw.
 fn develop(rays: &Rays, shown: &[&Shown], relief: &mut Relief) -> Option<Picture> {
     let (w, h) = rays.pixels();

@@ -27,7 +27,7 @@ use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::part::bay::{Bay, Layer};
 
 /// Height of a dado under an opening, metres: three shaku.
-const DADO: f64 = 3.0 * SHAKU;
+pub(super) const DADO: f64 = 3.0 * SHAKU;
 
 /// Distance of a panel behind the texture on it, metres.
 const BEHIND: f64 = 0.002;
@@ -101,17 +101,6 @@ pub(super) fn face(part: &PartDef) -> f64 {
     });
     let front = walls.map(|e| e.place.front.0).reduce(f64::max);
     front.unwrap_or(wall_layer(part.stance).front)
-}
-
-/// Returns the dominant surface of a part: its glass if it has any, the finish of a wall, otherwise its first surface.
-pub(super) fn main_surface(part: &PartDef) -> Option<SurfaceId> {
-    let fills = |e: &Element| match &e.shape {
-        Shape::Leaf(leaf) => leaf.pane,
-        _ => e.place.finish,
-    };
-    let panes = part.body.iter().map(fills);
-    let glass = panes.clone().find(|id| id.surface().glass);
-    glass.or(part.finish).or(panes.into_iter().next())
 }
 
 /// Builds all bodies of a part in its bay.

@@ -2,6 +2,7 @@
 
 pub(super) mod bank;
 pub(super) mod draft;
+pub(super) mod from_afar;
 pub(super) mod look;
 mod part_images;
 
@@ -14,12 +15,13 @@ use crate::catalog::{PartDef, PartId};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, MeshId};
 use crate::tessellate::roof::{self, Given, is_minor};
+use crate::tessellate::store::from_afar::FromAfar;
 use crate::tessellate::trim;
 use crate::tessellate::trim::{Body, Row};
 use bank::Bank;
 use draft::{ImageQuad, MeshDraft};
 use glam::DVec2;
-use look::{Look, Share};
+use look::{Look, Share, colour_of};
 use part_images::ShadedImage;
 use std::collections::HashMap;
 use std::hash::BuildHasherDefault;
@@ -281,9 +283,28 @@ impl<'b> Store<'b> {
         &self.drafts[id.0 as usize]
     }
 
+    /// Returns what a part shows from afar; `None` if it has nothing of its own.
+    pub(super) fn from_afar(&self, id: PartId, part: &PartDef) -> Option<FromAfar> {
+        self.bank.from_afar(id, part)
+    }
+
     /// Returns the look of a surface weathered at a height.
     pub(super) fn surface_at(&self, id: SurfaceId, z: f64) -> Look {
         Look::surface(self.weather.at(id, z), Share::default())
+    }
+
+    /// Returns the look of a part from afar, weathered at a height as its main surface is.
+    pub(super) fn seen_at(&self, afar: FromAfar, z: f64) -> Look {
+        let aged = self.weather.at(afar.surface, z);
+        let colours = (afar.mean, colour_of(afar.surface), colour_of(aged));
+        let (Some(mean), Some(own), Some(now)) = colours else {
+            return Look::surface(aged, Share::default());
+        };
+        let mean = std::array::from_fn(|k| now[k] * mean[k] / own[k].max(1e-3));
+        match afar.textured {
+            true => Look::toned(aged, mean),
+            false => Look::mean(mean),
+        }
     }
 
     /// Returns the drafts by the ids given for them.

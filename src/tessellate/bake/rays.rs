@@ -105,6 +105,12 @@ impl Rays {
         self.hits
     }
 
+    /// Returns the index of the soup that each ray hits; those that hit nothing have none.
+    pub(super) fn surfaces(&self) -> impl Iterator<Item = usize> + '_ {
+        let hits = self.hits.iter();
+        hits.filter_map(|hit| Some(self.triangles.get(hit.triangle as usize)?.surface))
+    }
+
     /// Returns the size of the image, pixels.
     pub(super) fn pixels(&self) -> (usize, usize) {
         (self.width / FINE, self.height / FINE)

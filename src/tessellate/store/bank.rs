@@ -3,9 +3,11 @@
 //! Everything in it depends on its key alone, so it makes no difference who made it, or whether it was forgotten and
 //! made again. It is bounded: at a limit it forgets all.
 
+use crate::catalog::{PartDef, PartId};
 use crate::material::SurfaceId;
 use crate::tessellate::hasher::NumberHasher;
 use crate::tessellate::store::draft::MeshDraft;
+use crate::tessellate::store::from_afar::FromAfar;
 use crate::tessellate::store::part_images::PanelImage;
 use crate::tessellate::store::{Key, PartKey};
 use crate::tessellate::weather::panel_look::{PanelAreas, PanelLook};
@@ -29,6 +31,7 @@ pub(in crate::tessellate) struct Bank {
     drafts: Mutex<Drafts>,
     images: Shelf<ImageKey, Arc<PanelImage>>,
     areas: Shelf<PartKey, Arc<[PanelAreas]>>,
+    from_afar: Shelf<PartId, Option<FromAfar>>,
 }
 
 /// The key of an image: the part, the number of its panel, and what stands for its weathered surfaces.
@@ -109,6 +112,11 @@ impl Bank {
         make: impl FnOnce() -> Arc<[PanelAreas]>,
     ) -> Arc<[PanelAreas]> {
         self.areas.get(key, make)
+    }
+
+    /// Returns what a part shows from afar.
+    pub(super) fn from_afar(&self, id: PartId, part: &PartDef) -> Option<FromAfar> {
+        self.from_afar.get(id, || FromAfar::of(part))
     }
 
     fn drafts(&self) -> MutexGuard<'_, Drafts> {

@@ -1,8 +1,9 @@
 //! Looks: what a material shows, before the scene numbers its materials.
 
-use crate::material::{SurfaceId, dimmed};
+use crate::material::{self, SurfaceId, dimmed};
 use crate::scene::{Detail, Image, Material};
 use crate::texture;
+use std::sync::{LazyLock, OnceLock};
 
 /// Share of reflected light in thousandths; zero for surfaces that do not reflect.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -28,7 +29,17 @@ pub(in crate::tessellate) enum Look {
     Picture(u32, Share),
     /// The mean colour of a surface.
     Plain(SurfaceId),
+    /// A surface in another mean colour: factors of its own, in steps of [`TONES`].
+    Toned(SurfaceId, [u8; 3]),
+    /// A plain colour, the square roots of linear RGB in steps of [`SHADES`].
+    Mean([u8; 3]),
 }
+
+/// Steps of a factor between 0 and 1 by which a surface gets another mean colour: few, so that like walls are of one material.
+const TONES: f32 = 32.0;
+
+/// Steps of a plain colour between black and white.
+const SHADES: f32 = 64.0;
 
 impl Look {
     /// Returns the look of a surface; surfaces other than glass have one for every share of reflection.
@@ -47,12 +58,36 @@ impl Look {
         }
     }
 
+    /// Returns the look of a surface in a mean colour, linear RGB, as far as its own can be darkened or lightened to that.
+    pub(in crate::tessellate) fn toned(id: SurfaceId, mean: [f32; 3]) -> Look {
+        let Some(own) = colour_of(id) else {
+            return Look::surface(id, Share::default());
+        };
+        let tint = shown_tint(id, Detail::Body);
+        let tones = std::array::from_fn(|k| {
+            // No factor of a material exceeds 1.
+            let most = 1.0 / tint[k].max(0.01);
+            (TONES * (mean[k] / own[k].max(1e-3)).min(most)).round() as u8
+        });
+        match tones == [TONES as u8; 3] {
+            true => Look::surface(id, Share::default()),
+            false => Look::Toned(id, tones),
+        }
+    }
+
+    /// Returns the look of a plain colour, linear RGB.
+    pub(in crate::tessellate) fn mean(colour: [f32; 3]) -> Look {
+        Look::Mean(colour.map(|c| (SHADES * c.clamp(0.0, 1.0).sqrt()).round() as u8))
+    }
+
     /// Returns three numbers that no other look has.
     pub(super) fn numbers(self) -> [u32; 3] {
         match self {
             Look::Surface(id, share) => [0, id.index() as u32, share.0.into()],
             Look::Picture(number, share) => [1, number, share.0.into()],
             Look::Plain(id) => [2, id.index() as u32, 0],
+            Look::Toned(id, [r, g, b]) => [3, id.index() as u32, u32::from_be_bytes([0, r, g, b])],
+            Look::Mean([r, g, b]) => [4, 0, u32::from_be_bytes([0, r, g, b])],
         }
     }
 
@@ -62,6 +97,8 @@ impl Look {
             Look::Surface(id, share) => of_surface(id, share, detail),
             Look::Picture(number, share) => of_picture(number, share),
             Look::Plain(id) => of_plain(id, detail),
+            Look::Toned(id, tones) => of_toned(id, tones, detail),
+            Look::Mean(shades) => of_mean(shades),
         }
     }
 }
@@ -70,6 +107,60 @@ impl Look {
 fn mean(look: &str) -> Option<[f32; 3]> {
     let (_, look) = texture::look(look)?;
     look.mean.map(texture::linear)
+}
+
+/// Returns the mean colour that a surface shows from afar, linear RGB, if it is known.
+pub(in crate::tessellate) fn colour_of(id: SurfaceId) -> Option<[f32; 3]> {
+    type Known = OnceLock<Option<[f32; 3]>>;
+    static ALL: LazyLock<Vec<Known>> =
+        LazyLock::new(|| (0..material::count()).map(|_| Known::new()).collect());
+    *ALL[id.index()].get_or_init(|| {
+        let tint = shown_tint(id, Detail::Body);
+        let texture = id.surface().picture.map_or(Some([1.0; 3]), mean)?;
+        Some(std::array::from_fn(|k| tint[k] * texture[k]))
+    })
+}
+
+/// Returns the tint of a surface at a detail.
+fn shown_tint(id: SurfaceId, detail: Detail) -> [f32; 4] {
+    let surface = id.surface();
+    match surface.glass && detail <= Detail::Flat {
+        true => shut(surface.tint),
+        false => surface.tint,
+    }
+}
+
+fn of_toned(id: SurfaceId, tones: [u8; 3], detail: Detail) -> Material {
+    let own = of_surface(id, Share::default(), detail);
+    let [r, g, b] = tones.map(|tone| f32::from(tone) / TONES);
+    let [red, green, blue, opacity] = own.tint;
+    let [x, y, z] = tones;
+    Material {
+        name: format!("{}, tone {x} {y} {z}", own.name),
+        tint: [
+            (red * r).min(1.0),
+            (green * g).min(1.0),
+            (blue * b).min(1.0),
+            opacity,
+        ],
+        ..own
+    }
+}
+
+fn of_mean(shades: [u8; 3]) -> Material {
+    let [r, g, b] = shades.map(|shade| (f32::from(shade) / SHADES).powi(2));
+    let [x, y, z] = shades;
+    Material {
+        name: format!("mean colour {x} {y} {z}"),
+        image: Image::None,
+        tint: [r, g, b, 1.0],
+        roughness: 0.8,
+        metallic: 0.0,
+        double_sided: false,
+        cutout: false,
+        reflection: None,
+        mirrored: None,
+    }
 }
 
 fn of_plain(id: SurfaceId, detail: Detail) -> Material {
@@ -92,10 +183,7 @@ fn of_surface(id: SurfaceId, share: Share, detail: Detail) -> Material {
             per_mille => format!("{} {}.{}%", surface.name, per_mille / 10, per_mille % 10),
         },
         image: surface.picture.map_or(Image::None, Image::Surface),
-        tint: match surface.glass && detail <= Detail::Flat {
-            true => shut(surface.tint),
-            false => surface.tint,
-        },
+        tint: shown_tint(id, detail),
         roughness: surface.roughness,
         metallic: surface.metallic,
         double_sided: surface.thin,

@@ -3,23 +3,28 @@
 //! Walls are open above and below, where roofs and the ground close them; there is no interior.
 
 use crate::building::Ring;
-use crate::catalog::Catalog;
+use crate::catalog::{Below, Catalog, PartId, Stance};
 use crate::geometry::FOUNDATION;
 use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
-use crate::program::{Content, Unit};
+use crate::program::{Content, PictureId, Unit};
 use crate::scene::MeshId;
 use crate::tessellate::mesh::Soup;
-use crate::tessellate::store::Store;
+use crate::tessellate::part::DADO;
+use crate::tessellate::part::bay::HALF_POST;
 use crate::tessellate::store::draft::MeshDraft;
-use crate::tessellate::store::look::{Look, Share};
+use crate::tessellate::store::from_afar::FromAfar;
+use crate::tessellate::store::look::{Look, Share, colour_of};
 use crate::tessellate::wall::{Line, PlacedUnit};
-use crate::tessellate::{Level, Walker, part, turn_of};
+use crate::tessellate::{Level, Walker, turn_of};
 use glam::{DVec3, dvec2};
 use smallvec::{SmallVec, smallvec};
 
 /// Corners sharper than this many faces are not mitred to their point.
 const LONGEST: f64 = 4.0;
+
+/// The mean colour of the stones of a foundation, linear RGB.
+const STONES: [f32; 3] = [0.299, 0.276, 0.246];
 
 /// A horizontal stripe of a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,7 +103,12 @@ impl Walker<'_> {
             let mut bands = vec![];
             // One weather for the wall: neighbours of one look stay one face.
             self.store.weather = self.frame((0.0, level.height));
-            self.bands(placed.unit, placed, (0.0, placed.top()), &mut bands);
+            self.bands(
+                placed.unit,
+                (level, placed),
+                (0.0, placed.top()),
+                &mut bands,
+            );
             // Walls go down to the ground; no picture does, since it would be stretched.
             let lowest = bands.iter_mut().find(|b| b.z.0.abs() < 1e-3 && !b.picture);
             if let Some(band) = lowest.filter(|_| level.grounded()) {
@@ -166,18 +176,38 @@ impl Walker<'_> {
         found
     }
 
+    /// Returns a stripe in the mean colour of what is seen there.
+    fn band(
+        &self,
+        (level, placed): (Level<'_>, &PlacedUnit<'_>),
+        (from, to): (f64, f64),
+        afar: FromAfar,
+    ) -> Band {
+        let mut mean = afar.mean;
+        if level.post().is_none() && placed.stance == Stance::Posts {
+            mean = mean.map(|colour| with_posts(colour, placed.width));
+        }
+        // The lowest stripe goes down to the ground, over the stones of the foundation.
+        if level.grounded() && from.abs() < 1e-3 {
+            mean = mean.map(|colour| mixed(colour, STONES, FOUNDATION / (to + FOUNDATION)));
+        }
+        let seen = FromAfar { mean, ..afar };
+        Band {
+            z: (from, to),
+            look: self.store.seen_at(seen, f64::midpoint(from, to)),
+            picture: false,
+        }
+    }
+
     /// Returns the stripes of a unit from its foot to its top; the first unit of a half stands for all of it.
-    fn bands(&mut self, unit: &Unit, placed: &PlacedUnit<'_>, z: (f64, f64), out: &mut Vec<Band>) {
+    fn bands(
+        &mut self,
+        unit: &Unit,
+        (level, placed): (Level<'_>, &PlacedUnit<'_>),
+        z: (f64, f64),
+        out: &mut Vec<Band>,
+    ) {
         let (z0, z1) = z;
-        let mut band = |store: &Store<'_>, from: f64, to: f64, surface: SurfaceId| {
-            if to - from > 1e-3 {
-                out.push(Band {
-                    z: (from, to),
-                    look: store.surface_at(surface, (from + to) / 2.0),
-                    picture: false,
-                });
-            }
-        };
         match &unit.content {
             Content::Void => {}
             Content::Picture(id) => out.push(Band {
@@ -188,38 +218,71 @@ impl Walker<'_> {
             Content::Split(split) => {
                 let middle = z1 - (z1 - z0) * split.ratio.clamp(0.0, 1.0);
                 if let Some(unit) = split.lower.first() {
-                    self.bands(unit, placed, (z0, middle), out);
+                    self.bands(unit, (level, placed), (z0, middle), out);
                 }
                 if let Some(unit) = split.upper.first() {
-                    self.bands(unit, placed, (middle, z1), out);
+                    self.bands(unit, (level, placed), (middle, z1), out);
                 }
             }
-            Content::Part(id) => {
-                let definition = self.catalog.part(*id);
-                let main = part::main_surface(definition).unwrap_or(placed.around);
-                let fills_half = definition.fills && z != (0.0, placed.top());
-                let (foot, top) = match (definition.from, definition.to) {
-                    (Some(from), Some(to)) if !fills_half => {
-                        ((from * SHAKU).clamp(z0, z1), (to * SHAKU).clamp(z0, z1))
-                    }
-                    _ => z,
-                };
-                let (store, mut shown) = (&self.store, vec![]);
-                band(store, z0, foot, placed.around);
-                match unit.picture {
-                    Some(_) if top - foot <= 1e-3 => {}
-                    Some(id) => shown.push(Band {
-                        z: (foot, top),
-                        look: Look::Picture(id.0, Share::default()),
-                        picture: true,
-                    }),
-                    None => band(store, foot, top, main),
-                }
-                band(store, top, z1, placed.around);
-                out.extend(shown);
-            }
+            Content::Part(id) => self.part_bands(*id, unit.picture, (level, placed), z, out),
         }
     }
+
+    /// Returns the stripes of a part and of the wall above and below it.
+    fn part_bands(
+        &self,
+        id: PartId,
+        picture: Option<PictureId>,
+        at: (Level<'_>, &PlacedUnit<'_>),
+        z: (f64, f64),
+        out: &mut Vec<Band>,
+    ) {
+        let ((z0, z1), placed) = (z, at.1);
+        let mut band = |from: f64, to: f64, afar: FromAfar| {
+            if to - from > 1e-3 {
+                out.push(self.band(at, (from, to), afar));
+            }
+        };
+        let definition = self.catalog.part(id);
+        let around = FromAfar::of_surface(placed.around);
+        let main = self.store.from_afar(id, definition).unwrap_or(around);
+        let fills_half = definition.fills && z != (0.0, placed.top());
+        let (foot, top) = match (definition.from, definition.to) {
+            (Some(from), Some(to)) if !fills_half => {
+                ((from * SHAKU).clamp(z0, z1), (to * SHAKU).clamp(z0, z1))
+            }
+            _ => z,
+        };
+        let boarded = match definition.below {
+            Below::Dado => (z0 + DADO).min(foot),
+            _ => z0,
+        };
+        let boards = FromAfar::of_surface(SurfaceId::named("boards"));
+        band(z0, boarded, boards);
+        band(boarded, foot, around);
+        if picture.is_none() {
+            band(foot, top, main);
+        }
+        band(top, z1, around);
+        if let Some(id) = picture.filter(|_| top - foot > 1e-3) {
+            out.push(Band {
+                z: (foot, top),
+                look: Look::Picture(id.0, Share::default()),
+                picture: true,
+            });
+        }
+    }
+}
+
+/// Returns the mean colour of a bay and the halves of the posts beside it.
+fn with_posts(colour: [f32; 3], width: f64) -> [f32; 3] {
+    let wood = colour_of(SurfaceId::named("cedar")).unwrap_or(colour);
+    mixed(colour, wood, (2.0 * HALF_POST / width).min(0.5))
+}
+
+/// Returns a colour of which another one covers a share.
+fn mixed(colour: [f32; 3], other: [f32; 3], share: f64) -> [f32; 3] {
+    std::array::from_fn(|k| colour[k] + (other[k] - colour[k]) * share as f32)
 }
 
 /// Returns true if a bay is open between posts that are drawn.
@@ -285,6 +348,26 @@ fn draw(
                 false => dvec2(x + along, z),
             };
             *uv = uv_of.as_vec2().to_array();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::STONES;
+    use crate::texture::{embedded, samples::linear};
+
+    #[test]
+    fn foundations_have_the_colour_of_their_stones() {
+        let file = embedded("stone_color.jpg").expect("a texture");
+        let picture = image::load_from_memory(file)
+            .expect("a picture")
+            .into_rgb8();
+        let count = picture.pixels().len() as f64;
+        for (k, known) in STONES.into_iter().enumerate() {
+            let light = picture.pixels().map(|p| f64::from(linear(p.0[k])));
+            let mean = light.sum::<f64>() / count;
+            assert!((mean - f64::from(known)).abs() < 0.002, "{k}: {mean}");
         }
     }
 }
