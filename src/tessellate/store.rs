@@ -284,8 +284,8 @@ impl<'b> Store<'b> {
     }
 
     /// Returns what a part shows from afar; `None` if it has nothing of its own.
-    pub(super) fn from_afar(&self, id: PartId, part: &PartDef) -> Option<FromAfar> {
-        self.bank.from_afar(id, part)
+    pub(super) fn afar(&self, id: PartId, part: &PartDef) -> Option<FromAfar> {
+        self.bank.afar(id, part)
     }
 
     /// Returns the look of a surface weathered at a height.

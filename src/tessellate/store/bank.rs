@@ -115,7 +115,7 @@ impl Bank {
     }
 
     /// Returns what a part shows from afar.
-    pub(super) fn from_afar(&self, id: PartId, part: &PartDef) -> Option<FromAfar> {
+    pub(super) fn afar(&self, id: PartId, part: &PartDef) -> Option<FromAfar> {
         self.from_afar.get(id, || FromAfar::of(part))
     }
 

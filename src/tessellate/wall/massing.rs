@@ -245,7 +245,7 @@ impl Walker<'_> {
         };
         let definition = self.catalog.part(id);
         let around = FromAfar::of_surface(placed.around);
-        let main = self.store.from_afar(id, definition).unwrap_or(around);
+        let main = self.store.afar(id, definition).unwrap_or(around);
         let fills_half = definition.fills && z != (0.0, placed.top());
         let (foot, top) = match (definition.from, definition.to) {
             (Some(from), Some(to)) if !fills_half => {
