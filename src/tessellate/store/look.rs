@@ -36,10 +36,10 @@ pub(in crate::tessellate) enum Look {
 }
 
 /// Steps of a factor between 0 and 1 by which a surface gets another mean colour: few, so that like walls are of one material.
-const TONES: f32 = 32.0;
+const TONES: f32 = 16.0;
 
 /// Steps of a plain colour between black and white.
-const SHADES: f32 = 64.0;
+const SHADES: f32 = 16.0;
 
 impl Look {
     /// Returns the look of a surface; surfaces other than glass have one for every share of reflection.
