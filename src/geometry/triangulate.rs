@@ -187,7 +187,7 @@ pub(in crate::geometry) mod tests {
             .collect()
     }
 
-    /// A comb of so many teeth, two metres high.
+    /// Returns the outline of a comb that is two metres high and has this number of teeth, counter-clockwise.
     fn comb(teeth: usize) -> Vec<DVec2> {
         let tooth = |i: usize| {
             let x = 2.0 * i as f64;

@@ -1,6 +1,6 @@
-//! Ears of a ring of many corners, in rounds: each round looks at the corners that turn left, and neighbours of what it cut off
-//! wait for the next one, so that triangles do not all meet in one corner. Whether another corner lies in the triangle of an
-//! ear is asked of a grid; looking through all corners takes the square of their number.
+//! Cuts the ears off a ring of many corners, in rounds. Each round looks at the convex corners; the neighbours of a corner that
+//! was cut off wait for the next round, so that triangles do not all meet in one corner. A grid finds the corners inside of a
+//! triangle: with a search through all of them the time would grow with the square of their number.
 
 use crate::geometry::triangulate::{holds, shape, worth_blocked};
 use glam::DVec2;
@@ -15,8 +15,8 @@ pub(super) struct Cutting<'a> {
     /// How many are left, and one of them.
     left: usize,
     any: u32,
-    /// Corners that turn left, with the number of cuts beside each when it came here; those that were cut beside since stand
-    /// here again.
+    /// The queue of convex corners, each with the number of its neighbours that had been cut off when it joined. If that
+    /// number has grown since, the entry is out of date, and the corner has joined again.
     turns: VecDeque<(u32, u32)>,
     cuts_beside: Vec<u32>,
     places: Places,
@@ -73,7 +73,7 @@ impl<'a> Cutting<'a> {
         self.triangle(corner).map(|i| self.ring[i as usize])
     }
 
-    /// Lets a corner wait for its turn if it turns left.
+    /// Puts a corner at the end of the queue if it is convex.
     fn wait(&mut self, corner: u32) {
         if shape(self.corners(corner)).1 {
             let cuts = self.cuts_beside[corner as usize];
@@ -138,12 +138,12 @@ impl Places {
         places
     }
 
-    /// Returns a place in columns and rows.
+    /// Returns a place in the units of the grid: columns from the left, rows from below.
     fn steps(&self, place: DVec2) -> DVec2 {
         (place - self.least) / self.cell
     }
 
-    /// Returns the column or row at so many steps.
+    /// Returns the number of the column or row that holds a coordinate of the grid; the nearest one if it lies outside.
     fn line(&self, steps: f64) -> usize {
         (steps.max(0.0) as usize).min(self.count - 1)
     }

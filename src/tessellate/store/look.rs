@@ -29,16 +29,16 @@ pub(in crate::tessellate) enum Look {
     Picture(u32, Share),
     /// The mean colour of a surface.
     Plain(SurfaceId),
-    /// A surface in another mean colour: factors of its own, in steps of [`TONES`].
+    /// A surface in another mean colour: its own colour times these factors, which are [`TONES`] for 1.
     Toned(SurfaceId, [u8; 3]),
-    /// A plain colour, the square roots of linear RGB in steps of [`SHADES`].
+    /// A plain colour: the square roots of linear RGB, of which white has [`SHADES`].
     Mean([u8; 3]),
 }
 
-/// Steps of a factor between 0 and 1 by which a surface gets another mean colour: few, so that like walls are of one material.
+/// The number that stands for a factor of 1. It is small, so that walls of nearly the same colour share a material.
 const TONES: f32 = 16.0;
 
-/// Steps of a plain colour between black and white.
+/// The number that stands for a full channel of a plain colour, small for the same reason.
 const SHADES: f32 = 16.0;
 
 impl Look {
