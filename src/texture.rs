@@ -7,7 +7,8 @@
 //!
 //! The kernel is `noise` (random fields), `cells` (joints, grains and straws), `color` (ramps),
 //! `grain` (wood) and `paint` (sampling, relief); the materials are built from it and listed in
-//! `table`; `files` encodes textures as the files of `textures/`, `samples` samples them at points.
+//! `table`; `files` encodes textures as the files of `textures/`, `samples` samples them at points, `means`
+//! has their mean colours.
 //!
 //! Orientation: `u` runs to the right in the texture, `v` upwards (towards its top edge). On a
 //! roof `v` points up the slope.
@@ -16,6 +17,7 @@ mod surface;
 mod color;
 mod contact;
 mod files;
+mod means;
 mod noise;
 mod paint;
 pub mod samples;
@@ -23,6 +25,7 @@ mod table;
 
 pub use contact::contact_sheet;
 pub use files::{COLOR_SIZE, ORM_SIZE, embedded, encode, encode_all, is_embedded, jpeg, png};
+pub use means::mean;
 pub use table::SURFACES;
 
 use image::RgbImage;

@@ -14,6 +14,7 @@ use super::mesh::Soup;
 use crate::material::SurfaceId;
 use crate::tessellate::mesh::panel::Rect;
 use crate::texture::samples;
+use glam::DVec2;
 use image::{RgbImage, RgbaImage};
 use rays::{Hit, Rays};
 use relief::Relief;
@@ -85,19 +86,27 @@ pub(super) fn bake(
 ) -> Option<Picture> {
     let shown: Vec<&Shown> = soups.iter().map(|(id, _)| Shown::of(shown(*id))).collect();
     SCRATCH.with_borrow_mut(|scratch| {
-        let rays = Rays::cast(soups, rect, lens, std::mem::take(&mut scratch.hits));
+        let ahead = (rect, DVec2::ZERO);
+        let rays = Rays::cast(soups, ahead, lens, std::mem::take(&mut scratch.hits));
         let picture = develop(&rays, &shown, &mut scratch.relief);
         scratch.hits = rays.into_hits();
         picture
     })
 }
 
-/// Returns how many rays from straight ahead hit each surface first inside a rectangle.
-pub(super) fn seen(soups: &[(SurfaceId, Soup)], rect: Rect, lens: Lens) -> Vec<(SurfaceId, usize)> {
-    let rays = Rays::cast(soups, rect, lens, vec![]);
+/// Returns how many rays inside a rectangle hit each surface first, at slants as [`Rays::cast`] takes them.
+pub(super) fn seen(
+    soups: &[(SurfaceId, Soup)],
+    rect: Rect,
+    lens: Lens,
+    slants: &[DVec2],
+) -> Vec<(SurfaceId, usize)> {
     let mut seen: Vec<(SurfaceId, usize)> = soups.iter().map(|(id, _)| (*id, 0)).collect();
-    for surface in rays.surfaces() {
-        seen[surface].1 += 1;
+    for slant in slants {
+        let rays = Rays::cast(soups, (rect, *slant), lens, vec![]);
+        for surface in rays.surfaces() {
+            seen[surface].1 += 1;
+        }
     }
     seen
 }

@@ -69,7 +69,6 @@ impl<'a> Walker<'a> {
         let kind = match &fitting.what {
             FittingKind::Platform(_) | FittingKind::Plinth(_) => Kind::Platform,
             FittingKind::Veranda(_) => Kind::Veranda,
-            FittingKind::Beams(..) if detail == Detail::Body => return,
             FittingKind::Beams(..) => Kind::Member,
             FittingKind::Brackets(_) => Kind::Bracket,
             FittingKind::Finial(_) => Kind::Finial,

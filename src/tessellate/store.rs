@@ -256,7 +256,7 @@ impl<'b> Store<'b> {
         let mut looks = looks(self.weather.wear(soups));
         if flat {
             let minor = self.weather.wear(roof::soups(solids, given, is_minor));
-            looks.extend(minor.into_iter().map(|(id, soup)| (Look::plain(id), soup)));
+            looks.extend(minor.into_iter().map(|(id, soup)| (Look::Plain(id), soup)));
         }
         if looks.is_empty() {
             return None;
@@ -293,13 +293,10 @@ impl<'b> Store<'b> {
         Look::surface(self.weather.at(id, z), Share::default())
     }
 
-    /// Returns the look of a part from afar, weathered at a height as its main surface is.
-    pub(super) fn seen_at(&self, afar: FromAfar, z: f64) -> Look {
+    /// Returns the look of a part from afar in a mean colour, linear RGB, weathered at a height as its main surface is.
+    pub(super) fn seen_at(&self, afar: FromAfar, mean: [f32; 3], z: f64) -> Look {
         let aged = self.weather.at(afar.surface, z);
-        let colours = (afar.mean, colour_of(afar.surface), colour_of(aged));
-        let (Some(mean), Some(own), Some(now)) = colours else {
-            return Look::surface(aged, Share::default());
-        };
+        let (own, now) = (colour_of(afar.surface), colour_of(aged));
         let mean = std::array::from_fn(|k| now[k] * mean[k] / own[k].max(1e-3));
         match afar.textured {
             true => Look::toned(aged, mean),

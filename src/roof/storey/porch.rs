@@ -1,6 +1,7 @@
 //! Porches under a karahafu: one end is free, the other is closed by the house behind; the roof ends in its wall or, if
-//! it is higher than the wall, in its roof (a kurumayose in front of its hall).
+//! it is higher than the wall, in its roof (a kurumayose in front of its hall). A ceiling then hides the eaves that run on under it.
 
+use crate::building::{Finish, Solid};
 use crate::geometry::SHAKU;
 use crate::geometry::plan::{Cell, Plan};
 use crate::roof::frame::{end_sides, near_side};
@@ -9,9 +10,13 @@ use crate::roof::shape::end::End;
 use crate::roof::shape::form::RoofDraft;
 use crate::roof::shape::look::Look;
 use crate::roof::shape::profile::Profile;
+use crate::roof::solid::{INFILL_THICKNESS, prism};
 use crate::roof::storey::forms::Context;
 use crate::roof::storey::placed_line::PlacedLine;
+use glam::DVec3;
 
+/// Thickness of a ceiling's boards, metres.
+const BOARDS: f64 = 0.02;
 /// Depth to which a roof penetrates a wall, metres.
 const INTO: f64 = 0.03;
 /// Slopes behind count as gentler by this factor, since they may be curved (sori).
@@ -49,7 +54,18 @@ pub(in crate::roof) fn planned(
             depth => into(one, side, &look, context.metres(depth), context),
         }
     });
-    context.ridge_roof_with(one.cell, run, one.base, look, ends)
+    let mut draft = context.ridge_roof_with(one.cell, run, one.base, look, ends);
+    if ends.iter().any(|end| end.reach > INTO) {
+        draft.form.solids.push(ceiling(one, context));
+    }
+    draft
+}
+
+/// Returns a ceiling on the wall plates, within the gable wall.
+fn ceiling(one: &PlacedLine<'_>, context: &Context<'_>) -> Solid {
+    let within = context.rect(&one.cell).grown(-INFILL_THICKNESS);
+    let ring = within.corners().map(|p| p.extend(one.base));
+    prism(&ring, DVec3::Z * BOARDS, Finish::Timber)
 }
 
 /// Returns the end in a house of some depth behind.

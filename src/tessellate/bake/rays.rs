@@ -70,13 +70,16 @@ pub(super) struct Rays {
     pub(super) triangles: Vec<Triangle>,
     hits: Vec<Hit>,
     pub(super) panes: bool,
+    /// How far they go to the right and up on each metre into the house, metres.
+    slant: DVec2,
 }
 
 impl Rays {
-    /// Casts rays at soups. The hits are kept in memory that an earlier call has used.
+    /// Casts rays at soups, from straight ahead or at a slant: how far they go to the right and up on each metre into the house,
+    /// metres. The hits are kept in memory that an earlier call has used.
     pub(super) fn cast(
         soups: &[(SurfaceId, Soup)],
-        rect: Rect,
+        (rect, slant): (Rect, DVec2),
         lens: Lens,
         mut hits: Vec<Hit>,
     ) -> Rays {
@@ -91,6 +94,7 @@ impl Rays {
             triangles: vec![],
             hits,
             panes: lens.panes,
+            slant,
         };
         for (i, (_, soup)) in soups.iter().enumerate() {
             for triangle in soup.indices.chunks_exact(3) {
@@ -137,7 +141,7 @@ impl Rays {
         let point = |i: u32| soup.positions[i as usize].map(f64::from);
         let normal = DVec3::from(soup.normals[corners[0] as usize].map(f64::from));
         // Seen edge-on or from behind.
-        if normal.y > -1e-6 {
+        if normal.y + normal.x * self.slant.x + normal.z * self.slant.y > -1e-6 {
             return;
         }
         let p = corners.map(|i| DVec3::from(point(i)));
@@ -205,8 +209,9 @@ impl Rays {
 
     /// Converts a point to ray coordinates, y down.
     fn ray_of(&self, p: DVec3) -> DVec2 {
-        let x = (p.x - self.rect.x0) / self.rect.width() * self.width as f64;
-        let y = (self.rect.z1 - p.z) / self.rect.height() * self.height as f64;
+        let (right, up) = (p.x - self.slant.x * p.y, p.z - self.slant.y * p.y);
+        let x = (right - self.rect.x0) / self.rect.width() * self.width as f64;
+        let y = (self.rect.z1 - up) / self.rect.height() * self.height as f64;
         dvec2(x, y)
     }
 

@@ -1,6 +1,6 @@
 //! Bracket complexes (組物 kumimono): on each post a bearing block (大斗 daito), then arms (肘木 hijiki) with small blocks (斗
 //! masu) that step out once per level, until the last carries the purlin. With three steps a tail rafter (尾垂木 odaruki)
-//! bears down on it. At detail 1, a stepped corbel.
+//! bears down on it. At detail 1, a stepped corbel; at detail 0, a sloping one in one mesh with the beams.
 //!
 //! Frame of a complex: x along the wall, y into the house, z up from the top of the post.
 
@@ -59,16 +59,36 @@ impl Key {
     }
 }
 
-/// Builds the beams along the walls.
+/// Builds the beams along the walls; at detail 0 with what stands for the complexes and struts on them.
 pub(super) fn beams(it: &Brackets, detail: Detail) -> Bodies {
     let mut bodies = Bodies::default();
     for wall in &it.frieze {
         beam(&mut bodies, SurfaceId::named("plaster"), wall);
     }
-    if detail > Detail::Body {
-        it.beams.iter().for_each(|b| beam(&mut bodies, it.paint, b));
+    it.beams.iter().for_each(|b| beam(&mut bodies, it.paint, b));
+    if detail == Detail::Body {
+        it.heads
+            .iter()
+            .for_each(|head| slope(&mut bodies, it, head));
     }
     bodies
+}
+
+/// Adds a body that leans out as far as the arms of a complex would.
+fn slope(bodies: &mut Bodies, it: &Brackets, head: &Head) {
+    // At a corner both walls' arms meet on the diagonal.
+    let out = head.out + head.corner.unwrap_or(DVec2::ZERO);
+    let along = dvec2(-out.y, out.x).normalize_or_zero();
+    let across = along * (it.post * (0.7 + 0.18 * f64::from(it.steps)));
+    let at = |by: f64, z: f64| (head.at.truncate() + out * by - across).extend(head.at.z + z);
+    let (near, far) = (it.post * 0.4, it.reach + it.post * 0.4);
+    let ring = [
+        at(-near, 0.001),
+        at(near, 0.001),
+        at(far, it.purlin),
+        at(-near, it.purlin),
+    ];
+    bodies.slide(it.paint, &ring, (across * 2.0).extend(0.0), false);
 }
 
 /// Builds one complex.

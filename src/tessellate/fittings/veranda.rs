@@ -33,7 +33,7 @@ pub(super) fn bodies(it: &Veranda, detail: Detail) -> Bodies {
         if detail > Detail::Flat {
             below(&mut bodies, it, side);
         }
-        if it.rail != Rail::None && detail > Detail::Body {
+        if it.rail != Rail::None {
             let bends = [&it.sides[(i + n - 1) % n], &it.sides[(i + 1) % n]];
             railing(&mut bodies, it, side, bends, detail);
         }

@@ -10,21 +10,28 @@ use crate::tessellate::bake::{FAR, seen};
 use crate::tessellate::part::bay::Bay;
 use crate::tessellate::part::detail;
 use crate::tessellate::store::look::colour_of;
+use glam::{DVec2, dvec2};
 
-/// Width and height of a usual bay, metres: an Edo ken each.
-const USUAL: (f64, f64) = (6.0 * SHAKU, 6.0 * SHAKU);
+/// Widths and heights of bays that are looked at, metres: what is seen of one in between follows from them.
+const BAYS: [(f64, f64); 2] = [(3.0 * SHAKU, 4.0 * SHAKU), (9.0 * SHAKU, 12.0 * SHAKU)];
+
+/// Ways in which a passer-by and somebody on a hill look at a wall: to the right and up on each metre into the house, metres.
+const SLANTS: [DVec2; 2] = [dvec2(-0.7, -0.4), dvec2(0.7, -0.4)];
 
 /// A part from afar.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::tessellate) struct FromAfar {
-    /// That of which most is visible where the part fills a usual bay.
+    /// That of which most is visible.
     pub(in crate::tessellate) surface: SurfaceId,
     /// True if it is shown with its texture, toned to the mean colour: if little else is visible, or if it is glass. Otherwise
     /// the mean colour alone is as good.
     pub(in crate::tessellate) textured: bool,
-    /// The mean colour of what is visible between the posts, linear RGB, if those of all surfaces are known.
-    pub(in crate::tessellate) mean: Option<[f32; 3]>,
+    means: Means,
 }
+
+/// The mean colours, linear RGB, of what is visible between the posts in bays of the lesser and the greater height, and in
+/// each of the lesser and the greater width.
+type Means = [[[f32; 3]; 2]; 2];
 
 /// The least share of what is visible that a surface has whose texture is worth showing.
 const MAIN: f64 = 0.85;
@@ -35,7 +42,7 @@ impl FromAfar {
         FromAfar {
             surface,
             textured: true,
-            mean: colour_of(surface),
+            means: [[colour_of(surface); 2]; 2],
         }
     }
 
@@ -46,30 +53,53 @@ impl FromAfar {
             _ => e.place.finish,
         });
         let usual = part.finish.or(first)?;
-        let all = (0.0, USUAL.1);
-        let mut bay = Bay::new(part, USUAL, all, usual, Detail::Everything, None);
-        detail::elements(&mut bay, &part.body, None);
-        let seen = seen(&bay.bodies.soups, bay.clear, FAR);
-        let rays: usize = seen.iter().map(|s| s.1).sum();
-        let most = seen.iter().filter(|s| s.1 > 0).max_by_key(|s| s.1);
-        let Some((surface, count)) = most else {
+        let looks = BAYS.map(|(_, height)| {
+            BAYS.map(|(width, _)| {
+                let all = (0.0, height);
+                let mut bay = Bay::new(part, (width, height), all, usual, Detail::Everything, None);
+                detail::elements(&mut bay, &part.body, None);
+                seen(&bay.bodies.soups, bay.clear, FAR, &SLANTS)
+            })
+        });
+        let [[narrow, _], [_, wide]] = &looks;
+        let rays = |of: &Seen| of.iter().map(|s| s.1).sum::<usize>();
+        let most = wide.iter().filter(|s| s.1 > 0).max_by_key(|s| s.1);
+        let Some((surface, count)) = most.filter(|_| rays(narrow) > 0) else {
             return Some(FromAfar::of_surface(usual));
         };
         Some(FromAfar {
             surface: *surface,
-            textured: surface.surface().glass || *count as f64 >= MAIN * rays as f64,
-            mean: mean(&seen),
+            textured: surface.surface().glass || *count as f64 >= MAIN * rays(wide) as f64,
+            means: looks.map(|row| row.map(|seen| mean(&seen))),
         })
+    }
+
+    /// Returns the mean colour, linear RGB, of what is visible between the posts of a bay, metres. Frames keep their size, so
+    /// that what is left between them goes with one over the width and the height.
+    pub(in crate::tessellate) fn mean(&self, width: f64, height: f64) -> [f32; 3] {
+        let share = |of: f64, [least, most]: [f64; 2]| {
+            let [near, far, at] = [least, most, of].map(f64::recip);
+            ((at - near) / (far - near)).clamp(0.0, 1.0) as f32
+        };
+        let across = share(width, BAYS.map(|b| b.0));
+        let up = share(height, BAYS.map(|b| b.1));
+        let between = |[a, b]: [[f32; 3]; 2], by: f32| -> [f32; 3] {
+            std::array::from_fn(|k| a[k] + (b[k] - a[k]) * by)
+        };
+        between(self.means.map(|row| between(row, across)), up)
     }
 }
 
-/// Returns the mean colour of surfaces of which so much is visible; `None` if one of them has none.
-fn mean(seen: &[(SurfaceId, usize)]) -> Option<[f32; 3]> {
-    let mut sum = [0.0; 3];
-    for (surface, rays) in seen.iter().filter(|s| s.1 > 0) {
-        let colour = colour_of(*surface)?;
-        sum = std::array::from_fn(|k| sum[k] + colour[k] * *rays as f32);
+/// Surfaces, and how many rays hit each.
+type Seen = Vec<(SurfaceId, usize)>;
+
+/// Returns the mean colour of surfaces of which so much is visible.
+fn mean(seen: &Seen) -> [f32; 3] {
+    let (mut sum, mut rays) = ([0.0; 3], 0.0);
+    for (surface, count) in seen {
+        let (colour, count) = (colour_of(*surface), *count as f32);
+        rays += count;
+        sum = std::array::from_fn(|k| sum[k] + colour[k] * count);
     }
-    let rays: usize = seen.iter().map(|s| s.1).sum();
-    Some(sum.map(|x| x / rays as f32))
+    sum.map(|x| x / f32::max(rays, 1.0))
 }

@@ -1,9 +1,8 @@
 //! Looks: what a material shows, before the scene numbers its materials.
 
-use crate::material::{self, SurfaceId, dimmed};
+use crate::material::{SurfaceId, dimmed};
 use crate::scene::{Detail, Image, Material};
 use crate::texture;
-use std::sync::{LazyLock, OnceLock};
 
 /// Share of reflected light in thousandths; zero for surfaces that do not reflect.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -50,19 +49,9 @@ impl Look {
         }
     }
 
-    /// Returns the look of a surface without its texture; if the mean colour of that is not known, with it.
-    pub(in crate::tessellate) fn plain(id: SurfaceId) -> Look {
-        match id.surface().picture.map(mean) {
-            Some(None) => Look::surface(id, Share::default()),
-            _ => Look::Plain(id),
-        }
-    }
-
     /// Returns the look of a surface in a mean colour, linear RGB, as far as its own can be darkened or lightened to that.
     pub(in crate::tessellate) fn toned(id: SurfaceId, mean: [f32; 3]) -> Look {
-        let Some(own) = colour_of(id) else {
-            return Look::surface(id, Share::default());
-        };
+        let own = colour_of(id);
         let tint = shown_tint(id, Detail::Body);
         let tones = std::array::from_fn(|k| {
             // No factor of a material exceeds 1.
@@ -103,22 +92,11 @@ impl Look {
     }
 }
 
-/// Returns the mean colour of a look of the texture library, linear RGB, if it is known.
-fn mean(look: &str) -> Option<[f32; 3]> {
-    let (_, look) = texture::look(look)?;
-    look.mean.map(texture::linear)
-}
-
-/// Returns the mean colour that a surface shows from afar, linear RGB, if it is known.
-pub(in crate::tessellate) fn colour_of(id: SurfaceId) -> Option<[f32; 3]> {
-    type Known = OnceLock<Option<[f32; 3]>>;
-    static ALL: LazyLock<Vec<Known>> =
-        LazyLock::new(|| (0..material::count()).map(|_| Known::new()).collect());
-    *ALL[id.index()].get_or_init(|| {
-        let tint = shown_tint(id, Detail::Body);
-        let texture = id.surface().picture.map_or(Some([1.0; 3]), mean)?;
-        Some(std::array::from_fn(|k| tint[k] * texture[k]))
-    })
+/// Returns the mean colour that a surface shows from afar, linear RGB.
+pub(in crate::tessellate) fn colour_of(id: SurfaceId) -> [f32; 3] {
+    let tint = shown_tint(id, Detail::Body);
+    let texture = id.surface().picture.map_or([1.0; 3], texture::mean);
+    std::array::from_fn(|k| tint[k] * texture[k])
 }
 
 /// Returns the tint of a surface at a detail.
@@ -165,7 +143,7 @@ fn of_mean(shades: [u8; 3]) -> Material {
 
 fn of_plain(id: SurfaceId, detail: Detail) -> Material {
     let textured = of_surface(id, Share::default(), detail);
-    let [r, g, b] = id.surface().picture.and_then(mean).unwrap_or([1.0; 3]);
+    let [r, g, b] = id.surface().picture.map_or([1.0; 3], texture::mean);
     let [red, green, blue, opacity] = textured.tint;
     Material {
         name: format!("{}, plain", textured.name),

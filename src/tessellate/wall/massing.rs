@@ -15,6 +15,7 @@ use crate::tessellate::part::bay::HALF_POST;
 use crate::tessellate::store::draft::MeshDraft;
 use crate::tessellate::store::from_afar::FromAfar;
 use crate::tessellate::store::look::{Look, Share, colour_of};
+use crate::tessellate::wall::member::{PLATE, SILL};
 use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::{Level, Walker, turn_of};
 use glam::{DVec3, dvec2};
@@ -23,8 +24,8 @@ use smallvec::{SmallVec, smallvec};
 /// Corners sharper than this many faces are not mitred to their point.
 const LONGEST: f64 = 4.0;
 
-/// The mean colour of the stones of a foundation, linear RGB.
-const STONES: [f32; 3] = [0.299, 0.276, 0.246];
+/// How much more of a post is seen because it stands before its wall and one looks along it, metres.
+const PROUD: f64 = 0.03;
 
 /// A horizontal stripe of a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -183,18 +184,24 @@ impl Walker<'_> {
         (from, to): (f64, f64),
         afar: FromAfar,
     ) -> Band {
-        let mut mean = afar.mean;
+        let mut mean = afar.mean(placed.width, to - from);
         if level.post().is_none() && placed.stance == Stance::Posts {
-            mean = mean.map(|colour| with_posts(colour, placed.width));
+            let wood = colour_of(SurfaceId::named("cedar"));
+            mean = mixed(mean, wood, (2.0 * HALF_POST + PROUD) / placed.width);
+            if (to - placed.top()).abs() < 1e-3 {
+                mean = mixed(mean, wood, PLATE / (to - from));
+            }
         }
-        // The lowest stripe goes down to the ground, over the stones of the foundation.
+        // The lowest stripe goes down to the ground, over the sill and the stones under it.
         if level.grounded() && from.abs() < 1e-3 {
-            mean = mean.map(|colour| mixed(colour, STONES, FOUNDATION / (to + FOUNDATION)));
+            let below = |height: f64| height / (to + FOUNDATION);
+            let [wood, stone] = ["cedar", "stone"].map(|name| colour_of(SurfaceId::named(name)));
+            mean = mixed(mean, wood, below(SILL));
+            mean = mixed(mean, stone, below(FOUNDATION - SILL));
         }
-        let seen = FromAfar { mean, ..afar };
         Band {
             z: (from, to),
-            look: self.store.seen_at(seen, f64::midpoint(from, to)),
+            look: self.store.seen_at(afar, mean, f64::midpoint(from, to)),
             picture: false,
         }
     }
@@ -274,15 +281,10 @@ impl Walker<'_> {
     }
 }
 
-/// Returns the mean colour of a bay and the halves of the posts beside it.
-fn with_posts(colour: [f32; 3], width: f64) -> [f32; 3] {
-    let wood = colour_of(SurfaceId::named("cedar")).unwrap_or(colour);
-    mixed(colour, wood, (2.0 * HALF_POST / width).min(0.5))
-}
-
-/// Returns a colour of which another one covers a share.
+/// Returns a colour of which another one covers a share, at most half.
 fn mixed(colour: [f32; 3], other: [f32; 3], share: f64) -> [f32; 3] {
-    std::array::from_fn(|k| colour[k] + (other[k] - colour[k]) * share as f32)
+    let share = share.min(0.5) as f32;
+    std::array::from_fn(|k| colour[k] + (other[k] - colour[k]) * share)
 }
 
 /// Returns true if a bay is open between posts that are drawn.
@@ -348,26 +350,6 @@ fn draw(
                 false => dvec2(x + along, z),
             };
             *uv = uv_of.as_vec2().to_array();
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::STONES;
-    use crate::texture::{embedded, samples::linear};
-
-    #[test]
-    fn foundations_have_the_colour_of_their_stones() {
-        let file = embedded("stone_color.jpg").expect("a texture");
-        let picture = image::load_from_memory(file)
-            .expect("a picture")
-            .into_rgb8();
-        let count = picture.pixels().len() as f64;
-        for (k, known) in STONES.into_iter().enumerate() {
-            let light = picture.pixels().map(|p| f64::from(linear(p.0[k])));
-            let mean = light.sum::<f64>() / count;
-            assert!((mean - f64::from(known)).abs() < 0.002, "{k}: {mean}");
         }
     }
 }

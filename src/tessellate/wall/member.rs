@@ -22,7 +22,10 @@ pub(in crate::tessellate) const POST: f64 = 0.1212;
 const THROUGH: f64 = 0.1364;
 
 /// Height of the wall plate, metres.
-const PLATE: f64 = 0.150;
+pub(in crate::tessellate) const PLATE: f64 = 0.150;
+
+/// Height of the sill, metres.
+pub(in crate::tessellate) const SILL: f64 = 0.105;
 
 /// The height that the wall plate takes from openings.
 pub(in crate::tessellate) struct LintelRoom;
@@ -56,7 +59,7 @@ static MEMBERS: [Beam; 5] = [
         name: "sill",
         finish: "cedar",
         half: 0.0565,
-        z: (-0.105, 0.0),
+        z: (-SILL, 0.0),
     },
     Beam {
         name: "foundation",
