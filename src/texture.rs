@@ -20,6 +20,7 @@ mod files;
 mod means;
 mod noise;
 mod paint;
+pub mod palette;
 pub mod samples;
 mod table;
 

@@ -8,7 +8,7 @@ mod png;
 use crate::backend::{Images, PictureBytes, SurfaceFiles};
 use crate::scene::Baked;
 use crate::source::World;
-use crate::texture;
+use crate::texture::{self, palette};
 use std::borrow::Cow;
 use std::io::{BufRead, Cursor, Seek};
 use std::sync::Arc;
@@ -111,6 +111,18 @@ fn page((index, baked): (usize, &Baked)) -> Page {
 
 impl Images for Library {
     fn files(&self, look: &str) -> Option<SurfaceFiles<'_>> {
+        if look == palette::COLOURS {
+            return Some(SurfaceFiles {
+                metres: 1.0,
+                color: PictureBytes {
+                    name: Cow::Borrowed(palette::FILE),
+                    bytes: palette::picture(),
+                },
+                normal: None,
+                orm: None,
+                gloss: palette::GLOSS,
+            });
+        }
         let (surface, look) = texture::look(look)?;
         let file = |name: String| {
             Some(PictureBytes {

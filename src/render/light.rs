@@ -3,6 +3,7 @@
 use crate::render::raster::Grid;
 use crate::render::view::{Hit, Triangle, View};
 use crate::scene::{Image, Scene};
+use crate::texture::palette;
 use crate::texture::samples::{self, Samples, encoded};
 use glam::{DVec2, DVec3, dvec3};
 use image::{GenericImageView, Rgb, RgbImage, RgbaImage};
@@ -29,6 +30,8 @@ const BIAS: f64 = 0.06;
 /// The texture of a material.
 enum Texture {
     Plain,
+    /// The picture of all colours.
+    Colours,
     Surface(&'static Samples),
     /// A baked texture of parts.
     Page(RgbaImage),
@@ -49,6 +52,7 @@ impl<'a> Appearance<'a> {
         pictures: &dyn Fn(u32) -> Option<RgbImage>,
     ) -> Appearance<'a> {
         let textures = scene.materials.iter().map(|m| match m.image {
+            Image::Surface(palette::COLOURS) => Some(Texture::Colours),
             Image::Surface(name) => samples::samples(name).map(Texture::Surface),
             Image::Baked(page) => scene
                 .baked
@@ -89,6 +93,10 @@ impl<'a> Appearance<'a> {
         let plain = match (&self.textures[id], &material.image) {
             (Texture::Surface(samples), _) => {
                 DVec3::from_array(samples.at(uv.x, uv.y).color.map(f64::from))
+            }
+            (Texture::Colours, _) => {
+                let [u, v] = uv.as_vec2().to_array();
+                DVec3::from_array(palette::colour([u, v]).map(f64::from))
             }
             (Texture::Page(page), _) => pixel(page, uv).map_or(OWN_PICTURE, |p| {
                 let [r, g, b, _] = p.0;

@@ -94,18 +94,21 @@ pub(super) fn bake(
     })
 }
 
-/// Returns how many rays inside a rectangle hit each surface first, at slants as [`Rays::cast`] takes them.
+/// Returns how many rays hit each surface first in each of so many rows of a rectangle, from its foot, at slants as
+/// [`Rays::cast`] takes them.
 pub(super) fn seen(
     soups: &[(SurfaceId, Soup)],
     rect: Rect,
     lens: Lens,
     slants: &[DVec2],
-) -> Vec<(SurfaceId, usize)> {
-    let mut seen: Vec<(SurfaceId, usize)> = soups.iter().map(|(id, _)| (*id, 0)).collect();
+    rows: usize,
+) -> Vec<Vec<(SurfaceId, usize)>> {
+    let none: Vec<(SurfaceId, usize)> = soups.iter().map(|(id, _)| (*id, 0)).collect();
+    let mut seen = vec![none; rows];
     for slant in slants {
         let rays = Rays::cast(soups, (rect, *slant), lens, vec![]);
-        for surface in rays.surfaces() {
-            seen[surface].1 += 1;
+        for (surface, height) in rays.surfaces() {
+            seen[((height * rows as f64) as usize).min(rows - 1)][surface].1 += 1;
         }
     }
     seen

@@ -32,6 +32,18 @@ pub(super) struct Bodies {
 /// Bodies thinner than this are left out, metres.
 pub(super) const THIN: f64 = 1e-3;
 
+impl Soup {
+    /// Returns both as one.
+    pub(super) fn joined(mut self, other: Soup) -> Soup {
+        let first = self.positions.len() as u32;
+        self.positions.extend(other.positions);
+        self.normals.extend(other.normals);
+        self.uvs.extend(other.uvs);
+        self.indices.extend(other.indices.iter().map(|i| i + first));
+        self
+    }
+}
+
 impl Bodies {
     /// Returns the soup of a surface.
     pub(super) fn soup(&mut self, finish: SurfaceId) -> &mut Soup {

@@ -15,13 +15,14 @@ use crate::catalog::{PartDef, PartId};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, MeshId};
 use crate::tessellate::roof::{self, Given, is_minor};
-use crate::tessellate::store::from_afar::FromAfar;
+use crate::tessellate::store::from_afar::{FromAfar, Stripe};
 use crate::tessellate::trim;
 use crate::tessellate::trim::{Body, Row};
+use crate::texture::palette;
 use bank::Bank;
 use draft::{ImageQuad, MeshDraft};
 use glam::DVec2;
-use look::{Look, Share, colour_of};
+use look::{Look, Share, Shown, colour_of};
 use part_images::ShadedImage;
 use std::collections::HashMap;
 use std::hash::BuildHasherDefault;
@@ -70,6 +71,9 @@ pub(super) fn tenths(metres: f64) -> u32 {
 
 /// Distance of panes behind the image of their frame, metres.
 const BEHIND: f64 = 0.010;
+
+/// How far the mean colour of a stripe may be from that of its texture to show it, as a share.
+const NEARLY: f32 = 0.06;
 
 /// The meshes of some houses. The [`MeshId`]s it gives are indices into its drafts.
 #[derive(Debug)]
@@ -256,7 +260,7 @@ impl<'b> Store<'b> {
         let mut looks = looks(self.weather.wear(soups));
         if flat {
             let minor = self.weather.wear(roof::soups(solids, given, is_minor));
-            looks.extend(minor.into_iter().map(|(id, soup)| (Look::Plain(id), soup)));
+            looks.extend(coloured(minor));
         }
         if looks.is_empty() {
             return None;
@@ -293,14 +297,19 @@ impl<'b> Store<'b> {
         Look::surface(self.weather.at(id, z), Share::default())
     }
 
-    /// Returns the look of a part from afar in a mean colour, linear RGB, weathered at a height as its main surface is.
-    pub(super) fn seen_at(&self, afar: FromAfar, mean: [f32; 3], z: f64) -> Look {
-        let aged = self.weather.at(afar.surface, z);
-        let (own, now) = (colour_of(afar.surface), colour_of(aged));
+    /// Returns how a stripe looks from afar in a mean colour, linear RGB, weathered at a height as its main surface is.
+    pub(super) fn seen_at(&self, stripe: Stripe, mean: [f32; 3], z: f64) -> Shown {
+        let aged = self.weather.at(stripe.surface, z);
+        let (own, now) = (colour_of(stripe.surface), colour_of(aged));
         let mean = std::array::from_fn(|k| now[k] * mean[k] / own[k].max(1e-3));
-        match afar.textured {
-            true => Look::toned(aged, mean),
-            false => Look::mean(mean),
+        let near = (0..3).all(|k| (mean[k] / now[k].max(1e-3) - 1.0).abs() < NEARLY);
+        match (stripe.textured, aged.surface().glass) {
+            (true, true) => Shown::of(Look::toned(aged, mean)),
+            (true, false) if near => Shown::of(Look::surface(aged, Share::default())),
+            _ => Shown {
+                look: Look::Colours,
+                place: Some(palette::place(mean)),
+            },
         }
     }
 
@@ -308,6 +317,17 @@ impl<'b> Store<'b> {
     pub(super) fn into_drafts(self) -> Vec<Arc<MeshDraft>> {
         self.drafts
     }
+}
+
+/// Returns surfaces in their mean colours, as one soup; nothing if there are none.
+fn coloured(soups: Vec<(SurfaceId, Soup)>) -> Option<(Look, Soup)> {
+    let of = |(id, mut soup): (SurfaceId, Soup)| {
+        soup.uvs.fill(palette::place(colour_of(id)));
+        soup
+    };
+    let mut soups = soups.into_iter().map(of);
+    let first = soups.next()?;
+    Some((Look::Colours, soups.fold(first, Soup::joined)))
 }
 
 /// Returns the looks of surfaces without reflection.

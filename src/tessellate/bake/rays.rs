@@ -109,10 +109,14 @@ impl Rays {
         self.hits
     }
 
-    /// Returns the index of the soup that each ray hits; those that hit nothing have none.
-    pub(super) fn surfaces(&self) -> impl Iterator<Item = usize> + '_ {
-        let hits = self.hits.iter();
-        hits.filter_map(|hit| Some(self.triangles.get(hit.triangle as usize)?.surface))
+    /// Returns the index of the soup that each ray hits, and the ray's height as a share of the rectangle's; those that hit
+    /// nothing have none.
+    pub(super) fn surfaces(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.hits.iter().enumerate().filter_map(|(n, hit)| {
+            let surface = self.triangles.get(hit.triangle as usize)?.surface;
+            let down = (n / self.width) as f64 + 0.5;
+            Some((surface, 1.0 - down / self.height as f64))
+        })
     }
 
     /// Returns the size of the image, pixels.

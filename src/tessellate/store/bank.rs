@@ -7,7 +7,7 @@ use crate::catalog::{PartDef, PartId};
 use crate::material::SurfaceId;
 use crate::tessellate::hasher::NumberHasher;
 use crate::tessellate::store::draft::MeshDraft;
-use crate::tessellate::store::from_afar::FromAfar;
+use crate::tessellate::store::from_afar::{self, FromAfar};
 use crate::tessellate::store::part_images::PanelImage;
 use crate::tessellate::store::{Key, PartKey};
 use crate::tessellate::weather::panel_look::{PanelAreas, PanelLook};
@@ -116,7 +116,7 @@ impl Bank {
 
     /// Returns what a part shows from afar.
     pub(super) fn afar(&self, id: PartId, part: &PartDef) -> Option<FromAfar> {
-        self.from_afar.get(id, || FromAfar::of(part))
+        self.from_afar.get(id, || from_afar::of(part))
     }
 
     fn drafts(&self) -> MutexGuard<'_, Drafts> {

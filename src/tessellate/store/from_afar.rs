@@ -1,5 +1,5 @@
-//! What a part shows from afar, where it is one stripe of a wall: its main surface, in the mean colour of all that is visible
-//! of it.
+//! What a part shows from afar, where it is a few stripes of a wall: of each its main surface, in the mean colour of all that is
+//! visible of it.
 
 use crate::catalog::PartDef;
 use crate::catalog::body::Shape;
@@ -11,16 +11,35 @@ use crate::tessellate::part::bay::Bay;
 use crate::tessellate::part::detail;
 use crate::tessellate::store::look::colour_of;
 use glam::{DVec2, dvec2};
+use smallvec::{SmallVec, smallvec};
+use std::ops::Range;
 
 /// Widths and heights of bays that are looked at, metres: what is seen of one in between follows from them.
-const BAYS: [(f64, f64); 2] = [(3.0 * SHAKU, 4.0 * SHAKU), (9.0 * SHAKU, 12.0 * SHAKU)];
+const BAYS: [(f64, f64); 2] = [(3.0 * SHAKU, 4.0 * SHAKU), (6.0 * SHAKU, 9.0 * SHAKU)];
 
 /// Ways in which a passer-by and somebody on a hill look at a wall: to the right and up on each metre into the house, metres.
 const SLANTS: [DVec2; 2] = [dvec2(-0.7, -0.4), dvec2(0.7, -0.4)];
 
-/// A part from afar.
+/// Rows into which the height of a part is divided; those that look alike are one stripe.
+const ROWS: usize = 8;
+
+/// The most stripes of a part.
+const MOST: usize = 3;
+
+/// The greatest difference of a channel, linear, of rows that look alike.
+const ALIKE: f32 = 0.12;
+
+/// The least share of what is visible that a surface has whose texture is worth showing.
+const MAIN: f64 = 0.85;
+
+/// A part from afar: its stripes from the foot to the top.
+pub(in crate::tessellate) type FromAfar = SmallVec<[Stripe; 1]>;
+
+/// A horizontal stripe of a part.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::tessellate) struct FromAfar {
+pub(in crate::tessellate) struct Stripe {
+    /// Its foot and its top as shares of the part's height.
+    pub(in crate::tessellate) z: (f64, f64),
     /// That of which most is visible.
     pub(in crate::tessellate) surface: SurfaceId,
     /// True if it is shown with its texture, toned to the mean colour: if little else is visible, or if it is glass. Otherwise
@@ -33,44 +52,34 @@ pub(in crate::tessellate) struct FromAfar {
 /// each of the lesser and the greater width.
 type Means = [[[f32; 3]; 2]; 2];
 
-/// The least share of what is visible that a surface has whose texture is worth showing.
-const MAIN: f64 = 0.85;
+/// Surfaces, and how many rays hit each.
+type Seen = Vec<(SurfaceId, usize)>;
 
-impl FromAfar {
-    /// Looks at a wall of one surface.
-    pub(in crate::tessellate) fn of_surface(surface: SurfaceId) -> FromAfar {
-        FromAfar {
+impl Stripe {
+    /// Returns that of a wall of one surface.
+    pub(in crate::tessellate) fn of_surface(surface: SurfaceId) -> Stripe {
+        Stripe {
+            z: (0.0, 1.0),
             surface,
             textured: true,
             means: [[colour_of(surface); 2]; 2],
         }
     }
 
-    /// Looks at a part; `None` if it has nothing of its own.
-    pub(in crate::tessellate) fn of(part: &PartDef) -> Option<FromAfar> {
-        let first = part.body.first().map(|e| match &e.shape {
-            Shape::Leaf(leaf) => leaf.pane,
-            _ => e.place.finish,
-        });
-        let usual = part.finish.or(first)?;
-        let looks = BAYS.map(|(_, height)| {
-            BAYS.map(|(width, _)| {
-                let all = (0.0, height);
-                let mut bay = Bay::new(part, (width, height), all, usual, Detail::Everything, None);
-                detail::elements(&mut bay, &part.body, None);
-                seen(&bay.bodies.soups, bay.clear, FAR, &SLANTS)
-            })
-        });
-        let [[narrow, _], [_, wide]] = &looks;
-        let rays = |of: &Seen| of.iter().map(|s| s.1).sum::<usize>();
-        let most = wide.iter().filter(|s| s.1 > 0).max_by_key(|s| s.1);
-        let Some((surface, count)) = most.filter(|_| rays(narrow) > 0) else {
-            return Some(FromAfar::of_surface(usual));
-        };
-        Some(FromAfar {
-            surface: *surface,
-            textured: surface.surface().glass || *count as f64 >= MAIN * rays(wide) as f64,
-            means: looks.map(|row| row.map(|seen| mean(&seen))),
+    /// Returns that of rows, as what is seen of them in the bays of [`BAYS`]; `None` if nothing is.
+    fn of_rows(rows: Range<usize>, bays: &[[Vec<Seen>; 2]; 2]) -> Option<Stripe> {
+        let all = |bay: &Vec<Seen>| together(&bay[rows.clone()]);
+        let wide = all(&bays[1][1]);
+        let (surface, count) = *wide.iter().max_by_key(|s| s.1)?;
+        let textured = count as f64 >= MAIN * wide.iter().map(|s| s.1).sum::<usize>() as f64;
+        let share = |row: usize| row as f64 / ROWS as f64;
+        Some(Stripe {
+            z: (share(rows.start), share(rows.end)),
+            surface,
+            textured: surface.surface().glass || textured,
+            means: bays
+                .each_ref()
+                .map(|of| of.each_ref().map(|bay| mean(&all(bay)))),
         })
     }
 
@@ -88,10 +97,59 @@ impl FromAfar {
         };
         between(self.means.map(|row| between(row, across)), up)
     }
+
+    /// Returns how far the colours of two are apart in a large bay.
+    fn apart(&self, other: &Stripe) -> f32 {
+        let (a, b) = (self.means[1][1], other.means[1][1]);
+        (0..3).map(|k| (a[k] - b[k]).abs()).fold(0.0, f32::max)
+    }
 }
 
-/// Surfaces, and how many rays hit each.
-type Seen = Vec<(SurfaceId, usize)>;
+/// Looks at a part; `None` if it has nothing of its own.
+pub(super) fn of(part: &PartDef) -> Option<FromAfar> {
+    let first = part.body.first().map(|e| match &e.shape {
+        Shape::Leaf(leaf) => leaf.pane,
+        _ => e.place.finish,
+    });
+    let usual = part.finish.or(first)?;
+    let bays = BAYS.map(|(_, height)| {
+        BAYS.map(|(width, _)| {
+            let all = (0.0, height);
+            let mut bay = Bay::new(part, (width, height), all, usual, Detail::Everything, None);
+            detail::elements(&mut bay, &part.body, None);
+            seen(&bay.bodies.soups, bay.clear, FAR, &SLANTS, ROWS)
+        })
+    });
+    let hit = |bay: &Vec<Seen>| bay.iter().all(|row| row.iter().any(|s| s.1 > 0));
+    if !bays.iter().flatten().all(hit) {
+        return Some(smallvec![Stripe::of_surface(usual)]);
+    }
+    let rows = |rows: Range<usize>| Stripe::of_rows(rows, &bays);
+    let mut stripes: FromAfar = (0..ROWS).filter_map(|n| rows(n..n + 1)).collect();
+    loop {
+        let pairs = stripes.windows(2).map(|w| w[0].apart(&w[1]));
+        let nearest = pairs.enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+        let Some((n, _)) = nearest.filter(|(_, by)| *by < ALIKE || stripes.len() > MOST) else {
+            return Some(stripes);
+        };
+        let row = |share: f64| (share * ROWS as f64).round() as usize;
+        if let Some(both) = rows(row(stripes[n].z.0)..row(stripes[n + 1].z.1)) {
+            stripes[n] = both;
+        }
+        stripes.remove(n + 1);
+    }
+}
+
+/// Returns what is seen of several rows.
+fn together(rows: &[Seen]) -> Seen {
+    let mut all = rows[0].clone();
+    for row in &rows[1..] {
+        all.iter_mut()
+            .zip(row)
+            .for_each(|(sum, (_, count))| sum.1 += count);
+    }
+    all
+}
 
 /// Returns the mean colour of surfaces of which so much is visible.
 fn mean(seen: &Seen) -> [f32; 3] {

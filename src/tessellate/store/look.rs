@@ -2,7 +2,7 @@
 
 use crate::material::{SurfaceId, dimmed};
 use crate::scene::{Detail, Image, Material};
-use crate::texture;
+use crate::texture::{self, palette};
 
 /// Share of reflected light in thousandths; zero for surfaces that do not reflect.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -26,19 +26,28 @@ pub(in crate::tessellate) enum Look {
     Surface(SurfaceId, Share),
     /// A part texture by its number in the run, and the light that it reflects.
     Picture(u32, Share),
-    /// The mean colour of a surface.
-    Plain(SurfaceId),
-    /// A surface in another mean colour: its own colour times these factors, which are [`TONES`] for 1.
+    /// Glass in another mean colour: its own colour times these factors, which are [`TONES`] for 1.
     Toned(SurfaceId, [u8; 3]),
-    /// A plain colour: the square roots of linear RGB, of which white has [`SHADES`].
-    Mean([u8; 3]),
+    /// Plain colours, each at its place in the picture of all.
+    Colours,
 }
 
-/// The number that stands for a factor of 1. It is small, so that walls of nearly the same colour share a material.
-const TONES: f32 = 16.0;
+/// A look, and for one of [`Look::Colours`] the place of its colour: that of all corners in the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::tessellate) struct Shown {
+    pub(in crate::tessellate) look: Look,
+    pub(in crate::tessellate) place: Option<[f32; 2]>,
+}
 
-/// The number that stands for a full channel of a plain colour, small for the same reason.
-const SHADES: f32 = 16.0;
+impl Shown {
+    /// Returns that of a look with places of its own.
+    pub(in crate::tessellate) fn of(look: Look) -> Shown {
+        Shown { look, place: None }
+    }
+}
+
+/// The number that stands for a factor of 1. It is small, so that panes of nearly the same colour share a material.
+const TONES: f32 = 32.0;
 
 impl Look {
     /// Returns the look of a surface; surfaces other than glass have one for every share of reflection.
@@ -64,19 +73,13 @@ impl Look {
         }
     }
 
-    /// Returns the look of a plain colour, linear RGB.
-    pub(in crate::tessellate) fn mean(colour: [f32; 3]) -> Look {
-        Look::Mean(colour.map(|c| (SHADES * c.clamp(0.0, 1.0).sqrt()).round() as u8))
-    }
-
     /// Returns three numbers that no other look has.
     pub(super) fn numbers(self) -> [u32; 3] {
         match self {
             Look::Surface(id, share) => [0, id.index() as u32, share.0.into()],
             Look::Picture(number, share) => [1, number, share.0.into()],
-            Look::Plain(id) => [2, id.index() as u32, 0],
-            Look::Toned(id, [r, g, b]) => [3, id.index() as u32, u32::from_be_bytes([0, r, g, b])],
-            Look::Mean([r, g, b]) => [4, 0, u32::from_be_bytes([0, r, g, b])],
+            Look::Toned(id, [r, g, b]) => [2, id.index() as u32, u32::from_be_bytes([0, r, g, b])],
+            Look::Colours => [3, 0, 0],
         }
     }
 
@@ -85,9 +88,8 @@ impl Look {
         match self {
             Look::Surface(id, share) => of_surface(id, share, detail),
             Look::Picture(number, share) => of_picture(number, share),
-            Look::Plain(id) => of_plain(id, detail),
             Look::Toned(id, tones) => of_toned(id, tones, detail),
-            Look::Mean(shades) => of_mean(shades),
+            Look::Colours => of_colours(),
         }
     }
 }
@@ -125,31 +127,18 @@ fn of_toned(id: SurfaceId, tones: [u8; 3], detail: Detail) -> Material {
     }
 }
 
-fn of_mean(shades: [u8; 3]) -> Material {
-    let [r, g, b] = shades.map(|shade| (f32::from(shade) / SHADES).powi(2));
-    let [x, y, z] = shades;
+fn of_colours() -> Material {
+    let [roughness, metallic] = palette::GLOSS;
     Material {
-        name: format!("mean colour {x} {y} {z}"),
-        image: Image::None,
-        tint: [r, g, b, 1.0],
-        roughness: 0.8,
-        metallic: 0.0,
+        name: palette::COLOURS.to_owned(),
+        image: Image::Surface(palette::COLOURS),
+        tint: [1.0; 4],
+        roughness,
+        metallic,
         double_sided: false,
         cutout: false,
         reflection: None,
         mirrored: None,
-    }
-}
-
-fn of_plain(id: SurfaceId, detail: Detail) -> Material {
-    let textured = of_surface(id, Share::default(), detail);
-    let [r, g, b] = id.surface().picture.map_or([1.0; 3], texture::mean);
-    let [red, green, blue, opacity] = textured.tint;
-    Material {
-        name: format!("{}, plain", textured.name),
-        image: Image::None,
-        tint: [red * r, green * g, blue * b, opacity],
-        ..textured
     }
 }
 

@@ -13,8 +13,8 @@ use crate::tessellate::mesh::Soup;
 use crate::tessellate::part::DADO;
 use crate::tessellate::part::bay::HALF_POST;
 use crate::tessellate::store::draft::MeshDraft;
-use crate::tessellate::store::from_afar::FromAfar;
-use crate::tessellate::store::look::{Look, Share, colour_of};
+use crate::tessellate::store::from_afar::Stripe;
+use crate::tessellate::store::look::{Look, Share, Shown, colour_of};
 use crate::tessellate::wall::member::{PLATE, SILL};
 use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::{Level, Walker, turn_of};
@@ -32,7 +32,7 @@ const PROUD: f64 = 0.03;
 struct Band {
     /// Foot and top above the storey's floor, metres.
     z: (f64, f64),
-    look: Look,
+    shown: Shown,
     /// True if the material is an image that spans the band once.
     picture: bool,
 }
@@ -118,7 +118,7 @@ impl Walker<'_> {
                 let stone = self.store.surface_at(SurfaceId::named("stone"), 0.0);
                 bands.push(Band {
                     z: (-FOUNDATION, 0.0),
-                    look: stone,
+                    shown: Shown::of(stone),
                     picture: false,
                 });
             }
@@ -168,7 +168,7 @@ impl Walker<'_> {
                     tops: section.tops,
                     bands: vec![Band {
                         z,
-                        look,
+                        shown: Shown::of(look),
                         picture: false,
                     }],
                 });
@@ -177,14 +177,14 @@ impl Walker<'_> {
         found
     }
 
-    /// Returns a stripe in the mean colour of what is seen there.
+    /// Returns a stripe in the mean colour of what is seen there; `height` is that of the part to which it belongs.
     fn band(
         &self,
         (level, placed): (Level<'_>, &PlacedUnit<'_>),
         (from, to): (f64, f64),
-        afar: FromAfar,
+        (stripe, height): (Stripe, f64),
     ) -> Band {
-        let mut mean = afar.mean(placed.width, to - from);
+        let mut mean = stripe.mean(placed.width, height);
         if level.post().is_none() && placed.stance == Stance::Posts {
             let wood = colour_of(SurfaceId::named("cedar"));
             mean = mixed(mean, wood, (2.0 * HALF_POST + PROUD) / placed.width);
@@ -201,7 +201,7 @@ impl Walker<'_> {
         }
         Band {
             z: (from, to),
-            look: self.store.seen_at(afar, mean, f64::midpoint(from, to)),
+            shown: self.store.seen_at(stripe, mean, f64::midpoint(from, to)),
             picture: false,
         }
     }
@@ -219,7 +219,7 @@ impl Walker<'_> {
             Content::Void => {}
             Content::Picture(id) => out.push(Band {
                 z,
-                look: Look::Picture(id.0, Share::default()),
+                shown: Shown::of(Look::Picture(id.0, Share::default())),
                 picture: true,
             }),
             Content::Split(split) => {
@@ -245,14 +245,17 @@ impl Walker<'_> {
         out: &mut Vec<Band>,
     ) {
         let ((z0, z1), placed) = (z, at.1);
-        let mut band = |from: f64, to: f64, afar: FromAfar| {
-            if to - from > 1e-3 {
-                out.push(self.band(at, (from, to), afar));
+        let mut band = |from: f64, to: f64, afar: &[Stripe]| {
+            let height = to - from;
+            for stripe in afar.iter().filter(|_| height > 1e-3) {
+                let z = (from + height * stripe.z.0, from + height * stripe.z.1);
+                out.push(self.band(at, z, (*stripe, height)));
             }
         };
         let definition = self.catalog.part(id);
-        let around = FromAfar::of_surface(placed.around);
-        let main = self.store.afar(id, definition).unwrap_or(around);
+        let around = [Stripe::of_surface(placed.around)];
+        let main = self.store.afar(id, definition);
+        let main = main.as_deref().unwrap_or(&around);
         let fills_half = definition.fills && z != (0.0, placed.top());
         let (foot, top) = match (definition.from, definition.to) {
             (Some(from), Some(to)) if !fills_half => {
@@ -264,17 +267,17 @@ impl Walker<'_> {
             Below::Dado => (z0 + DADO).min(foot),
             _ => z0,
         };
-        let boards = FromAfar::of_surface(SurfaceId::named("boards"));
-        band(z0, boarded, boards);
-        band(boarded, foot, around);
+        let boards = [Stripe::of_surface(SurfaceId::named("boards"))];
+        band(z0, boarded, &boards);
+        band(boarded, foot, &around);
         if picture.is_none() {
             band(foot, top, main);
         }
-        band(top, z1, around);
+        band(top, z1, &around);
         if let Some(id) = picture.filter(|_| top - foot > 1e-3) {
             out.push(Band {
                 z: (foot, top),
-                look: Look::Picture(id.0, Share::default()),
+                shown: Shown::of(Look::Picture(id.0, Share::default())),
                 picture: true,
             });
         }
@@ -323,9 +326,10 @@ fn draw(
     let (left, right) = (-stretch.to, -stretch.from);
     let top = stretch.tops.0.min(stretch.tops.1);
     for band in &stretch.bands {
-        let at = soups.iter().position(|(id, _)| *id == band.look);
+        let look = band.shown.look;
+        let at = soups.iter().position(|(id, _)| *id == look);
         let at = at.unwrap_or_else(|| {
-            soups.push((band.look, Soup::default()));
+            soups.push((look, Soup::default()));
             soups.len() - 1
         });
         let (z0, z1) = band.z;
@@ -345,11 +349,11 @@ fn draw(
         // Pictures of walls go on along the wall; those of parts fill the band.
         for (uv, (x, z)) in soup.uvs[first..].iter_mut().zip(corners) {
             let whole = dvec2((x - left) / (right - left), (z - z0) / (z1 - z0));
-            let uv_of = match band.picture {
+            let of_texture = match band.picture {
                 true => whole,
                 false => dvec2(x + along, z),
             };
-            *uv = uv_of.as_vec2().to_array();
+            *uv = band.shown.place.unwrap_or(of_texture.as_vec2().to_array());
         }
     }
 }

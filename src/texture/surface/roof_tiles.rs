@@ -31,7 +31,7 @@ fn smoked(spot: Spot, chance: impl Fn(u32) -> f64, cells: u32) -> [Rgb; 3] {
         ),
         kiln,
     );
-    let worn = scale(mix(hex(0x58_5E64), hex(0x5E_5850), 0.5 * brown), kiln);
+    let worn = scale(mix(hex(0x57_5E64), hex(0x5E_5850), 0.45 * brown), kiln);
     let blot = fbm(spot.u, spot.v, (cells * 7, cells * 7), 4, 814);
     let damp = fbm(spot.u, spot.v, (cells, cells), 3, 817) + 0.5 * (chance(5) - 0.5);
     let lichen = smooth(0.36, 0.52, blot + 0.38 * damp);

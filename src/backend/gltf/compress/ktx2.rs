@@ -3,7 +3,7 @@
 
 use crate::backend::{Images, PictureBytes, SurfaceFiles};
 use crate::scene::{self, Scene};
-use crate::texture;
+use crate::texture::{self, palette};
 use ktx::dfd::khr_df::KHR_DF_PRIMARIES_UNSPECIFIED;
 use ktx::encode_params::{BasisParams, KTX_BASIS_CODEC_ETC1S, KTX_BASIS_PARAMS_SIZE};
 use ktx::texture::{TextureCreateInfo, TextureCreateStorage};
@@ -134,6 +134,8 @@ fn tasks<'a, 'm>(
         }
         let files = match &material.image {
             scene::Image::None => None,
+            // Blocks of the format would mix neighbouring colours.
+            scene::Image::Surface(name) if *name == palette::COLOURS => None,
             scene::Image::Surface(name) => plain.files(name),
             scene::Image::Baked(index) => plain.baked(*index),
             scene::Image::Picture(index) => {
