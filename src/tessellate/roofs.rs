@@ -74,9 +74,13 @@ impl<'a> Walker<'a> {
             };
         }
         let standing = standing[below].get_or_init(|| WallIndex::of(storey));
-        let boards = SurfaceId::named("boards_dark");
+        // From afar the lattice hides the boards behind it.
+        let latticed = match self.detail {
+            Detail::Everything => SurfaceId::named("boards_dark"),
+            _ => timber.unwrap_or(SurfaceId::named("cedar")),
+        };
         let of = |solid: &Solid| match is_fill(solid) {
-            true if roof.trim.lattice => Infill::plain(boards),
+            true if roof.trim.lattice => Infill::plain(latticed),
             // Fire walls are plastered, whatever the walls below are.
             true if roof.shape == RoofShape::FireWall => Infill::plain(plaster()),
             true => standing.gable(self.catalog, house, Place { solid, storey }),

@@ -297,11 +297,15 @@ impl<'b> Store<'b> {
         Look::surface(self.weather.at(id, z), Share::default())
     }
 
-    /// Returns how a stripe looks from afar in a mean colour, linear RGB, weathered at a height as its main surface is.
-    pub(super) fn seen_at(&self, stripe: Stripe, mean: [f32; 3], z: f64) -> Shown {
+    /// Returns the mean colour, linear RGB, of a surface weathered at a height.
+    pub(super) fn colour_at(&self, id: SurfaceId, z: f64) -> [f32; 3] {
+        colour_of(self.weather.at(id, z))
+    }
+
+    /// Returns how a stripe of a mean colour, linear RGB, looks from afar, weathered at a height.
+    pub(super) fn seen_at(&self, stripe: &Stripe, mean: [f32; 3], z: f64) -> Shown {
         let aged = self.weather.at(stripe.surface, z);
-        let (own, now) = (colour_of(stripe.surface), colour_of(aged));
-        let mean = std::array::from_fn(|k| now[k] * mean[k] / own[k].max(1e-3));
+        let now = colour_of(aged);
         let near = (0..3).all(|k| (mean[k] / now[k].max(1e-3) - 1.0).abs() < NEARLY);
         match (stripe.textured, aged.surface().glass) {
             (true, true) => Shown::of(Look::toned(aged, mean)),

@@ -72,14 +72,18 @@ impl<'a> Bulk<'a> {
             Detail::Openings | Detail::Everything => None,
         };
         match (whole, roofs) {
-            (Some(solids), _) => {
+            (Some(mut solids), _) => {
                 let all = roofs.iter().flat_map(|r| &r.solids).zip(gables);
-                let fills = all.filter(|(s, _)| is_fill(s));
+                let fills: Vec<_> = all.filter(|(s, _)| is_fill(s)).collect();
+                for (solid, fill) in &fills {
+                    if let Some(flush) = fill.flush {
+                        flush.lay(solid, roofs, &mut solids);
+                    }
+                }
+                let near = fills.iter().map(|(s, fill)| (around(s), fill.surface));
                 Bulk {
+                    gables: Gables::Near(near.collect()),
                     solids: Cow::Owned(solids),
-                    gables: Gables::Near(
-                        fills.map(|(s, fill)| (around(s), fill.surface)).collect(),
-                    ),
                     plastered,
                     timber,
                 }

@@ -5,7 +5,7 @@ use crate::catalog::{Catalog, Stance, body::Shape, value::Level};
 use crate::material::SurfaceId;
 use crate::program::Content;
 use crate::roof::solid::{INFILL_THICKNESS, SUNK};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 /// Distance of the infill behind the face of the wall, metres: the two lap a little and must not lie in one plane.
 const BEHIND: f64 = 0.001;
@@ -73,28 +73,70 @@ pub(in crate::tessellate) struct Flush {
 }
 
 impl Flush {
-    /// Returns the infill moved to these faces, but no further out than its roof covers.
-    pub(in crate::tessellate) fn laid(&self, fill: &Solid, roofs: &[Roof]) -> Solid {
-        let before = |p: &glam::DVec3| self.outward.dot(p.truncate()) - self.line;
+    /// Returns how far a point lies before the line of the wall, metres.
+    fn before(&self, p: &DVec3) -> f64 {
+        self.outward.dot(p.truncate()) - self.line
+    }
+
+    /// Returns how far before the line of the wall the outer face of an infill comes to lie: as far as these faces, but no further
+    /// out than its roof covers; `None` if it lies there already.
+    fn front(&self, fill: &Solid, roofs: &[Roof]) -> Option<f64> {
         let slabs = roofs.iter().flat_map(|r| &r.solids).filter(|s| !is_fill(s));
-        let verge = slabs
-            .flat_map(|s| &s.points)
-            .map(before)
-            .fold(f64::MIN, f64::max);
-        let (own, back) = (INFILL_THICKNESS / 2.0, self.faces.front - self.faces.thick);
+        let verge = slabs.flat_map(|s| &s.points);
+        let verge = verge.map(|p| self.before(p)).fold(f64::MIN, f64::max);
         let front = (self.faces.front - BEHIND).min(verge - SUNK / 2.0);
-        let outer = fill.points.iter().map(before).fold(f64::MIN, f64::max);
-        // Fills of a narrow verge begin behind their own usual face.
-        let inner = outer - 2.0 * own;
-        if front <= back || front <= outer {
-            return fill.clone();
-        }
+        let back = self.faces.front - self.faces.thick;
+        (front > back && front > self.outer(fill)).then_some(front)
+    }
+
+    fn outer(&self, fill: &Solid) -> f64 {
+        let points = fill.points.iter().map(|p| self.before(p));
+        points.fold(f64::MIN, f64::max)
+    }
+
+    /// Returns the infill moved to these faces.
+    pub(in crate::tessellate) fn laid(&self, fill: &Solid, roofs: &[Roof]) -> Solid {
         let mut laid = fill.clone();
-        for p in &mut laid.points {
-            let share = (before(p) - inner) / (2.0 * own);
-            let by = self.outward * (back + (front - back) * share - before(p));
-            *p += by.extend(0.0);
+        if let Some(front) = self.front(fill, roofs) {
+            let back = self.faces.front - self.faces.thick;
+            // Fills of a narrow verge begin behind their own usual face.
+            let inner = self.outer(fill) - INFILL_THICKNESS;
+            for p in &mut laid.points {
+                let share = (self.before(p) - inner) / INFILL_THICKNESS;
+                let by = self.outward * (back + (front - back) * share - self.before(p));
+                *p += by.extend(0.0);
+            }
         }
         laid
+    }
+
+    /// Moves the gable of a massive roof to these faces: slopes and floors run in that direction, so that they stay plane.
+    pub(in crate::tessellate) fn lay(&self, fill: &Solid, roofs: &[Roof], whole: &mut [Solid]) {
+        let Some(front) = self.front(fill, roofs) else {
+            return;
+        };
+        let side = self.outward.perp();
+        let along = fill.points.iter().map(|p| side.dot(p.truncate()));
+        let (from, to) = along.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
+        // Massive gables fill the corner under the eaves as well.
+        let near = INFILL_THICKNESS;
+        let on_wall = |p: &DVec3| {
+            let x = side.dot(p.truncate());
+            self.before(p).abs() < near && (from - near..=to + near).contains(&x)
+        };
+        for solid in whole {
+            let gables = solid.faces.iter().filter(|f| f.finish == Finish::Gable);
+            let gables = gables.filter(|f| {
+                let mut corners = f.corners.iter().map(|c| &solid.points[*c as usize]);
+                corners.all(on_wall)
+            });
+            let mut corners: Vec<u32> = gables.flat_map(|f| f.corners.iter().copied()).collect();
+            corners.sort_unstable();
+            corners.dedup();
+            for corner in corners {
+                let p = &mut solid.points[corner as usize];
+                *p += (self.outward * (front - self.before(p))).extend(0.0);
+            }
+        }
     }
 }

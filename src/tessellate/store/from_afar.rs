@@ -30,27 +30,27 @@ const MOST: usize = 3;
 const ALIKE: f32 = 0.12;
 
 /// The least share of what is visible that a surface has whose texture is worth showing.
-const MAIN: f64 = 0.85;
+const MAIN: f32 = 0.85;
 
 /// A part from afar: its stripes from the foot to the top.
 pub(in crate::tessellate) type FromAfar = SmallVec<[Stripe; 1]>;
 
 /// A horizontal stripe of a part.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(in crate::tessellate) struct Stripe {
     /// Its foot and its top as shares of the part's height.
     pub(in crate::tessellate) z: (f64, f64),
     /// That of which most is visible.
     pub(in crate::tessellate) surface: SurfaceId,
-    /// True if it is shown with its texture, toned to the mean colour: if little else is visible, or if it is glass. Otherwise
-    /// the mean colour alone is as good.
+    /// True if little else is visible, so that its texture is worth showing.
     pub(in crate::tessellate) textured: bool,
-    means: Means,
+    /// What is visible between the posts in bays of the lesser and the greater height, and in each of the lesser and the greater
+    /// width.
+    bays: [[Shares; 2]; 2],
 }
 
-/// The mean colours, linear RGB, of what is visible between the posts in bays of the lesser and the greater height, and in
-/// each of the lesser and the greater width.
-type Means = [[[f32; 3]; 2]; 2];
+/// Surfaces and the share of each in what is visible.
+type Shares = SmallVec<[(SurfaceId, f32); 4]>;
 
 /// Surfaces, and how many rays hit each.
 type Seen = Vec<(SurfaceId, usize)>;
@@ -58,49 +58,59 @@ type Seen = Vec<(SurfaceId, usize)>;
 impl Stripe {
     /// Returns that of a wall of one surface.
     pub(in crate::tessellate) fn of_surface(surface: SurfaceId) -> Stripe {
+        let all = || smallvec![(surface, 1.0)];
         Stripe {
             z: (0.0, 1.0),
             surface,
             textured: true,
-            means: [[colour_of(surface); 2]; 2],
+            bays: [[all(), all()], [all(), all()]],
         }
     }
 
     /// Returns that of rows, as what is seen of them in the bays of [`BAYS`]; `None` if nothing is.
     fn of_rows(rows: Range<usize>, bays: &[[Vec<Seen>; 2]; 2]) -> Option<Stripe> {
-        let all = |bay: &Vec<Seen>| together(&bay[rows.clone()]);
-        let wide = all(&bays[1][1]);
-        let (surface, count) = *wide.iter().max_by_key(|s| s.1)?;
-        let textured = count as f64 >= MAIN * wide.iter().map(|s| s.1).sum::<usize>() as f64;
-        let share = |row: usize| row as f64 / ROWS as f64;
+        let of = |bay: &Vec<Seen>| shares(&bay[rows.clone()]);
+        let bays = bays.each_ref().map(|row| row.each_ref().map(of));
+        let most = bays[1][1].iter().max_by(|a, b| a.1.total_cmp(&b.1));
+        let (surface, share) = *most?;
+        let height = |row: usize| row as f64 / ROWS as f64;
         Some(Stripe {
-            z: (share(rows.start), share(rows.end)),
+            z: (height(rows.start), height(rows.end)),
             surface,
-            textured: surface.surface().glass || textured,
-            means: bays
-                .each_ref()
-                .map(|of| of.each_ref().map(|bay| mean(&all(bay)))),
+            textured: share >= MAIN,
+            bays,
         })
     }
 
-    /// Returns the mean colour, linear RGB, of what is visible between the posts of a bay, metres. Frames keep their size, so
-    /// that what is left between them goes with one over the width and the height.
-    pub(in crate::tessellate) fn mean(&self, width: f64, height: f64) -> [f32; 3] {
+    /// Returns the mean colour, linear RGB, of what is visible between the posts of a bay, metres, by the colours of surfaces.
+    /// Frames keep their size, so that what is left between them goes with one over the width and the height.
+    pub(in crate::tessellate) fn mean(
+        &self,
+        (width, height): (f64, f64),
+        colour: impl Fn(SurfaceId) -> [f32; 3],
+    ) -> [f32; 3] {
         let share = |of: f64, [least, most]: [f64; 2]| {
             let [near, far, at] = [least, most, of].map(f64::recip);
             ((at - near) / (far - near)).clamp(0.0, 1.0) as f32
         };
         let across = share(width, BAYS.map(|b| b.0));
         let up = share(height, BAYS.map(|b| b.1));
-        let between = |[a, b]: [[f32; 3]; 2], by: f32| -> [f32; 3] {
-            std::array::from_fn(|k| a[k] + (b[k] - a[k]) * by)
-        };
-        between(self.means.map(|row| between(row, across)), up)
+        let mut mean = [0.0; 3];
+        for (row, by) in self.bays.iter().zip([1.0 - up, up]) {
+            for (bay, of_row) in row.iter().zip([1.0 - across, across]) {
+                for (surface, share) in bay {
+                    let (part, light) = (by * of_row * share, colour(*surface));
+                    mean = std::array::from_fn(|k| mean[k] + light[k] * part);
+                }
+            }
+        }
+        mean
     }
 
     /// Returns how far the colours of two are apart in a large bay.
     fn apart(&self, other: &Stripe) -> f32 {
-        let (a, b) = (self.means[1][1], other.means[1][1]);
+        let large = BAYS[1];
+        let (a, b) = (self.mean(large, colour_of), other.mean(large, colour_of));
         (0..3).map(|k| (a[k] - b[k]).abs()).fold(0.0, f32::max)
     }
 }
@@ -141,23 +151,12 @@ pub(super) fn of(part: &PartDef) -> Option<FromAfar> {
 }
 
 /// Returns what is seen of several rows.
-fn together(rows: &[Seen]) -> Seen {
-    let mut all = rows[0].clone();
-    for row in &rows[1..] {
-        all.iter_mut()
-            .zip(row)
-            .for_each(|(sum, (_, count))| sum.1 += count);
-    }
-    all
-}
-
-/// Returns the mean colour of surfaces of which so much is visible.
-fn mean(seen: &Seen) -> [f32; 3] {
-    let (mut sum, mut rays) = ([0.0; 3], 0.0);
-    for (surface, count) in seen {
-        let (colour, count) = (colour_of(*surface), *count as f32);
-        rays += count;
-        sum = std::array::from_fn(|k| sum[k] + colour[k] * count);
-    }
-    sum.map(|x| x / f32::max(rays, 1.0))
+fn shares(rows: &[Seen]) -> Shares {
+    let all: usize = rows.iter().flatten().map(|s| s.1).sum();
+    let surfaces = rows.first().into_iter().flatten().map(|s| s.0).enumerate();
+    let shares = surfaces.map(|(n, surface)| {
+        let count: usize = rows.iter().map(|row| row[n].1).sum();
+        (surface, count as f32 / all.max(1) as f32)
+    });
+    shares.filter(|s| s.1 > 0.0).collect()
 }

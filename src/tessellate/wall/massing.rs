@@ -14,7 +14,7 @@ use crate::tessellate::part::DADO;
 use crate::tessellate::part::bay::HALF_POST;
 use crate::tessellate::store::draft::MeshDraft;
 use crate::tessellate::store::from_afar::Stripe;
-use crate::tessellate::store::look::{Look, Share, Shown, colour_of};
+use crate::tessellate::store::look::{Look, Share, Shown};
 use crate::tessellate::wall::member::{PLATE, SILL};
 use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::{Level, Walker, turn_of};
@@ -182,11 +182,13 @@ impl Walker<'_> {
         &self,
         (level, placed): (Level<'_>, &PlacedUnit<'_>),
         (from, to): (f64, f64),
-        (stripe, height): (Stripe, f64),
+        (stripe, height): (&Stripe, f64),
     ) -> Band {
-        let mut mean = stripe.mean(placed.width, height);
+        let middle = f64::midpoint(from, to);
+        let colour = |id: SurfaceId| self.store.colour_at(id, middle);
+        let [wood, stone] = ["cedar", "stone"].map(|name| colour(SurfaceId::named(name)));
+        let mut mean = stripe.mean((placed.width, height), colour);
         if level.post().is_none() && placed.stance == Stance::Posts {
-            let wood = colour_of(SurfaceId::named("cedar"));
             mean = mixed(mean, wood, (2.0 * HALF_POST + PROUD) / placed.width);
             if (to - placed.top()).abs() < 1e-3 {
                 mean = mixed(mean, wood, PLATE / (to - from));
@@ -195,13 +197,12 @@ impl Walker<'_> {
         // The lowest stripe goes down to the ground, over the sill and the stones under it.
         if level.grounded() && from.abs() < 1e-3 {
             let below = |height: f64| height / (to + FOUNDATION);
-            let [wood, stone] = ["cedar", "stone"].map(|name| colour_of(SurfaceId::named(name)));
             mean = mixed(mean, wood, below(SILL));
             mean = mixed(mean, stone, below(FOUNDATION - SILL));
         }
         Band {
             z: (from, to),
-            shown: self.store.seen_at(stripe, mean, f64::midpoint(from, to)),
+            shown: self.store.seen_at(stripe, mean, middle),
             picture: false,
         }
     }
@@ -249,7 +250,7 @@ impl Walker<'_> {
             let height = to - from;
             for stripe in afar.iter().filter(|_| height > 1e-3) {
                 let z = (from + height * stripe.z.0, from + height * stripe.z.1);
-                out.push(self.band(at, z, (*stripe, height)));
+                out.push(self.band(at, z, (stripe, height)));
             }
         };
         let definition = self.catalog.part(id);
