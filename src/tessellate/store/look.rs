@@ -1,8 +1,9 @@
 //! Looks: what a material shows, before the scene numbers its materials.
 
-use crate::material::{SurfaceId, dimmed};
+use crate::material::{self, SurfaceId, dimmed};
 use crate::scene::{Detail, Image, Material};
 use crate::texture::{self, palette};
+use std::sync::{LazyLock, OnceLock};
 
 /// Share of reflected light in thousandths; zero for surfaces that do not reflect.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -96,9 +97,14 @@ impl Look {
 
 /// Returns the mean colour that a surface shows from afar, linear RGB.
 pub(in crate::tessellate) fn colour_of(id: SurfaceId) -> [f32; 3] {
-    let tint = shown_tint(id, Detail::Body);
-    let texture = id.surface().picture.map_or([1.0; 3], texture::mean);
-    std::array::from_fn(|k| tint[k] * texture[k])
+    type Known = OnceLock<[f32; 3]>;
+    static ALL: LazyLock<Vec<Known>> =
+        LazyLock::new(|| (0..material::count()).map(|_| Known::new()).collect());
+    *ALL[id.index()].get_or_init(|| {
+        let tint = shown_tint(id, Detail::Body);
+        let texture = id.surface().picture.map_or([1.0; 3], texture::mean);
+        std::array::from_fn(|k| tint[k] * texture[k])
+    })
 }
 
 /// Returns the tint of a surface at a detail.

@@ -20,12 +20,16 @@ use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::{Level, Walker, turn_of};
 use glam::{DVec3, dvec2};
 use smallvec::{SmallVec, smallvec};
+use std::sync::LazyLock;
 
 /// Corners sharper than this many faces are not mitred to their point.
 const LONGEST: f64 = 4.0;
 
 /// How much more of a post is seen because it stands before its wall and one looks along it, metres.
 const PROUD: f64 = 0.03;
+
+/// What posts, plates and sills are made of, and what is under them.
+static FRAME: LazyLock<[SurfaceId; 2]> = LazyLock::new(|| ["cedar", "stone"].map(SurfaceId::named));
 
 /// A horizontal stripe of a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -186,7 +190,7 @@ impl Walker<'_> {
     ) -> Band {
         let middle = f64::midpoint(from, to);
         let colour = |id: SurfaceId| self.store.colour_at(id, middle);
-        let [wood, stone] = ["cedar", "stone"].map(|name| colour(SurfaceId::named(name)));
+        let [wood, stone] = FRAME.map(colour);
         let mut mean = stripe.mean((placed.width, height), colour);
         if level.post().is_none() && placed.stance == Stance::Posts {
             mean = mixed(mean, wood, (2.0 * HALF_POST + PROUD) / placed.width);
