@@ -375,6 +375,16 @@ fn a_karahafu_before_a_hall_is_closed_by_it() {
             .iter()
             .filter(|s| s.faces[0].finish == Finish::Gable);
         assert_eq!(gables.count(), 1);
+        // Where the eaves behind run on under it, a ceiling on its plates hides them.
+        let ceilings = porch
+            .solids
+            .iter()
+            .filter(|s| s.faces.iter().all(|f| f.finish == Finish::Timber));
+        let heights: Vec<f64> = ceilings
+            .map(|s| s.points.iter().map(|p| p.z).fold(f64::MAX, f64::min))
+            .filter(|z| (z - height * SHAKU).abs() < 1e-9)
+            .collect();
+        assert_eq!(heights.len(), usize::from(rises), "{height}");
         let (lo, hi) = extent(porch);
         close(
             hi.z,

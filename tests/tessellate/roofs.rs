@@ -181,20 +181,35 @@ fn gable_fills_are_flush_with_plaster_over_the_posts() {
             "<House><Storey height=\"9\">{walls}</Storey><Roofs mode=\"explicit\"><Roof kind=\"K\" shape=\"KIR\" \
              ridge=\"X\" height=\"9\" a0=\"0\" b0=\"0\" a1=\"4\" b1=\"5\" pitch=\"5\" eaves=\"1\" verge=\"1\"/></Roofs></House>"
         );
-        let run = crate::support::compile("gable.hsd", text.as_bytes());
-        assert!(!run.has_errors(), "{}", run.short());
-        let roof = run.scene.nodes.iter().find(|n| n.kind == Kind::Roof);
-        let mesh = roof.and_then(|n| n.mesh).expect("a roof");
-        let faces = triangles(&run.scene.meshes[mesh.0 as usize]);
-        let at = |x: f64| {
-            let there = |t: &&[[f32; 3]; 3]| t.iter().all(|p| (f64::from(p[0]) - x).abs() < 1.1e-3);
-            faces.iter().filter(there).count()
-        };
-        let wide = 4.0 * 3.0 * SHAKU;
-        for before in [0.035, 0.082, 0.090] {
-            let [right, left] = [at(before), at(-wide - before)];
-            assert_eq!(right > 0, before == front, "{code}, right, {before}");
-            assert_eq!(left > 0, before == front, "{code}, left, {before}");
+        for detail in [Detail::Everything, Detail::Flat, Detail::Body] {
+            let scene = at_detail(&text, detail);
+            let roof = scene.nodes.iter().find(|n| n.kind == Kind::Roof);
+            let mesh = roof.and_then(|n| n.mesh).expect("a roof");
+            let faces = triangles(&scene.meshes[mesh.0 as usize]);
+            let at = |x: f64| {
+                let on = |p: &[f32; 3]| (f64::from(p[0]) - x).abs() < 1.1e-3;
+                faces.iter().filter(|t| t.iter().all(on)).count()
+            };
+            let wide = 4.0 * 3.0 * SHAKU;
+            for before in [0.035, 0.082, 0.090] {
+                let [right, left] = [at(before), at(-wide - before)];
+                let is_front = before == front;
+                assert_eq!(right > 0, is_front, "{code}, {detail:?}, right, {before}");
+                assert_eq!(left > 0, is_front, "{code}, {detail:?}, left, {before}");
+            }
         }
     }
+}
+
+/// Compiles a text without errors.
+fn at_detail(text: &str, detail: Detail) -> Scene {
+    let source = hsd::source::Source::new(hsd::source::FileId(0), "gable.hsd", text.as_bytes());
+    let mut out = hsd::diagnostic::Diagnostics::new();
+    let options = hsd::Options {
+        detail,
+        ..hsd::Options::default()
+    };
+    let scene = hsd::compile(&[&source], &hsd::source::NoFiles, &options, &mut out).scene;
+    assert!(!out.has_errors());
+    scene
 }
