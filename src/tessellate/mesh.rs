@@ -27,6 +27,9 @@ pub(super) struct Bodies {
     pub(super) panels: Vec<Panel>,
     /// The faces that show the part's texture.
     pub(super) shown: Soup,
+    /// The box around those that are only measured, its least and its greatest corner, if nobody will ask for more than
+    /// the extent of these bodies.
+    pub(super) measured: Option<[[f32; 3]; 2]>,
 }
 
 /// Bodies thinner than this are left out, metres.
@@ -68,8 +71,14 @@ impl Bodies {
         hi: f64,
     ) {
         let at = |p: DVec2, t: f64| axis.at(p, t);
+        let area = crate::geometry::area2(outline);
+        if self.measured.is_some() && area.abs() > THIN * THIN && (hi - lo).abs() > THIN {
+            return outline
+                .iter()
+                .for_each(|p| self.cover(&[at(*p, lo), at(*p, hi)]));
+        }
         let mut outline = outline.to_vec();
-        if crate::geometry::area2(&outline) < 0.0 {
+        if area < 0.0 {
             outline.reverse();
         }
         let n = outline.len();
@@ -117,14 +126,43 @@ impl Bodies {
 
     /// Adds a plane polygon with one normal per corner, counter-clockwise seen from outside.
     pub(super) fn shaded(&mut self, finish: SurfaceId, corners: &[DVec3], normals: &[DVec3]) {
+        if self.measured.is_some() {
+            return self.cover_face(corners);
+        }
         let grain = grain_along(finish);
         self.soup(finish).shaded(corners, normals, grain);
     }
 
     /// Adds a plane polygon, counter-clockwise seen from outside.
     pub(super) fn face(&mut self, finish: SurfaceId, corners: &[DVec3]) {
+        if self.measured.is_some() {
+            return self.cover_face(corners);
+        }
         let grain = grain_along(finish);
         self.soup(finish).face(corners, grain);
+    }
+
+    /// Lets the bodies that follow be measured only.
+    pub(super) fn measure(&mut self) {
+        self.measured = Some([[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]]);
+    }
+
+    /// Grows the box around bodies that are only measured.
+    fn cover(&mut self, points: &[DVec3]) {
+        let Some([lo, hi]) = &mut self.measured else {
+            return;
+        };
+        for p in points.iter().map(|p| p.as_vec3().to_array()) {
+            *lo = std::array::from_fn(|k| lo[k].min(p[k]));
+            *hi = std::array::from_fn(|k| hi[k].max(p[k]));
+        }
+    }
+
+    /// Covers a face, unless it has no area and would be left out.
+    fn cover_face(&mut self, corners: &[DVec3]) {
+        if polygon::normal(corners) != DVec3::ZERO {
+            self.cover(corners);
+        }
     }
 }
 

@@ -9,7 +9,7 @@ mod models;
 #[cfg(feature = "compress")]
 mod packed;
 
-use super::arrays::{MaterialRef, turned, write_floats};
+use super::arrays::{MaterialRef, signed_byte, turned, write_each, write_floats};
 use super::bare::Bare;
 use super::json_file::{File, accessor};
 use super::materials::{MaterialRefs, Materials};
@@ -342,10 +342,10 @@ impl TileWriter {
         attributes.insert("POSITION", file.accessor(points));
         if !self.normals.is_empty() {
             let view = file.view(bin, Some((4, 34962)), |out| {
-                for normal in &take(&mut self.normals) {
-                    let [x, y, z] = turned(unit(*normal)).map(byte);
-                    out.extend([x, y, z, 0]);
-                }
+                write_each(out, &take(&mut self.normals), |normal| {
+                    let [x, y, z] = turned(unit(normal)).map(byte);
+                    [x, y, z, 0]
+                });
             });
             let mut normals = accessor(view, 5120, count, "VEC3");
             normals["normalized"] = json!(true);
@@ -353,10 +353,10 @@ impl TileWriter {
         }
         if !self.tangents.is_empty() {
             let view = file.view(bin, Some((4, 34962)), |out| {
-                for [x, y, z, w] in &take(&mut self.tangents) {
-                    let [x, y, z] = turned([*x, *y, *z]).map(byte);
-                    out.extend([x, y, z, byte(*w)]);
-                }
+                write_each(out, &take(&mut self.tangents), |[x, y, z, w]| {
+                    let [x, y, z] = turned([x, y, z]);
+                    [x, y, z, w].map(byte)
+                });
             });
             let mut tangents = accessor(view, 5120, count, "VEC4");
             tangents["normalized"] = json!(true);
@@ -370,8 +370,7 @@ impl TileWriter {
             file.accessor(accessor(view, 5126, count, "VEC2")),
         );
         let view = file.view(bin, Some((4, 34962)), |out| {
-            let features = take(&mut self.features);
-            out.extend(features.iter().flat_map(|id| id.to_le_bytes()));
+            write_each(out, &take(&mut self.features), f32::to_le_bytes);
         });
         let ids = accessor(view, 5126, count, "SCALAR");
         attributes.insert("_FEATURE_ID_0", file.accessor(ids));
@@ -398,8 +397,8 @@ impl TileWriter {
                 #[cfg(feature = "compress")]
                 true => packed::indices(&batch, short, file, bin),
                 _ => file.view(bin, Some((0, 34963)), |out| match short {
-                    true => out.extend(batch.iter().flat_map(|i| (*i as u16).to_le_bytes())),
-                    false => out.extend(batch.iter().flat_map(|i| i.to_le_bytes())),
+                    true => write_each(out, &batch, |i| (i as u16).to_le_bytes()),
+                    false => write_each(out, &batch, u32::to_le_bytes),
                 }),
             };
             let kind = if short { 5123 } else { 5125 };
@@ -426,7 +425,7 @@ const TANGENT: &str = "TANGENT";
 
 /// Encodes a number from -1 to 1 in a byte.
 fn byte(x: f32) -> u8 {
-    (x * 127.0).round() as i8 as u8
+    signed_byte(x) as u8
 }
 
 /// Returns an estimate of the bytes that an image takes on a graphics card: four a pixel, one if it stays packed there, and a

@@ -8,7 +8,7 @@ use crate::catalog::Stance;
 use crate::catalog::body::{Element, Shape};
 use crate::material::SurfaceId;
 use crate::scene::Detail;
-use crate::tessellate::mesh::panel::{Panel, Rect, extent};
+use crate::tessellate::mesh::panel::{Panel, Rect};
 use crate::tessellate::part;
 use crate::tessellate::part::bay::{Bay, HALF_POST, Layer};
 
@@ -139,9 +139,12 @@ fn posts(bay: &mut Bay<'_>) {
 fn panel(bay: &mut Bay<'_>, front: Option<f64>, build: impl FnOnce(&mut Bay<'_>)) {
     let before = std::mem::take(&mut bay.bodies);
     bay.bodies.shown = before.shown.clone();
+    if bay.measured {
+        bay.bodies.measure();
+    }
     build(bay);
     let made = std::mem::replace(&mut bay.bodies, before);
-    let Some((rect, foremost)) = extent(&made.soups) else {
+    let Some((rect, foremost)) = made.extent() else {
         return;
     };
     bay.bodies.panels.extend(made.panels);
@@ -149,6 +152,9 @@ fn panel(bay: &mut Bay<'_>, front: Option<f64>, build: impl FnOnce(&mut Bay<'_>)
     bay.bodies.panels.push(Panel {
         rect,
         front: front.unwrap_or(foremost),
-        soups: made.soups,
+        soups: match bay.measured {
+            true => vec![],
+            false => made.soups,
+        },
     });
 }
