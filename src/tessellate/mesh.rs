@@ -9,6 +9,7 @@ pub(in crate::tessellate) mod smooth;
 use crate::material::SurfaceId;
 use crate::tessellate::mesh::panel::{Panel, Rect};
 use glam::{DVec2, DVec3, dvec2, dvec3};
+use smallvec::SmallVec;
 
 /// Triangles of one surface, before it has a material in the scene.
 #[derive(Clone, Debug, Default)]
@@ -77,19 +78,28 @@ impl Bodies {
                 .iter()
                 .for_each(|p| self.cover(&[at(*p, lo), at(*p, hi)]));
         }
-        let mut outline = outline.to_vec();
+        let mut outline: SmallVec<[DVec2; 8]> = SmallVec::from_slice(outline);
         if area < 0.0 {
             outline.reverse();
         }
         let n = outline.len();
-        let top: Vec<DVec3> = outline.iter().map(|p| at(*p, hi)).collect();
-        let foot: Vec<DVec3> = outline.iter().rev().map(|p| at(*p, lo)).collect();
-        self.face(finish, &top);
-        self.face(finish, &foot);
-        for i in 0..n {
+        let top: SmallVec<[DVec3; 8]> = outline.iter().map(|p| at(*p, hi)).collect();
+        let foot: SmallVec<[DVec3; 8]> = outline.iter().rev().map(|p| at(*p, lo)).collect();
+        let side = |i: usize| {
             let (p, q) = (outline[i], outline[(i + 1) % n]);
-            self.face(finish, &[at(p, lo), at(q, lo), at(q, hi), at(p, hi)]);
+            [at(p, lo), at(q, lo), at(q, hi), at(p, hi)]
+        };
+        if self.measured.is_some() {
+            self.cover_face(&top);
+            self.cover_face(&foot);
+            return (0..n).for_each(|i| self.cover_face(&side(i)));
         }
+        let grain = grain_along(finish);
+        let soup = self.soup(finish);
+        soup.reserve(6 * n, 12 * n);
+        soup.face(&top, grain);
+        soup.face(&foot, grain);
+        (0..n).for_each(|i| soup.face(&side(i), grain));
     }
 
     /// Adds a plane polygon extruded along a vector, in either orientation. With `round`, sides that meet at less than
@@ -191,6 +201,14 @@ pub(super) fn grain_along(finish: SurfaceId) -> bool {
 }
 
 impl Soup {
+    /// Makes room for vertices and indices at once.
+    fn reserve(&mut self, vertices: usize, indices: usize) {
+        self.positions.reserve(vertices);
+        self.normals.reserve(vertices);
+        self.uvs.reserve(vertices);
+        self.indices.reserve(indices);
+    }
+
     /// Adds a plane polygon as triangles. With `grain`, the texture's v axis follows the longer side.
     pub(super) fn face(&mut self, corners: &[DVec3], grain: bool) {
         self.shaded(corners, &[], grain);

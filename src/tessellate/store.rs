@@ -167,10 +167,15 @@ impl<'b> Store<'b> {
     /// Returns the mesh of bodies that are no part, made on first use of the key.
     pub(super) fn bodies(&mut self, key: Key, name: &str, make: impl FnOnce() -> Bodies) -> MeshId {
         let looks = |store: &Self, bodies: &Bodies| store.own_looks(&bodies.panels);
-        self.aged(key, |_| make(), looks, |store, bodies, looks| {
-            let images = store.panel_images(&bodies.panels, &looks);
-            store.finish_with(name.to_owned(), bodies, &images, (Share::default(), None))
-        })
+        self.aged(
+            key,
+            |_| make(),
+            looks,
+            |store, bodies, looks| {
+                let images = store.panel_images(&bodies.panels, &looks);
+                store.finish_with(name.to_owned(), bodies, &images, (Share::default(), None))
+            },
+        )
     }
 
     /// Returns the mesh of a part.

@@ -195,6 +195,7 @@ impl TileWriter {
             let material = &part.materials[p.material.0 as usize];
             let known = self.materials.of(p.material, material, images);
             let first = self.vertices(&p.positions, (pose, feature));
+            room(&mut self.normals, p.normals.len());
             self.normals
                 .extend(p.normals.iter().map(|n| pose.normal(*n)));
             if !self.materials.flat {
@@ -213,6 +214,7 @@ impl TileWriter {
                 Some(_) => [u / metres, 1.0 - v / metres],
                 None => [0.0; 2],
             });
+            room(&mut self.uvs, p.uvs.len());
             self.uvs.extend(uvs);
             self.indices(known, first, &p.indices);
         }
@@ -221,6 +223,7 @@ impl TileWriter {
     /// Adds vertices; returns the number of the first.
     fn vertices(&mut self, points: &[[f32; 3]], (pose, feature): (Pose, u32)) -> u32 {
         let first = self.positions.len() as u32;
+        room(&mut self.positions, points.len());
         for point in points {
             let local = self.rounded((pose.point(*point) - self.centre).as_vec3());
             // The box is that of the numbers in the file.
@@ -414,6 +417,14 @@ impl TileWriter {
             }));
         }
         primitives
+    }
+}
+
+/// Makes room for more elements in a list that grows with the houses of a tile: for four times as many as it has, since room
+/// that is not written to takes no memory, and to move a list does.
+fn room<T>(list: &mut Vec<T>, more: usize) {
+    if list.capacity() - list.len() < more {
+        list.reserve(more.max(3 * list.len()));
     }
 }
 
