@@ -225,3 +225,15 @@ pub(super) fn write_indices(out: &mut Vec<u8>, indices: &[u32], (first, vertices
         write_each(out, indices, |i| (first + i).to_le_bytes());
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn directions_are_rounded_to_the_nearest_byte() {
+        let halves = (-254..=254).map(|n| n as f32 / 254.0);
+        let near = halves.flat_map(|x| [x.next_down(), x, x.next_up()]);
+        for x in near.chain([0.0, -0.0, 0.49999997 / 127.0, f32::NAN]) {
+            assert_eq!(super::signed_byte(x), (x * 127.0).round() as i8, "{x}");
+        }
+    }
+}
