@@ -9,6 +9,7 @@ pub(in crate::tessellate) mod smooth;
 use crate::material::SurfaceId;
 use crate::tessellate::mesh::panel::{Panel, Rect};
 use glam::{DVec2, DVec3, dvec2, dvec3};
+use smallvec::SmallVec;
 
 /// Triangles of one surface, before it has a material in the scene.
 #[derive(Clone, Debug, Default)]
@@ -27,6 +28,9 @@ pub(super) struct Bodies {
     pub(super) panels: Vec<Panel>,
     /// The faces that show the part's texture.
     pub(super) shown: Soup,
+    /// The box around those that are only measured, its least and its greatest corner, if nobody will ask for more than
+    /// the extent of these bodies.
+    pub(super) measured: Option<[[f32; 3]; 2]>,
 }
 
 /// Bodies thinner than this are left out, metres.
@@ -80,19 +84,34 @@ impl Bodies {
         hi: f64,
     ) {
         let at = |p: DVec2, t: f64| axis.at(p, t);
-        let mut outline = outline.to_vec();
-        if crate::geometry::area2(&outline) < 0.0 {
+        let area = crate::geometry::area2(outline);
+        if self.measured.is_some() && area.abs() > THIN * THIN && (hi - lo).abs() > THIN {
+            return outline
+                .iter()
+                .for_each(|p| self.cover(&[at(*p, lo), at(*p, hi)]));
+        }
+        let mut outline: SmallVec<[DVec2; 8]> = SmallVec::from_slice(outline);
+        if area < 0.0 {
             outline.reverse();
         }
         let n = outline.len();
-        let top: Vec<DVec3> = outline.iter().map(|p| at(*p, hi)).collect();
-        let foot: Vec<DVec3> = outline.iter().rev().map(|p| at(*p, lo)).collect();
-        self.face(finish, &top);
-        self.face(finish, &foot);
-        for i in 0..n {
+        let top: SmallVec<[DVec3; 8]> = outline.iter().map(|p| at(*p, hi)).collect();
+        let foot: SmallVec<[DVec3; 8]> = outline.iter().rev().map(|p| at(*p, lo)).collect();
+        let side = |i: usize| {
             let (p, q) = (outline[i], outline[(i + 1) % n]);
-            self.face(finish, &[at(p, lo), at(q, lo), at(q, hi), at(p, hi)]);
+            [at(p, lo), at(q, lo), at(q, hi), at(p, hi)]
+        };
+        if self.measured.is_some() {
+            self.cover_face(&top);
+            self.cover_face(&foot);
+            return (0..n).for_each(|i| self.cover_face(&side(i)));
         }
+        let grain = grain_along(finish);
+        let soup = self.soup(finish);
+        soup.reserve(6 * n, 12 * n);
+        soup.face(&top, grain);
+        soup.face(&foot, grain);
+        (0..n).for_each(|i| soup.face(&side(i), grain));
     }
 
     /// Adds a plane polygon extruded along a vector, in either orientation. With `round`, sides that meet at less than
@@ -129,14 +148,43 @@ impl Bodies {
 
     /// Adds a plane polygon with one normal per corner, counter-clockwise seen from outside.
     pub(super) fn shaded(&mut self, finish: SurfaceId, corners: &[DVec3], normals: &[DVec3]) {
+        if self.measured.is_some() {
+            return self.cover_face(corners);
+        }
         let grain = grain_along(finish);
         self.soup(finish).shaded(corners, normals, grain);
     }
 
     /// Adds a plane polygon, counter-clockwise seen from outside.
     pub(super) fn face(&mut self, finish: SurfaceId, corners: &[DVec3]) {
+        if self.measured.is_some() {
+            return self.cover_face(corners);
+        }
         let grain = grain_along(finish);
         self.soup(finish).face(corners, grain);
+    }
+
+    /// Lets the bodies that follow be measured only.
+    pub(super) fn measure(&mut self) {
+        self.measured = Some([[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]]);
+    }
+
+    /// Grows the box around bodies that are only measured.
+    fn cover(&mut self, points: &[DVec3]) {
+        let Some([lo, hi]) = &mut self.measured else {
+            return;
+        };
+        for p in points.iter().map(|p| p.as_vec3().to_array()) {
+            *lo = std::array::from_fn(|k| lo[k].min(p[k]));
+            *hi = std::array::from_fn(|k| hi[k].max(p[k]));
+        }
+    }
+
+    /// Covers a face, unless it has no area and would be left out.
+    fn cover_face(&mut self, corners: &[DVec3]) {
+        if polygon::normal(corners) != DVec3::ZERO {
+            self.cover(corners);
+        }
     }
 }
 
@@ -165,6 +213,14 @@ pub(super) fn grain_along(finish: SurfaceId) -> bool {
 }
 
 impl Soup {
+    /// Makes room for vertices and indices at once.
+    fn reserve(&mut self, vertices: usize, indices: usize) {
+        self.positions.reserve(vertices);
+        self.normals.reserve(vertices);
+        self.uvs.reserve(vertices);
+        self.indices.reserve(indices);
+    }
+
     /// Adds a plane polygon as triangles. With `grain`, the texture's v axis follows the longer side.
     pub(super) fn face(&mut self, corners: &[DVec3], grain: bool) {
         self.shaded(corners, &[], grain);

@@ -139,7 +139,7 @@ impl<'b> Store<'b> {
     fn aged(
         &mut self,
         key: Key,
-        make: impl FnOnce() -> Bodies,
+        make: impl FnOnce(&Self) -> Bodies,
         looks: impl FnOnce(&Self, &Bodies) -> Vec<PanelLook>,
         finish: impl FnOnce(&mut Self, Bodies, Vec<PanelLook>) -> MeshDraft,
     ) -> MeshId {
@@ -150,7 +150,7 @@ impl<'b> Store<'b> {
         if let Some(draft) = self.bank.draft(&key) {
             return self.known(key, draft);
         }
-        let bodies = make();
+        let bodies = make(self);
         let looks = looks(self, &bodies);
         let by_look = (self.weather != Weather::None).then(|| {
             let surfaces = self.weather.aged_surfaces(&bodies);
@@ -171,10 +171,15 @@ impl<'b> Store<'b> {
     /// Returns the mesh of bodies that are no part, made on first use of the key.
     pub(super) fn bodies(&mut self, key: Key, name: &str, make: impl FnOnce() -> Bodies) -> MeshId {
         let looks = |store: &Self, bodies: &Bodies| store.own_looks(&bodies.panels);
-        self.aged(key, make, looks, |store, bodies, looks| {
-            let images = store.panel_images(&bodies.panels, &looks);
-            store.finish_with(name.to_owned(), bodies, &images, (Share::default(), None))
-        })
+        self.aged(
+            key,
+            |_| make(),
+            looks,
+            |store, bodies, looks| {
+                let images = store.panel_images(&bodies.panels, &looks);
+                store.finish_with(name.to_owned(), bodies, &images, (Share::default(), None))
+            },
+        )
     }
 
     /// Returns the mesh of a part.
@@ -185,8 +190,7 @@ impl<'b> Store<'b> {
         if let Some((.., mesh)) = self.last.filter(same) {
             return mesh;
         }
-        let detail = self.detail;
-        let make = || key.bodies(part, detail);
+        let make = |store: &Self| store.part_bodies(part, key);
         let looks = |store: &Self, bodies: &Bodies| store.part_looks(part, key, bodies);
         let mesh = self.aged(Key::Part(key), make, looks, |store, bodies, looks| {
             let images = store.part_images(part, key, &bodies, looks);
@@ -216,6 +220,7 @@ impl<'b> Store<'b> {
             mut soups,
             panels,
             shown,
+            ..
         } = bodies;
         soups = self.weather.wear(soups);
         let mut quads = vec![];

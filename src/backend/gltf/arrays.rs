@@ -138,10 +138,9 @@ impl Array {
 pub(super) fn write_packed(out: &mut Vec<u8>, floats: &[u8], size: usize) {
     let (numbers, _) = floats.as_chunks::<4>();
     for direction in numbers.chunks(size) {
-        let byte = |n: &[u8; 4]| (f32::from_le_bytes(*n) * 127.0).round() as i8;
         let mut four = [0; 4];
         for (to, from) in four.iter_mut().zip(direction) {
-            *to = byte(from).to_le_bytes()[0];
+            *to = signed_byte(f32::from_le_bytes(*from)) as u8;
         }
         out.extend(four);
     }
@@ -190,10 +189,28 @@ pub(super) fn write_floats<const N: usize>(
     let start = out.len();
     out.resize(start + 4 * N * list.len(), 0);
     for (room, value) in out[start..].chunks_exact_mut(4 * N).zip(list) {
-        for (four, x) in room.chunks_exact_mut(4).zip(map(*value)) {
-            four.copy_from_slice(&x.to_le_bytes());
-        }
+        room.copy_from_slice(map(*value).map(f32::to_le_bytes).as_flattened());
     }
+}
+
+/// Appends the bytes of each element of a list.
+pub(super) fn write_each<T: Copy, const N: usize>(
+    out: &mut Vec<u8>,
+    list: &[T],
+    bytes: impl Fn(T) -> [u8; N],
+) {
+    let start = out.len();
+    out.resize(start + N * list.len(), 0);
+    for (room, value) in out[start..].as_chunks_mut().0.iter_mut().zip(list) {
+        *room = bytes(*value);
+    }
+}
+
+/// Encodes a number from -1 to 1 in a byte, -127 to 127, halves away from zero. An f64 holds the sum, so that nothing is
+/// rounded twice; `round` would be a call of its own on most machines.
+pub(super) fn signed_byte(x: f32) -> i8 {
+    let scaled = f64::from(x * 127.0);
+    (scaled + 0.5f64.copysign(scaled)) as i8
 }
 
 /// Appends indices into an array that has `first` vertices of others before them, and `vertices` in all.
@@ -205,6 +222,18 @@ pub(super) fn write_indices(out: &mut Vec<u8>, indices: &[u32], (first, vertices
             two.copy_from_slice(&((first + i) as u16).to_le_bytes());
         }
     } else {
-        out.extend(indices.iter().flat_map(|i| (first + i).to_le_bytes()));
+        write_each(out, indices, |i| (first + i).to_le_bytes());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn directions_are_rounded_to_the_nearest_byte() {
+        let halves = (-254..=254).map(|n| n as f32 / 254.0);
+        let near = halves.flat_map(|x| [x.next_down(), x, x.next_up()]);
+        for x in near.chain([0.0, -0.0, 0.49999997 / 127.0, f32::NAN]) {
+            assert_eq!(super::signed_byte(x), (x * 127.0).round() as i8, "{x}");
+        }
     }
 }

@@ -9,7 +9,7 @@ mod models;
 #[cfg(feature = "compress")]
 mod packed;
 
-use super::arrays::{MaterialRef, turned, write_floats};
+use super::arrays::{MaterialRef, signed_byte, turned, write_each, write_floats};
 use super::bare::Bare;
 use super::json_file::{File, accessor};
 use super::materials::{MaterialRefs, Materials};
@@ -195,6 +195,7 @@ impl TileWriter {
             let material = &part.materials[p.material.0 as usize];
             let known = self.materials.of(p.material, material, images);
             let first = self.vertices(&p.positions, (pose, feature));
+            room(&mut self.normals, p.normals.len());
             self.normals
                 .extend(p.normals.iter().map(|n| pose.normal(*n)));
             if !self.materials.flat {
@@ -213,6 +214,7 @@ impl TileWriter {
                 Some(_) => [u / metres, 1.0 - v / metres],
                 None => [0.0; 2],
             });
+            room(&mut self.uvs, p.uvs.len());
             self.uvs.extend(uvs);
             self.indices(known, first, &p.indices);
         }
@@ -221,6 +223,7 @@ impl TileWriter {
     /// Adds vertices; returns the number of the first.
     fn vertices(&mut self, points: &[[f32; 3]], (pose, feature): (Pose, u32)) -> u32 {
         let first = self.positions.len() as u32;
+        room(&mut self.positions, points.len());
         for point in points {
             let local = self.rounded((pose.point(*point) - self.centre).as_vec3());
             // The box is that of the numbers in the file.
@@ -342,10 +345,10 @@ impl TileWriter {
         attributes.insert("POSITION", file.accessor(points));
         if !self.normals.is_empty() {
             let view = file.view(bin, Some((4, 34962)), |out| {
-                for normal in &take(&mut self.normals) {
-                    let [x, y, z] = turned(unit(*normal)).map(byte);
-                    out.extend([x, y, z, 0]);
-                }
+                write_each(out, &take(&mut self.normals), |normal| {
+                    let [x, y, z] = turned(unit(normal)).map(byte);
+                    [x, y, z, 0]
+                });
             });
             let mut normals = accessor(view, 5120, count, "VEC3");
             normals["normalized"] = json!(true);
@@ -353,10 +356,10 @@ impl TileWriter {
         }
         if !self.tangents.is_empty() {
             let view = file.view(bin, Some((4, 34962)), |out| {
-                for [x, y, z, w] in &take(&mut self.tangents) {
-                    let [x, y, z] = turned([*x, *y, *z]).map(byte);
-                    out.extend([x, y, z, byte(*w)]);
-                }
+                write_each(out, &take(&mut self.tangents), |[x, y, z, w]| {
+                    let [x, y, z] = turned([x, y, z]);
+                    [x, y, z, w].map(byte)
+                });
             });
             let mut tangents = accessor(view, 5120, count, "VEC4");
             tangents["normalized"] = json!(true);
@@ -370,8 +373,7 @@ impl TileWriter {
             file.accessor(accessor(view, 5126, count, "VEC2")),
         );
         let view = file.view(bin, Some((4, 34962)), |out| {
-            let features = take(&mut self.features);
-            out.extend(features.iter().flat_map(|id| id.to_le_bytes()));
+            write_each(out, &take(&mut self.features), f32::to_le_bytes);
         });
         let ids = accessor(view, 5126, count, "SCALAR");
         attributes.insert("_FEATURE_ID_0", file.accessor(ids));
@@ -398,8 +400,8 @@ impl TileWriter {
                 #[cfg(feature = "compress")]
                 true => packed::indices(&batch, short, file, bin),
                 _ => file.view(bin, Some((0, 34963)), |out| match short {
-                    true => out.extend(batch.iter().flat_map(|i| (*i as u16).to_le_bytes())),
-                    false => out.extend(batch.iter().flat_map(|i| i.to_le_bytes())),
+                    true => write_each(out, &batch, |i| (i as u16).to_le_bytes()),
+                    false => write_each(out, &batch, u32::to_le_bytes),
                 }),
             };
             let kind = if short { 5123 } else { 5125 };
@@ -418,6 +420,14 @@ impl TileWriter {
     }
 }
 
+/// Makes room for more elements in a list that grows with the houses of a tile: for four times as many as it has, since room
+/// that is not written to takes no memory, and to move a list does.
+fn room<T>(list: &mut Vec<T>, more: usize) {
+    if list.capacity() - list.len() < more {
+        list.reserve(more.max(3 * list.len()));
+    }
+}
+
 /// Steps of coordinates in a packed metre.
 const STEPS: f32 = 4096.0;
 
@@ -426,7 +436,7 @@ const TANGENT: &str = "TANGENT";
 
 /// Encodes a number from -1 to 1 in a byte.
 fn byte(x: f32) -> u8 {
-    (x * 127.0).round() as i8 as u8
+    signed_byte(x) as u8
 }
 
 /// Returns an estimate of the bytes that an image takes on a graphics card: four a pixel, one if it stays packed there, and a

@@ -33,7 +33,7 @@ pub(in crate::tessellate) struct Atlas {
     pages: Vec<Page>,
     /// The shelves of pages that still take images.
     shelves: Vec<Shelf>,
-    /// True if only colours are encoded.
+    /// True if only colours are kept.
     pub(in crate::tessellate) flat: bool,
 }
 
@@ -57,30 +57,31 @@ enum Content {
 #[derive(Debug)]
 struct Pixels {
     color: RgbaImage,
-    normal: RgbImage,
-    orm: RgbImage,
+    /// Normals, and occlusion with roughness and metalness; none of a flat page.
+    relief: Option<[RgbImage; 2]>,
 }
 
 impl Pixels {
-    fn new() -> Pixels {
+    fn new(flat: bool) -> Pixels {
+        let maps = [[128, 128, 255], [255, 255, 0]];
+        let map = |empty| RgbImage::from_pixel(SIDE, SIDE, image::Rgb(empty));
         Pixels {
             color: RgbaImage::new(SIDE, SIDE),
-            normal: RgbImage::from_pixel(SIDE, SIDE, image::Rgb([128, 128, 255])),
-            orm: RgbImage::from_pixel(SIDE, SIDE, image::Rgb([255, 255, 0])),
+            relief: (!flat).then(|| maps.map(map)),
         }
     }
 
     /// Encodes the page down to a row, its maps at the same time; only the colours if it is flat.
-    fn encode(self, used: u32, holes: bool, flat: bool) -> Baked {
+    fn encode(self, used: u32, holes: bool) -> Baked {
         let color = cut(self.color, used);
-        let (normal, orm) = (cut(self.normal, used), cut(self.orm, used));
+        let relief = self.relief.map(|maps| maps.map(|map| cut(map, used)));
         let color = move || match holes {
             true => png(color.into(), false),
             false => jpeg(&DynamicImage::from(color).into_rgb8(), 90),
         };
-        let relief = move || match flat {
-            true => (vec![], vec![]),
-            false => rayon::join(|| jpeg(&normal, 92), || png(orm.into(), false)),
+        let relief = move || match relief {
+            None => (vec![], vec![]),
+            Some([normal, orm]) => rayon::join(|| jpeg(&normal, 92), || png(orm.into(), false)),
         };
         let (color, (normal, orm)) = rayon::join(color, relief);
         Baked {
@@ -142,8 +143,10 @@ impl Atlas {
             unreachable!("shelves are on open pages");
         };
         copy(&picture.color, &mut pixels.color, (x, y));
-        copy(&picture.normal, &mut pixels.normal, (x, y));
-        copy(&picture.orm, &mut pixels.orm, (x, y));
+        if let Some([normal, orm]) = &mut pixels.relief {
+            copy(&picture.normal, normal, (x, y));
+            copy(&picture.orm, orm, (x, y));
+        }
         let share = |t: u32| t as f32 / SIDE as f32;
         let (x, y) = (x + MARGIN, y + MARGIN);
         Spot {
@@ -183,7 +186,7 @@ impl Atlas {
         let used = used.next_multiple_of(4).min(SIDE);
         let grown = SIDE as f32 / used as f32;
         *content = match std::mem::replace(content, Content::Closing) {
-            Content::Open(pixels) => Content::Closed(pixels.encode(used, *holes, self.flat), grown),
+            Content::Open(pixels) => Content::Closed(pixels.encode(used, *holes), grown),
             other => other,
         };
         self.shelves.retain(|s| s.page as usize != page);
@@ -232,7 +235,7 @@ impl Atlas {
         }
         self.pages.push(Page {
             holes,
-            content: Content::Open(Box::new(Pixels::new())),
+            content: Content::Open(Box::new(Pixels::new(self.flat))),
         });
         (self.pages.len() as u32 - 1, 0)
     }

@@ -1,7 +1,7 @@
 //! Panels: rectangles of a wall plane that show small elements as one image.
 
 use crate::material::SurfaceId;
-use crate::tessellate::mesh::Soup;
+use crate::tessellate::mesh::{Bodies, Soup};
 
 /// A rectangle in x and z.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,30 +69,44 @@ pub(in crate::tessellate) struct Panel {
     pub(in crate::tessellate) rect: Rect,
     /// Distance of its plane outside the centre line, metres.
     pub(in crate::tessellate) front: f64,
-    /// The geometry to bake.
+    /// The geometry to bake; none of a panel that is only measured.
     pub(in crate::tessellate) soups: Vec<(SurfaceId, Soup)>,
 }
 
 /// Returns the area of soups and their front, outside the centre line; `None` if they have no extent.
 pub(in crate::tessellate) fn extent(soups: &[(SurfaceId, Soup)]) -> Option<(Rect, f64)> {
-    let points = || soups.iter().flat_map(|(_, s)| &s.positions);
-    let least = |k: usize| points().map(|p| f64::from(p[k])).reduce(f64::min);
-    let most = |k: usize| points().map(|p| f64::from(p[k])).reduce(f64::max);
-    let rect = Rect {
-        x0: least(0)?,
-        x1: most(0)?,
-        z0: least(2)?,
-        z1: most(2)?,
-    };
+    extent_of(soups.iter().flat_map(|(_, s)| &s.positions))
+}
+
+impl Bodies {
+    /// As [`extent`], with what is only measured.
+    pub(in crate::tessellate) fn extent(&self) -> Option<(Rect, f64)> {
+        let drawn = self.soups.iter().flat_map(|(_, s)| &s.positions);
+        let measured = self.measured.iter().flatten();
+        extent_of(drawn.chain(measured.filter(|p| p[0].is_finite())))
+    }
+}
+
+/// Returns the area of points and their front.
+fn extent_of<'p>(points: impl Iterator<Item = &'p [f32; 3]>) -> Option<(Rect, f64)> {
+    let nothing = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+    let (low, high) = points.fold(nothing, |(low, high), p| {
+        (
+            std::array::from_fn(|k| low[k].min(p[k])),
+            std::array::from_fn(|k| high[k].max(p[k])),
+        )
+    });
+    let ([x0, y0, z0], [x1, _, z1]) = (low.map(f64::from), high.map(f64::from));
+    let rect = Rect { x0, x1, z0, z1 };
     let has_area = rect.width() > 1e-3 && rect.height() > 1e-3;
-    has_area.then_some((rect, -least(1)?))
+    has_area.then_some((rect, -y0))
 }
 
 /// Returns the panes of a panel: one rectangle behind each of its glass surfaces.
 pub(in crate::tessellate) fn panes(panel: &Panel) -> impl Iterator<Item = (SurfaceId, Rect)> {
     let glass = panel.soups.iter().filter(|(id, _)| id.surface().glass);
     glass.filter_map(|(id, soup)| {
-        let (rect, _) = extent(std::slice::from_ref(&(*id, soup.clone())))?;
+        let (rect, _) = extent_of(soup.positions.iter())?;
         Some((*id, rect))
     })
 }

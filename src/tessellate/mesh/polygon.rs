@@ -3,6 +3,7 @@
 use crate::geometry::tolerance::EAR;
 use crate::geometry::triangulate::ears;
 use glam::{DVec2, DVec3};
+use smallvec::SmallVec;
 
 /// Returns the unit normal of a plane polygon by Newell's method; zero if it has no area.
 pub(in crate::tessellate) fn normal(corners: &[DVec3]) -> DVec3 {
@@ -28,7 +29,7 @@ pub(in crate::tessellate) fn triangulate(
         return;
     }
     let (right, up) = crate::tessellate::mesh::axes(normal);
-    let flat: Vec<DVec2> = corners
+    let flat: SmallVec<[DVec2; 16]> = corners
         .iter()
         .map(|p| DVec2::new(right.dot(*p), up.dot(*p)))
         .collect();

@@ -32,6 +32,9 @@ impl Bodies {
         }
         let top: Vec<DVec3> = ring.iter().map(|p| axis.at(*p, hi)).collect();
         let foot: Vec<DVec3> = ring.iter().rev().map(|p| axis.at(*p, lo)).collect();
+        if self.measured.is_some() {
+            return [top, foot].iter().for_each(|ring| self.cover(ring));
+        }
         self.face(finish, &top);
         self.face(finish, &foot);
         let grain = grain_along(finish);

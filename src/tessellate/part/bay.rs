@@ -40,6 +40,8 @@ pub(in crate::tessellate) struct Bay<'a> {
     pub(in crate::tessellate) room: f64,
     /// True if it stands on the ground, which a wing wall reaches down to.
     pub(in crate::tessellate) grounded: bool,
+    /// True if its panels are only measured, since their images are there already.
+    pub(in crate::tessellate) measured: bool,
     pub(in crate::tessellate) bodies: Bodies,
 }
 
@@ -83,6 +85,7 @@ impl<'a> Bay<'a> {
             pictured: posts.is_none(),
             room: crate::tessellate::part::DEEPEST,
             grounded: false,
+            measured: false,
             bodies: Bodies::default(),
         }
     }

@@ -8,7 +8,7 @@ use crate::catalog::Stance;
 use crate::catalog::body::{Element, Shape};
 use crate::material::SurfaceId;
 use crate::scene::Detail;
-use crate::tessellate::mesh::panel::{Panel, Rect, extent};
+use crate::tessellate::mesh::panel::{Panel, Rect};
 use crate::tessellate::part;
 use crate::tessellate::part::bay::{Bay, HALF_POST, Layer};
 
@@ -139,9 +139,12 @@ fn posts(bay: &mut Bay<'_>) {
 fn panel(bay: &mut Bay<'_>, front: Option<f64>, build: impl FnOnce(&mut Bay<'_>)) {
     let before = std::mem::take(&mut bay.bodies);
     bay.bodies.shown = before.shown.clone();
+    if bay.measured {
+        bay.bodies.measure();
+    }
     build(bay);
     let made = std::mem::replace(&mut bay.bodies, before);
-    let Some((rect, foremost)) = extent(&made.soups) else {
+    let Some((rect, foremost)) = made.extent() else {
         return;
     };
     bay.bodies.panels.extend(made.panels);
@@ -149,6 +152,52 @@ fn panel(bay: &mut Bay<'_>, front: Option<f64>, build: impl FnOnce(&mut Bay<'_>)
     bay.bodies.panels.push(Panel {
         rect,
         front: front.unwrap_or(foremost),
-        soups: made.soups,
+        soups: match bay.measured {
+            true => vec![],
+            false => made.soups,
+        },
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalog::PartDef;
+    use crate::parse;
+    use crate::tessellate::mesh::Bodies;
+
+    fn bodies(part: &PartDef, width: f64, detail: Detail, measured: bool) -> Bodies {
+        let span = (part.from.unwrap_or(0.0) * 0.3, 1.8);
+        let around = SurfaceId::named("plaster");
+        let mut bay = Bay::new(part, (width, 2.7), span, around, detail, None);
+        bay.measured = measured;
+        part::build(bay)
+    }
+
+    #[test]
+    fn measured_panels_are_where_drawn_ones_are() {
+        let mut panels = 0;
+        for part in parse::builtin().parts() {
+            for (detail, width) in [Detail::Flat, Detail::Openings]
+                .into_iter()
+                .flat_map(|detail| [0.3, 0.7, 1.0, 1.37].map(|w| (detail, w * part.width())))
+            {
+                let drawn = bodies(part, width, detail, false);
+                let measured = bodies(part, width, detail, true);
+                let places = |bodies: &Bodies| -> Vec<(Rect, f64)> {
+                    bodies.panels.iter().map(|p| (p.rect, p.front)).collect()
+                };
+                let (is, was) = (places(&measured), places(&drawn));
+                assert_eq!(is, was, "{} of {width}", part.code());
+                let rest = |bodies: &Bodies| format!("{:?}{:?}", bodies.soups, bodies.shown);
+                assert!(
+                    rest(&measured) == rest(&drawn),
+                    "{} of {width}",
+                    part.code()
+                );
+                panels += is.len();
+            }
+        }
+        assert!(panels > 500, "{panels}");
+    }
 }

@@ -36,13 +36,17 @@ impl PartKey {
     }
 
     /// Builds the bodies of this key; they depend on nothing else.
-    pub(super) fn bodies(self, part: &PartDef, detail: Detail) -> Bodies {
+    fn bodies(self, part: &PartDef, detail: Detail) -> Bodies {
+        part::build(self.bay(part, detail))
+    }
+
+    fn bay(self, part: &PartDef, detail: Detail) -> Bay<'_> {
         let [width, height, z0, z1] = self.size.map(|n| f64::from(n) / 10_000.0);
         let post = (self.post > 0).then(|| f64::from(self.post) / 10_000.0);
         let mut bay = Bay::new(part, (width, height), (z0, z1), self.around, detail, post);
         bay.room = f64::from(self.room) / 10_000.0;
         bay.grounded = self.grounded;
-        part::build(bay)
+        bay
     }
 }
 
@@ -74,6 +78,18 @@ pub(super) struct PanelImage {
 pub(super) type ShadedImage = (Arc<PanelImage>, usize);
 
 impl Store<'_> {
+    /// Returns the bodies of a part: without what its panels show, if that is baked for a size close to its own.
+    pub(super) fn part_bodies(&self, part: &PartDef, key: PartKey) -> Bodies {
+        let mut bay = key.bay(part, self.detail);
+        bay.measured = true;
+        let bodies = part::build(bay);
+        let shared = || self.shared_areas(part, self.image_key(key), &bodies);
+        match bodies.panels.is_empty() || shared().is_some() {
+            true => bodies,
+            false => key.bodies(part, self.detail),
+        }
+    }
+
     /// Returns the looks of a part's panels.
     pub(super) fn part_looks(
         &self,

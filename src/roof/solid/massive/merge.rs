@@ -17,10 +17,13 @@ pub(super) type Polygon = (Vec<u32>, Finish);
 
 /// Merges faces with their neighbours, within the maximum number of rounds.
 pub(super) fn merge(points: &[DVec3], faces: &mut Vec<Polygon>) {
-    // Faces that changed in the last round.
+    // Faces that changed in the last round, and the corners of them: only along edges between such corners can faces merge
+    // now that could not before.
     let mut fresh = vec![true; faces.len()];
+    let mut touched = vec![true; points.len()];
+    let mut normals: Vec<Option<DVec3>> = vec![None; faces.len()];
     for _ in 0..ROUNDS {
-        let edges = edges(faces);
+        let edges = edges(faces, &touched);
         let mut grown = vec![false; faces.len()];
         let mut taken = vec![false; faces.len()];
         for &(p, q, f) in edges.iter().filter(|(p, q, _)| p < q) {
@@ -35,8 +38,10 @@ pub(super) fn merge(points: &[DVec3], faces: &mut Vec<Polygon>) {
             if !met || !(fresh[f] || fresh[g]) {
                 continue;
             }
-            if let Some(both) = joined(points, &faces[f].0, &faces[g].0, [p, q]) {
+            let own = *normals[f].get_or_insert_with(|| normal(points, &faces[f].0));
+            if let Some(both) = joined(points, (&faces[f].0, own), &faces[g].0, [p, q]) {
                 faces[f].0 = both;
+                normals[f] = None;
                 faces[g].0.clear();
                 (taken[f], taken[g], grown[f]) = (true, true, true);
             }
@@ -44,26 +49,42 @@ pub(super) fn merge(points: &[DVec3], faces: &mut Vec<Polygon>) {
         if !grown.contains(&true) {
             break;
         }
+        touched.fill(false);
+        for (corners, _) in faces.iter().zip(&grown).filter(|(_, g)| **g).map(|f| f.0) {
+            corners.iter().for_each(|c| touched[*c as usize] = true);
+        }
         fresh = grown;
     }
     faces.retain(|f| !f.0.is_empty());
 }
 
-/// Returns every edge with the face that runs along it, sorted.
-fn edges(faces: &[Polygon]) -> Vec<(u32, u32, u32)> {
+/// Returns every edge between two of the corners `touched` with the face that runs along it, sorted.
+fn edges(faces: &[Polygon], touched: &[bool]) -> Vec<(u32, u32, u32)> {
     let mut edges = Vec::with_capacity(4 * faces.len());
     for ((corners, _), f) in faces.iter().zip(0..) {
-        let next = corners.iter().cycle().skip(1);
-        edges.extend(corners.iter().zip(next).map(|(p, q)| (*p, *q, f)));
+        let Some(mut p) = corners.last().copied() else {
+            continue;
+        };
+        for &q in corners {
+            if touched[p as usize] && touched[q as usize] {
+                edges.push((p, q, f));
+            }
+            p = q;
+        }
     }
     edges.sort_unstable();
     edges
 }
 
-/// Merges two faces that share an edge, which the first traverses from one end to the other, into one convex face.
-fn joined(points: &[DVec3], one: &[u32], other: &[u32], [from, to]: [u32; 2]) -> Option<Vec<u32>> {
+/// Merges two faces that share an edge, which the first traverses from one end to the other, into one convex face. The first
+/// is given with its normal.
+fn joined(
+    points: &[DVec3],
+    (one, normal): (&[u32], DVec3),
+    other: &[u32],
+    [from, to]: [u32; 2],
+) -> Option<Vec<u32>> {
     let at = |id: u32| points[id as usize];
-    let normal = normal(points, one);
     let origin = at(one[0]);
     if other
         .iter()

@@ -54,15 +54,11 @@ impl Side {
 impl Plan {
     pub(super) fn of(pieces: &[Piece]) -> Plan {
         let outlines = || pieces.iter().flat_map(|p| [&p.outline, &p.filled]);
-        let all = outlines().flatten().map(|c| c.at);
-        let mut order: Vec<(DVec2, u32)> = all.zip(0..).collect();
-        order.sort_unstable_by(|p, q| {
-            (p.0.x.total_cmp(&q.0.x))
-                .then(p.0.y.total_cmp(&q.0.y))
-                .then(p.1.cmp(&q.1))
-        });
+        let (place, places) = distinct(outlines().flatten().map(|c| c.at));
+        let mut order: Vec<(DVec2, u32)> = places.into_iter().zip(0..).collect();
+        order.sort_unstable_by(|p, q| p.0.x.total_cmp(&q.0.x).then(p.0.y.total_cmp(&q.0.y)));
         let mut number = vec![0; order.len()];
-        let mut corners: Vec<DVec2> = Vec::with_capacity(order.len() / 2);
+        let mut corners: Vec<DVec2> = Vec::with_capacity(order.len());
         for (at, n) in order {
             let near = corners.iter().rev().take_while(|c| at.x - c.x < WELD);
             let same = near.enumerate().find(|(_, c)| (c.y - at.y).abs() < WELD);
@@ -75,7 +71,7 @@ impl Plan {
             };
             number[n as usize] = id as u32;
         }
-        let mut numbers = number.into_iter();
+        let mut numbers = place.into_iter().map(|place| number[place as usize]);
         let mut ring = |outline: &[crate::roof::facet::Corner]| {
             let mut ring: Ring = Vec::with_capacity(outline.len() + 4);
             for (corner, id) in outline.iter().zip(&mut numbers) {
@@ -104,40 +100,15 @@ impl Plan {
 
     /// Inserts corners into the edges that they lie on.
     pub(super) fn conform(&mut self) {
-        let (known, more) = self.corners.split_at(self.sorted);
+        let corners = self.corners.split_at(self.sorted);
         let mut found: Vec<(f64, u32)> = vec![];
-        for ring in self.rings.iter_mut().flatten() {
-            let mut n = 0;
-            while n < ring.len() {
-                let (from, rim) = ring[n];
-                let to = ring[(n + 1) % ring.len()].0;
-                n += 1;
-                let [p, q] = [from, to].map(|c| self.corners[c as usize]);
-                let (lo, hi) = (p.min(q) - WELD, p.max(q) + WELD);
-                let way = q - p;
-                let most = WELD * WELD * way.length_squared();
-                let start = known.partition_point(|c| c.x < lo.x);
-                let near = known[start..].iter().take_while(|c| c.x <= hi.x);
-                let near = near.zip(start as u32..);
-                let more = more.iter().zip(self.sorted as u32..);
-                for (c, id) in near.chain(more) {
-                    let (at, off) = (way.dot(c - p), way.perp_dot(c - p));
-                    if off * off < most
-                        && c.cmpge(lo).all()
-                        && c.cmple(hi).all()
-                        && id != from
-                        && id != to
-                    {
-                        found.push((at, id));
-                    }
-                }
-                if found.is_empty() {
-                    continue;
-                }
-                found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-                let count = found.len();
-                ring.splice(n..n, found.drain(..).map(|(_, id)| (id, rim)));
-                n += count;
+        for [slab, filling] in &mut self.rings {
+            // Most slopes are filled as a whole, or not at all.
+            let same = slab == filling;
+            insert(slab, corners, &mut found);
+            match same {
+                true => filling.clone_from(slab),
+                false => insert(filling, corners, &mut found),
             }
         }
         for rings in &mut self.rings {
@@ -331,6 +302,70 @@ impl Plan {
             }
         }
         Some(())
+    }
+}
+
+/// Returns for each corner the number of its place, and the places in the order of their first corners. Slabs, fillings
+/// and slopes side by side have most corners in common, to the last bit; only those that differ are left to be sorted.
+fn distinct(corners: impl Iterator<Item = DVec2> + Clone) -> (Vec<u32>, Vec<DVec2>) {
+    const NONE: u32 = u32::MAX;
+    let count = corners.clone().count();
+    let mut slots = vec![NONE; (2 * count).next_power_of_two()];
+    let (mut numbers, mut places) = (Vec::with_capacity(count), Vec::with_capacity(count / 2));
+    let bits = |at: DVec2| at.to_array().map(f64::to_bits);
+    for at in corners {
+        let own = bits(at);
+        let mixed = own.iter().fold(0, |mixed: u64, n| {
+            (mixed.rotate_left(5) ^ n).wrapping_mul(0x9E37_79B9_7F4A_7C15)
+        });
+        // The upper half of a product depends on all bits.
+        let mut slot = (mixed >> 32) as usize & (slots.len() - 1);
+        let same = |known: u32| known == NONE || bits(places[known as usize]) == own;
+        while !same(slots[slot]) {
+            slot = (slot + 1) & (slots.len() - 1);
+        }
+        if slots[slot] == NONE {
+            slots[slot] = places.len() as u32;
+            places.push(at);
+        }
+        numbers.push(slots[slot]);
+    }
+    (numbers, places)
+}
+
+/// Inserts corners into the edges of an outline that they lie on. The corners are those in ascending order of x, then
+/// others; `found` is room to work in.
+fn insert(ring: &mut Ring, (known, more): (&[DVec2], &[DVec2]), found: &mut Vec<(f64, u32)>) {
+    let at = |c: u32| match known.get(c as usize) {
+        Some(at) => *at,
+        None => more[c as usize - known.len()],
+    };
+    let mut n = 0;
+    while n < ring.len() {
+        let (from, rim) = ring[n];
+        let to = ring[(n + 1) % ring.len()].0;
+        n += 1;
+        let [p, q] = [from, to].map(at);
+        let (lo, hi) = (p.min(q) - WELD, p.max(q) + WELD);
+        let way = q - p;
+        let most = WELD * WELD * way.length_squared();
+        let start = known.partition_point(|c| c.x < lo.x);
+        let near = known[start..].iter().take_while(|c| c.x <= hi.x);
+        let more = more.iter().zip(known.len() as u32..);
+        for (c, id) in near.zip(start as u32..).chain(more) {
+            let (at, off) = (way.dot(c - p), way.perp_dot(c - p));
+            if off * off < most && c.cmpge(lo).all() && c.cmple(hi).all() && id != from && id != to
+            {
+                found.push((at, id));
+            }
+        }
+        if found.is_empty() {
+            continue;
+        }
+        found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let count = found.len();
+        ring.splice(n..n, found.drain(..).map(|(_, id)| (id, rim)));
+        n += count;
     }
 }
 
