@@ -403,7 +403,8 @@ pub fn is_doubtful(wall: &Wall) -> bool {
         Role::Lattice => (0.0, 0.15),
         Role::Open | Role::Empty | Role::Mat => return true,
     };
-    wall.is_joined || wall.read.lead + likeness * wall.read.likeness < least
+    let is_unlike = wall.read.role == Role::Wall && wall.read.unlike > 0.0;
+    wall.is_joined || is_unlike || wall.read.lead + likeness * wall.read.likeness < least
 }
 
 /// The codes along a wall, each with its first unit and whether it is in doubt.

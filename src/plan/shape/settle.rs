@@ -73,10 +73,10 @@ fn groups(
     count: usize,
 ) -> BTreeSet<Vec<usize>> {
     let mut out: BTreeSet<Vec<usize>> = (1..count).map(|k| vec![k]).collect();
-    for widest in [0, 1, 2] {
+    for (keeps_doors, widest) in [(false, 0), (true, 0), (true, 1), (true, 2)] {
         let mut some = lines.clone();
         some.joined
-            .retain(|_, gap| gap.is_door || gap.length <= widest);
+            .retain(|_, gap| keeps_doors && gap.is_door || gap.length <= widest);
         let mut left: BTreeSet<(i32, i32)> = lines.enclosed();
         let enclosed = left.clone();
         while let Some(&first) = left.iter().next() {
@@ -183,7 +183,9 @@ fn regions(lines: &Lines<'_>) -> (Vec<Region>, BTreeMap<(i32, i32), usize>) {
             let strength = if is_main { 1.0 } else { APART } * strength(lines.read(at, upright));
             // What lies within is met from both of its sides.
             let times = if other == k { 0.5 } else { 1.0 };
-            let undrawn = UNDRAWN * (1.0 - closes(lines.read(at, upright).role));
+            // A wall that stands apart closes nothing.
+            let closed = if is_main { 1.0 } else { APART } * closes(lines.read(at, upright).role);
+            let undrawn = UNDRAWN * (1.0 - closed);
             if other != k || strength > 0.0 {
                 sides.push((other, undrawn * times, STRAY * strength * times));
             }
