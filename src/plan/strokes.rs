@@ -335,7 +335,7 @@ impl Look {
         let posts = self.strips[..self.rows].iter().map(|s| s.posts.clone());
         let posts: Vec<Vec<f64>> = posts.collect();
         loose::remove(&mut lines, &posts);
-        loose::remove_chains(&mut lines);
+        loose::remove_chains(&mut lines, &posts);
         let [level, upright] = lines;
         Units {
             across: grid.across,
