@@ -343,7 +343,15 @@ fn corners(lines: &Lines<'_>) -> Vec<(((i32, i32), bool), Gap)> {
             };
             for units in [level, upright] {
                 let length = units.len() as i32;
-                let gap = |at| (at, Gap { is_door: false, length });
+                let gap = |at| {
+                    (
+                        at,
+                        Gap {
+                            is_door: false,
+                            length,
+                        },
+                    )
+                };
                 out.extend(units.into_iter().map(gap));
             }
         }

@@ -38,7 +38,7 @@ pub struct Read {
     pub lead: f64,
     /// How thick its ink is, units.
     pub ink: f64,
-    /// How unlike the walls of the sheet it is, 0 to 1.
+    /// How unlike the walls of the sheet it is: beyond 1 it is none of them.
     pub unlike: f64,
 }
 

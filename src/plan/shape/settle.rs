@@ -230,9 +230,8 @@ fn unread(lines: &Lines<'_>) -> f64 {
     middle.map_or(f64::INFINITY, |ink| MUCH * ink)
 }
 
-/// Finds the walls of the house: the largest connected group, and smaller groups that a gap in their own line separates from it,
-/// beyond its extent only where walls stand at both ends of the gap. Dimension chains stay apart.
-fn connected(lines: &Lines<'_>) -> BTreeSet<((i32, i32), bool)> {
+/// The crossings of walls that touch each other, the largest group first.
+fn touching(lines: &Lines<'_>) -> Vec<BTreeSet<(i32, i32)>> {
     let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
     let all = (v0..=v1).flat_map(|v| (u0..=u1).map(move |u| (u, v)));
     let stands = |at: (i32, i32), upright: bool| lines.read(at, upright).role.parts();
@@ -254,7 +253,14 @@ fn connected(lines: &Lines<'_>) -> BTreeSet<((i32, i32), bool)> {
         groups.push(crossings);
     }
     groups.sort_by_key(|g| std::cmp::Reverse(g.len()));
-    let mut groups = groups.into_iter();
+    groups
+}
+
+/// Finds the walls of the house: the largest connected group, and smaller groups that a gap in their own line separates from it,
+/// beyond its extent only where walls stand at both ends of the gap. Dimension chains stay apart.
+fn connected(lines: &Lines<'_>) -> BTreeSet<((i32, i32), bool)> {
+    let stands = |at: (i32, i32), upright: bool| lines.read(at, upright).role.parts();
+    let mut groups = touching(lines).into_iter();
     let mut most = groups.next().unwrap_or_default();
     let ways = ways(lines);
     let extent = |of: fn(&(i32, i32)) -> i32| {

@@ -12,12 +12,11 @@ const BESIDE: usize = 2;
 /// Samples to the side that a wall may lie beside its line.
 const SWAY: i64 = 3;
 
-/// How far walls may be from the middle of all beside the middle distance, and how much farther until they surely are none: in
-/// shares of the ink of a wall.
-const NEAR: [f64; 2] = [0.3, 0.55];
-const TIMES: f64 = 1.6;
-const APART: f64 = 0.12;
-const SURE: f64 = 0.15;
+/// How far walls may be from the middle of all, in shares of the ink of a wall: so many times the middle distance, and so much
+/// besides, but between two bounds.
+const TIMES: f64 = 1.4;
+const BESIDES: f64 = 0.1;
+const BOUNDS: [f64; 2] = [0.25, 0.5];
 
 /// How a sheet draws its walls, across.
 pub(super) struct Walls {
@@ -43,29 +42,51 @@ impl Walls {
         let most = profile.iter().copied().fold(0.0, f32::max);
         let is_dark = |j: &usize| profile[*j] > DARK * most;
         let middle = ACROSS / 2;
-        let first = (0..=middle).rev().take_while(|j| is_dark(j) || middle - j < 4).last();
-        let last = (middle..ACROSS).take_while(|j| is_dark(j) || j - middle < 4).last();
-        let (first, last) = (first?.saturating_sub(BESIDE), (last? + BESIDE + 1).min(ACROSS));
+        let first = (0..=middle)
+            .rev()
+            .take_while(|j| is_dark(j) || middle - j < 4)
+            .last();
+        let last = (middle..ACROSS)
+            .take_while(|j| is_dark(j) || j - middle < 4)
+            .last();
+        let (first, last) = (
+            first?.saturating_sub(BESIDE),
+            (last? + BESIDE + 1).min(ACROSS),
+        );
         let sum = profile[first..last].iter().sum();
-        let mut walls = Walls { profile, band: first..last, sum, near: 0.0 };
+        let mut walls = Walls {
+            profile,
+            band: first..last,
+            sum,
+            near: 0.0,
+        };
         let mut all: Vec<f64> = patches.iter().map(|p| walls.distance(p)).collect();
         all.sort_by(f64::total_cmp);
-        let near = TIMES * all[all.len() / 2] + APART;
-        walls.near = near.clamp(NEAR[0], NEAR[1]);
+        let near = TIMES * all[all.len() / 2] + BESIDES;
+        walls.near = near.clamp(BOUNDS[0], BOUNDS[1]);
         Some(walls)
     }
 
-    /// How unlike the walls a unit is, 0 to 1.
+    /// How unlike the walls a unit is: beyond 1 it is none of them.
     pub(super) fn unlike(&self, patch: &Patch) -> f64 {
-        ((self.distance(patch) - self.near) / SURE).clamp(0.0, 1.0)
+        self.distance(patch) / self.near
     }
 
     /// How much darker or lighter a unit is than the walls, in shares of them.
     fn distance(&self, patch: &Patch) -> f64 {
         let half = |profile: &[f32; ACROSS]| {
             let by = |shift: i64| {
-                let at = |j: usize| usize::try_from(j as i64 + shift).ok().and_then(|k| profile.get(k)).copied().unwrap_or(0.0);
-                self.band.clone().map(|j| (at(j) - self.profile[j]).abs()).sum::<f32>()
+                let at = |j: usize| {
+                    usize::try_from(j as i64 + shift)
+                        .ok()
+                        .and_then(|k| profile.get(k))
+                        .copied()
+                        .unwrap_or(0.0)
+                };
+                self.band
+                    .clone()
+                    .map(|j| (at(j) - self.profile[j]).abs())
+                    .sum::<f32>()
             };
             (-SWAY..=SWAY).map(by).fold(f32::INFINITY, f32::min)
         };

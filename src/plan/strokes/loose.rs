@@ -51,7 +51,10 @@ pub(super) fn remove_chains(sides: &mut Sides, posts: &[Vec<f64>]) {
     };
     // Of each direction the walls farthest out: a leaf that stands open may reach a chain.
     let reach = |side: usize| {
-        let lines = house.iter().filter(|unit| unit.0 == side).map(|unit| unit.1);
+        let lines = house
+            .iter()
+            .filter(|unit| unit.0 == side)
+            .map(|unit| unit.1);
         lines.fold((usize::MAX, 0), |(low, high), line| {
             (low.min(line), high.max(line))
         })

@@ -28,6 +28,8 @@ const LEARNT: f64 = 0.7;
 const LEARNT_LEAD: f64 = 0.06;
 /// What it costs a wall to be unlike the walls of the sheet.
 const UNLIKE: f64 = 0.3;
+/// How far beyond the bound it surely is unlike them.
+const SURELY: f64 = 0.4;
 /// What it costs to be drawn otherwise than the sheet draws the same thing elsewhere.
 const FOREIGN: f64 = 0.15;
 
@@ -159,7 +161,7 @@ pub(super) struct Line {
     empty: Vec<f64>,
     /// How thick the ink on them is, units.
     ink: Vec<f64>,
-    /// How unlike the walls of the sheet they are (`alike`), 0 to 1.
+    /// How unlike the walls of the sheet they are: beyond 1 they are none (`alike`).
     unlike: Vec<f64>,
     /// For each unit that has ink, stamp after stamp and unit after unit of it; with what it shows of proof.
     likeness: Vec<Vec<(f32, [f32; 2])>>,
@@ -272,7 +274,9 @@ impl Line {
             None,
         )];
         let bare_ends = NO_POST * (2.0 - self.posts[from] - self.posts[end]) / length;
-        let unlike = UNLIKE * self.unlike[from..end].iter().sum::<f64>() / length;
+        let beyond = |unlike: &f64| ((unlike - 1.0) / SURELY).clamp(0.0, 1.0);
+        let unlike = self.unlike[from..end].iter().map(beyond).sum::<f64>();
+        let unlike = UNLIKE * unlike / length;
         if self.likeness[from..end].iter().all(|l| !l.is_empty()) {
             let means = self.means(from, end, stamps);
             for (k, stamp) in stamps.iter().enumerate() {
@@ -283,7 +287,11 @@ impl Line {
                 let against = stamp.mirrored.and_then(|m| means[k.wrapping_add_signed(m)]);
                 let proof = proof + against.map_or(0.0, |a| CLEAR * (mean - a.0 - LEAST_CLEAR));
                 let bare = if stamp.role.parts() { bare_ends } else { 0.0 };
-                let foreign = if stamp.role == Role::Wall { unlike } else { 0.0 };
+                let foreign = if stamp.role == Role::Wall {
+                    unlike
+                } else {
+                    0.0
+                };
                 let value = mean + proof - habits.costs[k] - bare - foreign;
                 match best.iter_mut().find(|b| b.0 == stamp.role) {
                     Some(b) if b.1 >= value => {}
@@ -310,7 +318,9 @@ impl Line {
         let mut out = vec![Read::EMPTY; self.empty.len()];
         for run in runs {
             let units = out[run.from..run.end].iter_mut();
-            let marks = self.ink[run.from..run.end].iter().zip(&self.unlike[run.from..run.end]);
+            let marks = self.ink[run.from..run.end]
+                .iter()
+                .zip(&self.unlike[run.from..run.end]);
             for (read, (ink, unlike)) in units.zip(marks) {
                 *read = Read {
                     role: run.role,
