@@ -28,7 +28,8 @@ const LEARNT: f64 = 0.7;
 const LEARNT_LEAD: f64 = 0.06;
 /// What it costs a wall to be unlike the walls of the sheet.
 const UNLIKE: f64 = 0.3;
-/// How far beyond the bound it surely is unlike them.
+/// From how many times the bound on that counts, and how much farther it counts whole; before that there is doubt alone.
+const FARTHER: f64 = 1.2;
 const SURELY: f64 = 0.4;
 /// What it costs to be drawn otherwise than the sheet draws the same thing elsewhere.
 const FOREIGN: f64 = 0.15;
@@ -274,7 +275,7 @@ impl Line {
             None,
         )];
         let bare_ends = NO_POST * (2.0 - self.posts[from] - self.posts[end]) / length;
-        let beyond = |unlike: &f64| ((unlike - 1.0) / SURELY).clamp(0.0, 1.0);
+        let beyond = |unlike: &f64| ((unlike - FARTHER) / SURELY).clamp(0.0, 1.0);
         let unlike = self.unlike[from..end].iter().map(beyond).sum::<f64>();
         let unlike = UNLIKE * unlike / length;
         if self.likeness[from..end].iter().all(|l| !l.is_empty()) {
