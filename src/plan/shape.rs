@@ -213,6 +213,12 @@ impl Shape {
             joined: BTreeMap::new(),
         };
         lines.joined = gaps(&lines);
+        if !is_drawn {
+            let corners = corners(&lines);
+            corners.into_iter().for_each(|(at, gap)| {
+                lines.joined.entry(at).or_insert(gap);
+            });
+        }
         let cells = if is_drawn {
             lines.closed()
         } else {
@@ -306,6 +312,47 @@ fn gaps(lines: &Lines<'_>) -> BTreeMap<((i32, i32), bool), Gap> {
                     out.extend((k..end).map(|j| ((at(j), upright), gap)));
                 }
                 k = end;
+            }
+        }
+    }
+    out
+}
+
+/// Units without strokes at both sides of a corner, where two walls would meet if they went on.
+fn corners(lines: &Lines<'_>) -> Vec<(((i32, i32), bool), Gap)> {
+    let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
+    let mut out = Vec::new();
+    for corner in (v0..=v1).flat_map(|v| (u0..=u1).map(move |u| (u, v))) {
+        // The units from the corner to where a wall begins that goes on from there.
+        let arm = |upright: bool, step: i32| {
+            let unit = |k: i32| {
+                let along = if step > 0 { k } else { -k - 1 };
+                let at = match upright {
+                    true => (corner.0, corner.1 + along),
+                    false => (corner.0 + along, corner.1),
+                };
+                (at, upright)
+            };
+            let parts = |k: i32| lines.parts(unit(k).0, upright);
+            let length = (0..=DOOR).find(|k| parts(*k)).filter(|k| *k > 0)?;
+            Some((0..length).map(unit).collect::<Vec<_>>())
+        };
+        for (level, upright) in [(-1, -1), (-1, 1), (1, -1), (1, 1)] {
+            let (Some(level), Some(upright)) = (arm(false, level), arm(true, upright)) else {
+                continue;
+            };
+            for units in [level, upright] {
+                let length = units.len() as i32;
+                let gap = |at| {
+                    (
+                        at,
+                        Gap {
+                            is_door: false,
+                            length,
+                        },
+                    )
+                };
+                out.extend(units.into_iter().map(gap));
             }
         }
     }

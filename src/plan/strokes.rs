@@ -3,6 +3,7 @@
 use super::grid::{Grid, dark_at};
 use super::legend::{Legend, Role};
 use super::sheet::Ink;
+use alike::Walls;
 use glam::DVec2;
 use learnt::Learnt;
 pub use nib::Nib;
@@ -12,6 +13,7 @@ use runs::{Habits, Line, Sum};
 use stamp::Stamp;
 use std::collections::BTreeSet;
 
+mod alike;
 mod learnt;
 mod loose;
 mod nib;
@@ -36,6 +38,8 @@ pub struct Read {
     pub lead: f64,
     /// How thick its ink is, units.
     pub ink: f64,
+    /// How unlike the walls of the sheet it is: beyond 1 it is none of them.
+    pub unlike: f64,
 }
 
 impl Read {
@@ -45,6 +49,7 @@ impl Read {
         likeness: 1.0,
         lead: 1.0,
         ink: 0.0,
+        unlike: 0.0,
     };
 }
 
@@ -260,13 +265,7 @@ impl Look {
         let rows = strips[0].len();
         let strips: Vec<Strip> = strips.into_iter().flatten().collect();
         let lines: Vec<Line> = strips.iter().map(|s| Line::of(s, &stamps, nib)).collect();
-        // One hand draws one thing in one way: what a first look finds often is likelier at the second.
-        let mut habits = Habits::none(&stamps);
-        for line in &lines {
-            let runs = line.best(&stamps, &habits);
-            runs.iter().for_each(|run| habits.note(run));
-        }
-        habits.settle(&stamps);
+        let habits = habits(&lines, &stamps);
         let mut sum = Sum::default();
         for line in &lines {
             line.reads(&line.best(&stamps, &habits), &mut sum);
@@ -288,8 +287,31 @@ impl Look {
         }
     }
 
+    /// Compares all units with the walls of the sheet, those of each direction for themselves: lines lie otherwise between its
+    /// pixels.
+    fn compare(&mut self) {
+        let none = Sum::default;
+        let reads = |line: &Line| line.reads(&line.best(&self.stamps, &self.habits), &mut none());
+        let reads: Vec<Vec<Read>> = self.lines.iter().map(reads).collect();
+        let of = |strips: std::ops::Range<usize>| {
+            let both = strips.flat_map(|k| reads[k].iter().zip(&self.strips[k].patches));
+            let walls = both.filter(|(read, _)| read.role == Role::Wall);
+            let walls: Vec<&Patch> = walls.map(|w| w.1).collect();
+            Walls::of(&walls)
+        };
+        let all = self.strips.len();
+        let walls = [of(0..self.rows), of(self.rows..all)].map(|own| own.or_else(|| of(0..all)));
+        for (k, (strip, line)) in self.strips.iter().zip(&mut self.lines).enumerate() {
+            if let Some(walls) = &walls[usize::from(k >= self.rows)] {
+                line.compare(strip, walls);
+            }
+        }
+        self.habits = habits(&self.lines, &self.stamps);
+    }
+
     /// The second look, at how this sheet itself draws things, and what it finds.
     pub fn units(mut self, grid: &Grid) -> Units {
+        self.compare();
         let mut learnt = Learnt::default();
         for (strip, line) in self.strips.iter().zip(&self.lines) {
             for run in line.best(&self.stamps, &self.habits) {
@@ -313,7 +335,7 @@ impl Look {
         let posts = self.strips[..self.rows].iter().map(|s| s.posts.clone());
         let posts: Vec<Vec<f64>> = posts.collect();
         loose::remove(&mut lines, &posts);
-        loose::remove_chains(&mut lines);
+        loose::remove_chains(&mut lines, &posts);
         let [level, upright] = lines;
         Units {
             across: grid.across,
@@ -324,6 +346,17 @@ impl Look {
             inked: BTreeSet::new(),
         }
     }
+}
+
+/// One hand draws one thing in one way: what a first look finds often is likelier at the second.
+fn habits(lines: &[Line], stamps: &[Stamp]) -> Habits {
+    let mut habits = Habits::none(stamps);
+    for line in lines {
+        let runs = line.best(stamps, &habits);
+        runs.iter().for_each(|run| habits.note(run));
+    }
+    habits.settle(stamps);
+    habits
 }
 
 /// The share of ink on lines of the grid that is in red strokes. Ink on wood has a red rim, which is none.

@@ -1,5 +1,6 @@
 //! The source file of a house that was found: outer walls, walls inside, rooms, and a comment at each wall in doubt.
 
+mod doubt;
 mod things;
 
 use super::legend::Role;
@@ -8,6 +9,8 @@ use glam::DVec2;
 use quick_xml::escape::escape;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
+
+pub use doubt::is_doubtful;
 
 /// The parts that stand for roles: what a plan cannot say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -389,21 +392,6 @@ fn row(units: &[Unit], writing: Writing, turn: &str, out: &mut Written) {
         }
     }
     out.text.push_str("</Row>\n");
-}
-
-/// Whether a wall may well be another than it was read as, or none: its symbol leads by little, or it agrees little with it.
-/// What likeness counts beside the lead, and the bound of both, are by logistic regression over 13,000 walls that were drawn by
-/// the generator in `tests/plan_drawings`, so that one in eight of those below the bound is wrong.
-pub fn is_doubtful(wall: &Wall) -> bool {
-    let (likeness, least) = match wall.read.role {
-        Role::Wall => (0.77, 0.79),
-        Role::Slide => (0.30, 0.235),
-        Role::Hinged => (1.0, 1.004),
-        Role::Window => (0.04, 0.20),
-        Role::Lattice => (0.0, 0.15),
-        Role::Open | Role::Empty | Role::Mat => return true,
-    };
-    wall.is_joined || wall.read.lead + likeness * wall.read.likeness < least
 }
 
 /// The codes along a wall, each with its first unit and whether it is in doubt.

@@ -22,6 +22,10 @@ const LIVED_IN: f64 = 0.25;
 const FEW: f64 = 4.0;
 /// The share of the cost of a wall that is not connected to the house.
 const APART: f64 = 0.1;
+/// How well ink closes a house, and how sure it is that a wall stands there, where it looks like no symbol; and the share of the
+/// ink of doors and windows from which on it may be a wall.
+const UNREAD: f64 = 0.4;
+const MUCH: f64 = 0.6;
 /// The lead over another reading from which on there is no doubt of a wall.
 const CLEAR: f64 = 0.2;
 
@@ -73,10 +77,10 @@ fn groups(
     count: usize,
 ) -> BTreeSet<Vec<usize>> {
     let mut out: BTreeSet<Vec<usize>> = (1..count).map(|k| vec![k]).collect();
-    for widest in [0, 1, 2] {
+    for (keeps_doors, widest) in [(false, 0), (true, 0), (true, 1), (true, 2)] {
         let mut some = lines.clone();
         some.joined
-            .retain(|_, gap| gap.is_door || gap.length <= widest);
+            .retain(|_, gap| keeps_doors && gap.is_door || gap.length <= widest);
         let mut left: BTreeSet<(i32, i32)> = lines.enclosed();
         let enclosed = left.clone();
         while let Some(&first) = left.iter().next() {
@@ -173,17 +177,32 @@ fn regions(lines: &Lines<'_>) -> (Vec<Region>, BTreeMap<(i32, i32), usize>) {
         groups.push(group);
     }
     let main = connected(lines);
+    let ends = |(u, v): (i32, i32), upright: bool| {
+        let end = if upright { (u, v + 1) } else { (u + 1, v) };
+        [(u, v), end]
+    };
+    let crossings: BTreeSet<(i32, i32)> = main.iter().flat_map(|s| ends(s.0, s.1)).collect();
+    let unread = unread(lines);
     let region = |(k, cells): (usize, BTreeSet<(i32, i32)>)| {
         let mut sides = Vec::new();
         for (at, upright, beyond) in cells.iter().flat_map(|c| Lines::sides(*c)) {
             let Some(&other) = number.get(&beyond) else {
                 continue;
             };
-            let is_main = main.contains(&(at, upright));
-            let strength = if is_main { 1.0 } else { APART } * strength(lines.read(at, upright));
+            let read = lines.read(at, upright);
+            let is_unread = !read.role.parts() && read.ink > unread;
+            let (strength, closes) = match is_unread {
+                true => (UNREAD, UNREAD),
+                false => (strength(read), closes(read.role)),
+            };
+            let meets = || ends(at, upright).iter().any(|c| crossings.contains(c));
+            let is_main = main.contains(&(at, upright)) || is_unread && meets();
+            // A wall that stands apart closes nothing.
+            let share = if is_main { 1.0 } else { APART };
+            let (strength, closes) = (share * strength, share * closes);
             // What lies within is met from both of its sides.
             let times = if other == k { 0.5 } else { 1.0 };
-            let undrawn = UNDRAWN * (1.0 - closes(lines.read(at, upright).role));
+            let undrawn = UNDRAWN * (1.0 - closes);
             if other != k || strength > 0.0 {
                 sides.push((other, undrawn * times, STRAY * strength * times));
             }
@@ -199,9 +218,20 @@ fn regions(lines: &Lines<'_>) -> (Vec<Region>, BTreeMap<(i32, i32), usize>) {
     (regions, number)
 }
 
-/// Finds the walls of the house: the largest connected group, and smaller groups within its extent that a gap in their own line
-/// separates from it. Dimension chains stay apart.
-fn connected(lines: &Lines<'_>) -> BTreeSet<((i32, i32), bool)> {
+/// How thick ink has to be that may be a wall though it was not read as one: units.
+fn unread(lines: &Lines<'_>) -> f64 {
+    let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
+    let all = (v0..=v1).flat_map(|v| (u0..=u1).map(move |u| (u, v)));
+    let reads = all.flat_map(|at| [lines.read(at, false), lines.read(at, true)]);
+    let is_opening = |r: &Read| matches!(r.role, Role::Slide | Role::Window);
+    let mut ink: Vec<f64> = reads.filter(is_opening).map(|r| r.ink).collect();
+    ink.sort_by(f64::total_cmp);
+    let middle = ink.get(ink.len() / 2);
+    middle.map_or(f64::INFINITY, |ink| MUCH * ink)
+}
+
+/// The crossings of walls that touch each other, the largest group first.
+fn touching(lines: &Lines<'_>) -> Vec<BTreeSet<(i32, i32)>> {
     let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
     let all = (v0..=v1).flat_map(|v| (u0..=u1).map(move |u| (u, v)));
     let stands = |at: (i32, i32), upright: bool| lines.read(at, upright).role.parts();
@@ -223,7 +253,14 @@ fn connected(lines: &Lines<'_>) -> BTreeSet<((i32, i32), bool)> {
         groups.push(crossings);
     }
     groups.sort_by_key(|g| std::cmp::Reverse(g.len()));
-    let mut groups = groups.into_iter();
+    groups
+}
+
+/// Finds the walls of the house: the largest connected group, and smaller groups that a gap in their own line separates from it,
+/// beyond its extent only where walls stand at both ends of the gap. Dimension chains stay apart.
+fn connected(lines: &Lines<'_>) -> BTreeSet<((i32, i32), bool)> {
+    let stands = |at: (i32, i32), upright: bool| lines.read(at, upright).role.parts();
+    let mut groups = touching(lines).into_iter();
     let mut most = groups.next().unwrap_or_default();
     let ways = ways(lines);
     let extent = |of: fn(&(i32, i32)) -> i32| {
@@ -231,22 +268,31 @@ fn connected(lines: &Lines<'_>) -> BTreeSet<((i32, i32), bool)> {
         all().min().unwrap_or(0)..=all().max().unwrap_or(0)
     };
     let (across, down) = (extent(|c| c.0), extent(|c| c.1));
-    // Chains of dimensions lie beyond the walls.
+    // Chains of dimensions lie beyond the walls, and in line with none.
     let is_within = |g: &BTreeSet<(i32, i32)>| {
-        g.len() > 1
-            && g.iter()
-                .all(|c| across.contains(&c.0) && down.contains(&c.1))
+        g.iter()
+            .all(|c| across.contains(&c.0) && down.contains(&c.1))
     };
-    let others: Vec<_> = groups.filter(is_within).collect();
-    for group in others {
-        let continues = |way: &Way| {
-            let of_group = |(at, upright): Side| stands(at, upright) && group.contains(&at);
-            (of_group(way.before) || of_group(way.after))
-                && way.crossings.iter().any(|c| most.contains(c))
+    let mut others: Vec<_> = groups.filter(|g| g.len() > 1).collect();
+    loop {
+        let joins = |group: &BTreeSet<(i32, i32)>| {
+            let of = |(at, upright): Side, some: &BTreeSet<(i32, i32)>| {
+                stands(at, upright) && some.contains(&at)
+            };
+            let is_within = is_within(group);
+            ways.iter().any(|way| {
+                let [before, after] = [way.before, way.after].map(|s| (of(s, group), of(s, &most)));
+                let meets = way.crossings.iter().any(|c| most.contains(c));
+                let continues = before.0 && after.1 || before.1 && after.0;
+                continues || is_within && meets && (before.0 || after.0)
+            })
         };
-        if ways.iter().any(continues) {
-            most.extend(group);
+        let (more, rest): (Vec<_>, Vec<_>) = others.into_iter().partition(joins);
+        others = rest;
+        if more.is_empty() {
+            break;
         }
+        most.extend(more.into_iter().flatten());
     }
     let sides = most.into_iter().flat_map(|c| [(c, false), (c, true)]);
     sides

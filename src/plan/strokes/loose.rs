@@ -42,29 +42,37 @@ pub(super) fn remove(sides: &mut Sides, posts: &[Vec<f64>]) {
     }
 }
 
-/// Removes straight rows of thin strokes that stand apart from the house, beyond all of it: chains of dimensions, which may lie a
-/// unit from a wall.
-pub(super) fn remove_chains(sides: &mut Sides) {
+/// Removes straight rows of thin strokes, and of any at whose ends no posts stand, that stand apart from the house, beyond all of
+/// it: chains of dimensions, which may lie a unit from a wall.
+pub(super) fn remove_chains(sides: &mut Sides, posts: &[Vec<f64>]) {
     let groups = connected(sides);
     let Some(house) = groups.iter().max_by_key(|g| g.len()) else {
         return;
     };
-    let reach = |place: fn((usize, usize)) -> usize| {
-        let all = house.iter().flat_map(|unit| crossings(*unit).map(place));
-        all.fold((usize::MAX, 0), |(low, high), at| {
-            (low.min(at), high.max(at))
+    // Of each direction the walls farthest out: a leaf that stands open may reach a chain.
+    let reach = |side: usize| {
+        let lines = house
+            .iter()
+            .filter(|unit| unit.0 == side)
+            .map(|unit| unit.1);
+        lines.fold((usize::MAX, 0), |(low, high), line| {
+            (low.min(line), high.max(line))
         })
     };
-    let (across, down) = (reach(|at| at.0), reach(|at| at.1));
+    let reach = [reach(0), reach(1)];
     let read = |&(side, line, at): &Place| sides[side][line][at];
     let walls = house.iter().map(read).filter(|r| r.role == Role::Wall);
     let least = THIN * middle(walls.map(|r| r.ink).collect());
     let is_chain = |group: &&Vec<Place>| {
         let (side, line, _) = group[0];
         let is_straight = group.iter().all(|unit| (unit.0, unit.1) == (side, line));
-        let (low, high) = if side == 0 { down } else { across };
+        let (low, high) = reach[side];
         let ink = || middle(group.iter().map(|unit| read(unit).ink).collect());
-        is_straight && (line < low || line > high) && ink() < least
+        let is_bare = || {
+            let ends = group.iter().flat_map(|unit| crossings(*unit));
+            ends.filter(|(u, v)| posts[*v][*u] > LEAST_POST).count() < 2
+        };
+        is_straight && (line < low || line > high) && (ink() < least || is_bare())
     };
     let chains: Vec<Place> = groups.iter().filter(is_chain).flatten().copied().collect();
     for (side, line, at) in chains {

@@ -40,6 +40,8 @@ pub(super) struct Patch {
     pub(super) leaf: f64,
     /// Whether there is more in it than specks.
     pub(super) is_inked: bool,
+    /// How dark each half of it is across, from right to left, 0 to 255: the middle of all samples along the half.
+    pub(super) profiles: [[f32; ACROSS]; 2],
 }
 
 /// Ink as it was sampled, before strokes that sway are straightened.
@@ -47,6 +49,7 @@ pub(super) struct Patch {
 pub(super) struct Raw {
     black: Vec<f32>,
     red: Vec<f32>,
+    profiles: [[f32; ACROSS]; 2],
     arc: f64,
     leaf: f64,
 }
@@ -58,10 +61,11 @@ impl Raw {
             false => grid.at(from.x + along, from.y + across),
             true => grid.at(from.x + across, from.y + along),
         };
-        let (black, red) = sampled(ink, &place);
+        let (black, red, tone) = sampled(ink, &place);
         Raw {
             black,
             red,
+            profiles: profiles(&tone),
             arc: arc(all, &place),
             leaf: leaf(all, &place),
         }
@@ -119,6 +123,7 @@ impl Patch {
             arc,
             leaf,
             is_inked,
+            profiles: raw.profiles,
         }
     }
 }
@@ -132,10 +137,24 @@ impl Patch {
     }
 }
 
-/// Black and red ink on a unit, four samples to a place.
-fn sampled(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> (Vec<f32>, Vec<f32>) {
+/// How dark each half of a unit is across: what crosses it does not count.
+fn profiles(tone: &[f32]) -> [[f32; ACROSS]; 2] {
+    let (skip, half) = (skip(), ALONG / 2);
+    [skip..half, half..ALONG - skip].map(|columns| {
+        std::array::from_fn(|j| {
+            let row = &tone[j * ALONG..(j + 1) * ALONG];
+            let mut row = row[columns.clone()].to_vec();
+            row.sort_by(f32::total_cmp);
+            row[row.len() / 2]
+        })
+    })
+}
+
+/// Black and red ink on a unit, and how dark it is, four samples to a place.
+fn sampled(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> (Vec<f32>, Vec<f32>, Vec<f32>) {
     let mut black = vec![0.0; ALONG * ACROSS];
     let mut red = vec![0.0; ALONG * ACROSS];
+    let mut tone = vec![0.0; ALONG * ACROSS];
     let full = f64::from(ink.threshold) * 1.7;
     for (j, i) in (0..ACROSS).flat_map(|j| (0..ALONG).map(move |i| (j, i))) {
         let (mut dark, mut colour) = (0.0, 0.0);
@@ -151,8 +170,9 @@ fn sampled(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> (Vec<f32>, Vec<f32>)
         let of_red = (colour / full * 2.0).clamp(0.0, 1.0).min(share);
         black[j * ALONG + i] = (share - of_red) as f32;
         red[j * ALONG + i] = of_red as f32;
+        tone[j * ALONG + i] = dark as f32;
     }
-    (black, red)
+    (black, red, tone)
 }
 
 /// A share of ink as a number of 0 to 255.

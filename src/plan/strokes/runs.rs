@@ -1,6 +1,7 @@
 //! What runs of wall stand for: units of a line between posts are of one kind, drawn in one way.
 
 use super::super::legend::Role;
+use super::alike::Walls;
 use super::patch::Patch;
 use super::proof::{NOISE, Proof};
 use super::stamp::{Stamp, emptiness};
@@ -25,6 +26,11 @@ const USUAL: f64 = 0.3;
 /// from it.
 const LEARNT: f64 = 0.7;
 const LEARNT_LEAD: f64 = 0.06;
+/// What it costs a wall to be unlike the walls of the sheet.
+const UNLIKE: f64 = 0.3;
+/// From how many times the bound on that counts, and how much farther it counts whole; before that there is doubt alone.
+const FARTHER: f64 = 1.2;
+const SURELY: f64 = 0.4;
 /// What it costs to be drawn otherwise than the sheet draws the same thing elsewhere.
 const FOREIGN: f64 = 0.15;
 
@@ -156,6 +162,8 @@ pub(super) struct Line {
     empty: Vec<f64>,
     /// How thick the ink on them is, units.
     ink: Vec<f64>,
+    /// How unlike the walls of the sheet they are: beyond 1 they are none (`alike`).
+    unlike: Vec<f64>,
     /// For each unit that has ink, stamp after stamp and unit after unit of it; with what it shows of proof.
     likeness: Vec<Vec<(f32, [f32; 2])>>,
 }
@@ -173,6 +181,7 @@ impl Line {
         Line {
             posts: strip.posts.clone(),
             ink: patches.iter().map(Patch::thickness).collect(),
+            unlike: vec![0.0; patches.len()],
             empty: patches
                 .iter()
                 .map(|p| emptiness(p, nib).max(CLUTTER))
@@ -195,6 +204,11 @@ impl Line {
                 all.extend(units.map(|(likeness, proof)| (likeness as f32, proof)));
             }
         }
+    }
+
+    /// Tells how unlike the walls of the sheet its units are.
+    pub(super) fn compare(&mut self, strip: &Strip, walls: &Walls) {
+        self.unlike = strip.patches.iter().map(|p| walls.unlike(p)).collect();
     }
 
     /// The runs that agree best with its ink and its posts (dynamic programming over their ends).
@@ -261,6 +275,9 @@ impl Line {
             None,
         )];
         let bare_ends = NO_POST * (2.0 - self.posts[from] - self.posts[end]) / length;
+        let beyond = |unlike: &f64| ((unlike - FARTHER) / SURELY).clamp(0.0, 1.0);
+        let unlike = self.unlike[from..end].iter().map(beyond).sum::<f64>();
+        let unlike = UNLIKE * unlike / length;
         if self.likeness[from..end].iter().all(|l| !l.is_empty()) {
             let means = self.means(from, end, stamps);
             for (k, stamp) in stamps.iter().enumerate() {
@@ -271,7 +288,12 @@ impl Line {
                 let against = stamp.mirrored.and_then(|m| means[k.wrapping_add_signed(m)]);
                 let proof = proof + against.map_or(0.0, |a| CLEAR * (mean - a.0 - LEAST_CLEAR));
                 let bare = if stamp.role.parts() { bare_ends } else { 0.0 };
-                let value = mean + proof - habits.costs[k] - bare;
+                let foreign = if stamp.role == Role::Wall {
+                    unlike
+                } else {
+                    0.0
+                };
+                let value = mean + proof - habits.costs[k] - bare - foreign;
                 match best.iter_mut().find(|b| b.0 == stamp.role) {
                     Some(b) if b.1 >= value => {}
                     Some(b) => (b.1, b.2) = (value, Some(k)),
@@ -297,12 +319,16 @@ impl Line {
         let mut out = vec![Read::EMPTY; self.empty.len()];
         for run in runs {
             let units = out[run.from..run.end].iter_mut();
-            for (read, ink) in units.zip(&self.ink[run.from..run.end]) {
+            let marks = self.ink[run.from..run.end]
+                .iter()
+                .zip(&self.unlike[run.from..run.end]);
+            for (read, (ink, unlike)) in units.zip(marks) {
                 *read = Read {
                     role: run.role,
                     likeness: run.value.clamp(0.0, 1.0),
                     lead: run.lead,
                     ink: *ink,
+                    unlike: *unlike,
                 };
             }
             // What is empty agrees with any legend.

@@ -101,6 +101,7 @@ impl Cover {
             likeness,
             lead: 1.0,
             ink: 0.0,
+            unlike: 0.0,
         };
         match self.opening() {
             Some((role, share)) => read(role, share),
@@ -388,6 +389,7 @@ impl Covers {
                 likeness: 1.0,
                 lead: if unit.is_unsure { 0.0 } else { 1.0 },
                 ink: 0.0,
+                unlike: 0.0,
             },
             Some(unit) => unit.read(),
             None => Read::EMPTY,
