@@ -197,9 +197,8 @@ fn regions(lines: &Lines<'_>) -> (Vec<Region>, BTreeMap<(i32, i32), usize>) {
             };
             let meets = || ends(at, upright).iter().any(|c| crossings.contains(c));
             let is_main = main.contains(&(at, upright)) || is_unread && meets();
-            // A wall that stands apart closes nothing.
             let share = if is_main { 1.0 } else { APART };
-            let (strength, closes) = (share * strength, share * closes);
+            let strength = share * strength;
             // What lies within is met from both of its sides.
             let times = if other == k { 0.5 } else { 1.0 };
             let undrawn = UNDRAWN * (1.0 - closes);

@@ -2,6 +2,7 @@
 
 use crate::building::{Finish, Roof, Solid};
 use crate::catalog::{Catalog, Stance, body::Shape, value::Level};
+use crate::geometry::tolerance::HEIGHT;
 use crate::material::SurfaceId;
 use crate::program::Content;
 use crate::roof::solid::{INFILL_THICKNESS, SUNK};
@@ -130,10 +131,28 @@ impl Flush {
                 let mut corners = f.corners.iter().map(|c| &solid.points[*c as usize]);
                 corners.all(on_wall)
             });
-            let mut corners: Vec<u32> = gables.flat_map(|f| f.corners.iter().copied()).collect();
-            corners.sort_unstable();
-            corners.dedup();
-            for corner in corners {
+            let mut moved: Vec<u32> = gables.flat_map(|f| f.corners.iter().copied()).collect();
+            moved.sort_unstable();
+            moved.dedup();
+            // No face may fold where a corner that stays is passed.
+            let from = moved
+                .iter()
+                .map(|c| self.before(&solid.points[*c as usize]));
+            let from = from.fold(f64::MAX, f64::min);
+            let is_moved = |c: &u32| moved.binary_search(c).is_ok();
+            let beside = solid
+                .faces
+                .iter()
+                .filter(|f| f.corners.iter().any(is_moved));
+            let stay = beside.flat_map(|f| f.corners.iter().filter(|c| !is_moved(c)));
+            let passed = |c: &u32| {
+                let at = self.before(&solid.points[*c as usize]);
+                (from - HEIGHT..front + SUNK / 4.0).contains(&at)
+            };
+            if stay.into_iter().any(passed) {
+                continue;
+            }
+            for corner in moved {
                 let p = &mut solid.points[corner as usize];
                 *p += (self.outward * (front - self.before(p))).extend(0.0);
             }
