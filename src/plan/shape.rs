@@ -59,7 +59,7 @@ struct Gap {
 #[derive(Clone)]
 struct Lines<'a> {
     units: &'a Units,
-    joined: BTreeMap<((i32, i32), bool), Gap>,
+    joined: BTreeMap<UnitSide, Gap>,
 }
 
 impl Lines<'_> {
@@ -272,7 +272,7 @@ impl Shape {
 }
 
 /// Units without strokes between walls of one line, or between such a wall and a corner.
-fn gaps(lines: &Lines<'_>) -> BTreeMap<((i32, i32), bool), Gap> {
+fn gaps(lines: &Lines<'_>) -> BTreeMap<UnitSide, Gap> {
     let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
     let mut out = BTreeMap::new();
     for upright in [false, true] {
@@ -318,8 +318,11 @@ fn gaps(lines: &Lines<'_>) -> BTreeMap<((i32, i32), bool), Gap> {
     out
 }
 
+/// A unit of a line: where it begins, and true if it is upright.
+type UnitSide = ((i32, i32), bool);
+
 /// Units without strokes at both sides of a corner, where two walls would meet if they went on.
-fn corners(lines: &Lines<'_>) -> Vec<(((i32, i32), bool), Gap)> {
+fn corners(lines: &Lines<'_>) -> Vec<(UnitSide, Gap)> {
     let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
     let mut out = Vec::new();
     for corner in (v0..=v1).flat_map(|v| (u0..=u1).map(move |u| (u, v))) {

@@ -132,11 +132,11 @@ mod tests {
                 .into_rgb8();
             let count = picture.pixels().len() as f32;
             let known = mean(look.name);
-            for k in 0..3 {
+            for (k, own) in known.into_iter().enumerate() {
                 let light = picture.pixels().map(|p| samples::linear(p.0[k]));
                 let light = light.map(f64::from).sum::<f64>() as f32 / count;
                 let [more, less] = [1, -1].map(|by| {
-                    let number = samples::encoded(known[k]) as i32 + by;
+                    let number = i32::from(samples::encoded(own)) + by;
                     samples::linear(number.clamp(0, 255) as u8)
                 });
                 assert!(

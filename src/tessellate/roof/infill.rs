@@ -1,8 +1,7 @@
 //! Gable infill over walls that are plastered over their posts: it is flush with the wall below instead of set back between posts.
 
-use crate::building::{Finish, Roof, Solid};
+use crate::building::{Face, Finish, Roof, Solid};
 use crate::catalog::{Catalog, Stance, body::Shape, value::Level};
-use crate::geometry::tolerance::HEIGHT;
 use crate::material::SurfaceId;
 use crate::program::Content;
 use crate::roof::solid::{INFILL_THICKNESS, SUNK};
@@ -134,28 +133,36 @@ impl Flush {
             let mut moved: Vec<u32> = gables.flat_map(|f| f.corners.iter().copied()).collect();
             moved.sort_unstable();
             moved.dedup();
-            // No face may fold where a corner that stays is passed.
-            let from = moved
-                .iter()
-                .map(|c| self.before(&solid.points[*c as usize]));
-            let from = from.fold(f64::MAX, f64::min);
+            let points = solid.points.clone();
+            self.shift(solid, &moved, front);
             let is_moved = |c: &u32| moved.binary_search(c).is_ok();
-            let beside = solid
+            let mut beside = solid
                 .faces
                 .iter()
                 .filter(|f| f.corners.iter().any(is_moved));
-            let stay = beside.flat_map(|f| f.corners.iter().filter(|c| !is_moved(c)));
-            let passed = |c: &u32| {
-                let at = self.before(&solid.points[*c as usize]);
-                (from - HEIGHT..front + SUNK / 4.0).contains(&at)
-            };
-            if stay.into_iter().any(passed) {
-                continue;
-            }
-            for corner in moved {
-                let p = &mut solid.points[corner as usize];
-                *p += (self.outward * (front - self.before(p))).extend(0.0);
+            if beside.any(|f| is_folded(f, &solid.points)) {
+                solid.points = points;
             }
         }
     }
+
+    /// Moves corners to the front.
+    fn shift(&self, solid: &mut Solid, moved: &[u32], front: f64) {
+        for corner in moved {
+            let p = &mut solid.points[*corner as usize];
+            *p += (self.outward * (front - self.before(p))).extend(0.0);
+        }
+    }
+}
+
+/// Returns true if a face turns back on itself at a corner, or has corners in one place.
+fn is_folded(face: &Face, points: &[DVec3]) -> bool {
+    const SMALL: f64 = 1e-3;
+    let n = face.corners.len();
+    let at = |i: usize| points[face.corners[i % n] as usize];
+    (0..n).any(|i| {
+        let (u, v) = (at(i + 1) - at(i), at(i + 2) - at(i + 1));
+        let turn = u.cross(v).length();
+        u.length() < SMALL || u.dot(v) < 0.0 && turn < SMALL * u.length().max(v.length())
+    })
 }
