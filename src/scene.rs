@@ -52,7 +52,7 @@ pub struct Scene {
 /// The level of detail: how joinery is divided into geometry and images.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub enum Detail {
-    /// 0: walls and roofs.
+    /// 0: walls and roofs, brackets and railings, in plain colours.
     Body,
     /// 1: a flat image for each part, and elements that project far from the wall.
     Flat,

@@ -8,7 +8,7 @@
 //! The kernel is `noise` (random fields), `cells` (joints, grains and straws), `color` (ramps),
 //! `grain` (wood) and `paint` (sampling, relief); the materials are built from it and listed in
 //! `table`; `files` encodes textures as the files of `textures/`, `samples` samples them at points, `means`
-//! has their mean colours.
+//! has their mean colours, and `palette` is one picture of all plain colours.
 //!
 //! Orientation: `u` runs to the right in the texture, `v` upwards (towards its top edge). On a
 //! roof `v` points up the slope.

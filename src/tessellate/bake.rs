@@ -94,8 +94,8 @@ pub(super) fn bake(
     })
 }
 
-/// Returns how many rays hit each surface first in each of so many rows of a rectangle, from its foot, at slants as
-/// [`Rays::cast`] takes them.
+/// Divides a rectangle into rows, from its foot, and returns for each row how many rays hit each surface first. The rays come from
+/// all of these slants, as [`Rays::cast`] takes them.
 pub(super) fn seen(
     soups: &[(SurfaceId, Soup)],
     rect: Rect,

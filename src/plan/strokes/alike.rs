@@ -12,8 +12,8 @@ const BESIDE: usize = 2;
 /// Samples to the side that a wall may lie beside its line.
 const SWAY: i64 = 3;
 
-/// How far walls may be from the middle of all, in shares of the ink of a wall: so many times the middle distance, and so much
-/// besides, but between two bounds.
+/// How far a wall may differ from the typical wall of its sheet, as a share of the ink of that wall: the median difference times the
+/// first number, plus the second, within these bounds.
 const TIMES: f64 = 1.4;
 const BESIDES: f64 = 0.1;
 const BOUNDS: [f64; 2] = [0.25, 0.5];

@@ -26,7 +26,7 @@ const USUAL: f64 = 0.3;
 /// from it.
 const LEARNT: f64 = 0.7;
 const LEARNT_LEAD: f64 = 0.06;
-/// What it costs a wall to be unlike the walls of the sheet.
+/// How much the score of a reading as a wall is lowered where the unit differs from the other walls of the sheet.
 const UNLIKE: f64 = 0.3;
 /// From how many times the bound on that counts, and how much farther it counts whole; before that there is doubt alone.
 const FARTHER: f64 = 1.2;

@@ -59,7 +59,7 @@ impl Key {
     }
 }
 
-/// Builds the beams along the walls; at detail 0 with what stands for the complexes and struts on them.
+/// Builds the beams along the walls; at detail 0 also a simple body in place of each complex.
 pub(super) fn beams(it: &Brackets, detail: Detail) -> Bodies {
     let mut bodies = Bodies::default();
     for wall in &it.frieze {

@@ -44,8 +44,7 @@ pub(in crate::tessellate) struct Stripe {
     pub(in crate::tessellate) surface: SurfaceId,
     /// True if little else is visible, so that its texture is worth showing.
     pub(in crate::tessellate) textured: bool,
-    /// What is visible between the posts in bays of the lesser and the greater height, and in each of the lesser and the greater
-    /// width.
+    /// What is visible between the posts, by height and width of the bay, in the order of [`BAYS`].
     bays: [[Shares; 2]; 2],
 }
 

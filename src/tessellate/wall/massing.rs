@@ -28,7 +28,7 @@ const LONGEST: f64 = 4.0;
 /// How much more of a post is seen because it stands before its wall and one looks along it, metres.
 const PROUD: f64 = 0.03;
 
-/// What posts, plates and sills are made of, and what is under them.
+/// The surfaces of the frame (posts, plates, sills) and of the foundation under it.
 static FRAME: LazyLock<[SurfaceId; 2]> = LazyLock::new(|| ["cedar", "stone"].map(SurfaceId::named));
 
 /// A horizontal stripe of a wall.
