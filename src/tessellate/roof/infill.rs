@@ -1,7 +1,8 @@
 //! Gable infill over walls that are plastered over their posts: it is flush with the wall below instead of set back between posts.
 
-use crate::building::{Face, Finish, Roof, Solid};
+use crate::building::{Finish, Roof, Solid};
 use crate::catalog::{Catalog, Stance, body::Shape, value::Level};
+use crate::geometry::tolerance::HEIGHT;
 use crate::material::SurfaceId;
 use crate::program::Content;
 use crate::roof::solid::{INFILL_THICKNESS, SUNK};
@@ -127,42 +128,20 @@ impl Flush {
         for solid in whole {
             let gables = solid.faces.iter().filter(|f| f.finish == Finish::Gable);
             let gables = gables.filter(|f| {
-                let mut corners = f.corners.iter().map(|c| &solid.points[*c as usize]);
-                corners.all(on_wall)
+                let corners = f.corners.iter().map(|c| &solid.points[*c as usize]);
+                let depths = corners.clone().map(|p| self.before(p));
+                let (back, front) =
+                    depths.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
+                // Neither its ends, which run through the wall, nor what lies in the line of the wall.
+                front - back < HEIGHT && back > HEIGHT && corners.clone().all(on_wall)
             });
             let mut moved: Vec<u32> = gables.flat_map(|f| f.corners.iter().copied()).collect();
             moved.sort_unstable();
             moved.dedup();
-            let points = solid.points.clone();
-            self.shift(solid, &moved, front);
-            let is_moved = |c: &u32| moved.binary_search(c).is_ok();
-            let mut beside = solid
-                .faces
-                .iter()
-                .filter(|f| f.corners.iter().any(is_moved));
-            if beside.any(|f| is_folded(f, &solid.points)) {
-                solid.points = points;
+            for corner in moved {
+                let p = &mut solid.points[corner as usize];
+                *p += (self.outward * (front - self.before(p))).extend(0.0);
             }
         }
     }
-
-    /// Moves corners to the front.
-    fn shift(&self, solid: &mut Solid, moved: &[u32], front: f64) {
-        for corner in moved {
-            let p = &mut solid.points[*corner as usize];
-            *p += (self.outward * (front - self.before(p))).extend(0.0);
-        }
-    }
-}
-
-/// Returns true if a face turns back on itself at a corner, or has corners in one place.
-fn is_folded(face: &Face, points: &[DVec3]) -> bool {
-    const SMALL: f64 = 1e-3;
-    let n = face.corners.len();
-    let at = |i: usize| points[face.corners[i % n] as usize];
-    (0..n).any(|i| {
-        let (u, v) = (at(i + 1) - at(i), at(i + 2) - at(i + 1));
-        let turn = u.cross(v).length();
-        u.length() < SMALL || u.dot(v) < 0.0 && turn < SMALL * u.length().max(v.length())
-    })
 }
