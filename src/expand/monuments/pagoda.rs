@@ -2,7 +2,7 @@
 //! with the finial on top. Rules after Horyu-ji's (`docs/evidence.md` 4.8, S54 and S55), as shares of widths: they give
 //! its documented height, and To-ji's, from the width and the taper alone.
 
-use super::draft::{Bay, Draft, Usual, WALL, joinery};
+use super::draft::{Bay, Draft, OPEN, Usual, WALL, joinery};
 use super::{Pass, count, or};
 use crate::ast::{self, FinialKind, Order, Paint, Rail, RoofKind, RoofShape, RoofStyle, Side};
 use crate::diagnostic::messages::fittings::Scarce;
@@ -73,6 +73,13 @@ impl Pass<'_, '_> {
             };
             let walls = side(tier.bays, tier.width, paint);
             draft.tier(&walls, (base, base + columns + zone), order);
+            if let (0, [(_, aisle), core @ .., _]) = (i, &walls[..])
+                && !core.is_empty()
+            {
+                // The posts round the altar (四天柱 shitenbashira).
+                let core: Vec<Bay> = core.iter().map(|(_, width)| (OPEN, *width)).collect();
+                draft.columns([*aisle; 2], [&core, &core]);
+            }
             draft.roof(RoofStyle {
                 shape: draft.style.shape,
                 eaves: draft.say(tier.eaves),
