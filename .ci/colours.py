@@ -4,8 +4,9 @@ Blender.
     python .ci/colours.py HSD [EXAMPLE...]
 
 Needs the packages bpy and numpy. Each example is seen as a whole from the front, the back and above under an even white sky; what is
-compared is the mean colour of its surfaces, linear, over the pixels that it covers in both pictures. Writes a row for each example with
-the largest difference of the three channels and the three views, per cent of the colour of detail 3, and fails if one is more than 3.
+compared is the mean colour of its surfaces, linear, over the pixels that it covers in both pictures, but for those where one looks through
+glass: what is seen there is the light in the rooms behind, and far away glass is opaque. Writes a row for each example with the largest
+difference of the three channels and the three views, per cent of the colour of detail 3, and fails if one is more than 3.
 """
 import os
 import pathlib
@@ -96,6 +97,9 @@ def shine(material):
     shader.inputs["Base Color"].default_value = (0, 0, 0, 1)
     shader.inputs["Metallic"].default_value = 0.0
     shader.inputs["Specular IOR Level"].default_value = 0.0
+    if material.surface_render_method == "BLENDED" or shader.inputs["Alpha"].default_value < 1:
+        surface = next(n for n in tree.nodes if n.type == "OUTPUT_MATERIAL").inputs["Surface"]
+        tree.links.new(tree.nodes.new("ShaderNodeHoldout").outputs[0], surface)
 
 
 def difference(reference, other):
