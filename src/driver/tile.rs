@@ -18,8 +18,8 @@ use crate::tessellate::{self, SceneBuilder, Tessellator};
 use std::ops::Range;
 use std::{io, slice};
 
-/// The bytes of meshes that are kept at a time where houses are handed on.
-const BYTES: usize = 16 << 20;
+/// The bytes of meshes that are kept at a time where houses are handed on: about what caches of a processor hold.
+const BYTES: usize = 2 << 20;
 
 /// What the tiles of a town have in common.
 pub struct TileDriver<'a> {

@@ -70,11 +70,13 @@ struct Pose {
 }
 
 impl Pose {
+    #[inline]
     fn point(self, [x, y, z]: [f32; 3]) -> DVec3 {
         let across = self.turn.rotate(DVec2::new(x.into(), y.into()));
         self.at + DVec3::new(across.x, across.y, z.into())
     }
 
+    #[inline]
     fn normal(self, [x, y, z]: [f32; 3]) -> [f32; 3] {
         let across = self.turn.rotate(DVec2::new(x.into(), y.into()));
         [across.x as f32, across.y as f32, z]
@@ -387,6 +389,7 @@ fn turned_bounds([low, high]: [Vec3; 2]) -> [[f32; 3]; 2] {
 const TANGENT: &str = "TANGENT";
 
 /// Encodes a number from -1 to 1 in a byte.
+#[inline]
 fn byte(x: f32) -> u8 {
     signed_byte(x) as u8
 }
