@@ -13,6 +13,7 @@ pub(crate) mod names;
 pub mod number;
 pub mod obj;
 pub mod images;
+pub mod pieces;
 pub mod regions_svg;
 pub mod sound;
 pub mod spool;

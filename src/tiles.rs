@@ -29,6 +29,7 @@ pub mod scenes;
 pub mod terrain;
 pub mod work;
 
+use crate::backend::pieces::Pieces;
 use std::io;
 
 /// Where the files of a town are kept. Names are relative paths with `/`.
@@ -43,5 +44,5 @@ pub trait TileStore: Sync {
     ///
     /// # Errors
     /// If it cannot be written, or if the one that is there differs.
-    fn commit(&self, name: &str, bytes: &[u8]) -> io::Result<()>;
+    fn commit(&self, name: &str, bytes: &Pieces) -> io::Result<()>;
 }

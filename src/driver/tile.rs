@@ -18,8 +18,8 @@ use crate::tessellate::{self, SceneBuilder, Tessellator};
 use std::ops::Range;
 use std::{io, slice};
 
-/// The bytes of meshes that are kept at a time where houses are handed on.
-const BYTES: usize = 16 << 20;
+/// The bytes of meshes that are kept at a time where houses are handed on: about what caches of a processor hold.
+const BYTES: usize = 2 << 20;
 
 /// What the tiles of a town have in common.
 pub struct TileDriver<'a> {
@@ -176,8 +176,10 @@ impl<'a> TileDriver<'a> {
             if bytes < BYTES && number + 1 < made.houses.len() {
                 continue;
             }
-            let part = scene.part();
-            tell_flaws(made, part, &houses, out);
+            let part = ScenePart {
+                sound: tell_flaws(made, scene.part(), &houses, out),
+                ..scene.part()
+            };
             for (number, nodes) in houses.drain(..) {
                 take(number, part.part(nodes));
             }
@@ -225,16 +227,16 @@ impl<'a> TileDriver<'a> {
     }
 }
 
-/// Tells of houses that have shapes which no file can take, given by their numbers and nodes.
+/// Tells of houses that have shapes which no file can take, given by their numbers and nodes; returns true if none has.
 fn tell_flaws(
     made: &TileHouses,
     part: ScenePart<'_>,
     houses: &[(usize, Range<usize>)],
     out: &mut Diagnostics,
-) {
+) -> bool {
     // To look at a house is to look at all meshes; nearly always nothing is wrong with any.
     if sound::flaws(part).next().is_none() {
-        return;
+        return true;
     }
     for (number, nodes) in houses {
         if let Some(flaw) = sound::flaws(part.part(nodes.clone())).next() {
@@ -244,4 +246,5 @@ fn tell_flaws(
             out.append(found.of_feature(&made.houses[*number].1));
         }
     }
+    false
 }

@@ -18,6 +18,8 @@ pub struct ScenePart<'s> {
     pub nodes: &'s [Node],
     /// The number of the first of the nodes.
     pub first_node: u32,
+    /// True if all of it has been looked at and nothing is flawed.
+    pub sound: bool,
 }
 
 impl<'s> ScenePart<'s> {
@@ -53,6 +55,7 @@ impl Scene {
             first_mesh: 0,
             first_node: 0,
             nodes: &self.nodes,
+            sound: false,
         }
     }
 

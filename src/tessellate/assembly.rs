@@ -125,6 +125,7 @@ impl SceneBuilder {
             first_mesh: self.first_mesh,
             nodes: &self.scene.nodes,
             first_node: self.first_node,
+            sound: false,
         }
     }
 

@@ -7,6 +7,7 @@ use super::record::{LevelRecord, MM, TextureRecord, TileRecord};
 use crate::backend::gltf::Ktx2;
 use crate::backend::gltf::{TileContent, TileWriter, graphics_bytes};
 use crate::backend::images::Library;
+use crate::backend::pieces::Pieces;
 use crate::backend::{Images, OutFile, PictureBytes, SurfaceFiles};
 use crate::diagnostic::Diagnostics;
 use crate::driver::TileDriver;
@@ -25,7 +26,7 @@ pub struct MadeTile {
     /// What is known of it.
     pub record: TileRecord,
     /// Its files, those that others name first.
-    pub files: Vec<(String, Vec<u8>)>,
+    pub files: Vec<(String, Pieces)>,
     /// Its diagnostics.
     pub found: Diagnostics,
 }
@@ -86,10 +87,10 @@ pub fn make(
 #[derive(Default)]
 pub(super) struct Files {
     levels: Vec<LevelRecord>,
-    contents: Vec<(String, Vec<u8>)>,
+    contents: Vec<(String, Pieces)>,
     /// The images of all levels, and the same with their bytes.
     textures: Vec<TextureRecord>,
-    images: Vec<(String, Vec<u8>)>,
+    images: Vec<(String, Pieces)>,
 }
 
 impl Files {
@@ -117,7 +118,7 @@ impl Files {
                     file: file.clone(),
                     graphics: graphics_bytes(&texture.bytes),
                 });
-                self.images.push((file, texture.bytes.into_owned()));
+                self.images.push((file, texture.bytes.into_owned().into()));
                 self.textures.len() - 1
             })
         };

@@ -196,7 +196,7 @@ impl<'a> Maker<'a> {
         }
         let mut json = serde_json::to_vec(&made.record)?;
         json.push(b'\n');
-        self.store.commit(&made.record.file(), &json)
+        self.store.commit(&made.record.file(), &json.into())
     }
 
     /// Returns the record of a tile whose files are all there.

@@ -195,7 +195,7 @@ pub fn plan(
     };
     let mut json = serde_json::to_vec_pretty(&manifest)?;
     json.push(b'\n');
-    store.commit(MANIFEST, &json)?;
+    store.commit(MANIFEST, &json.into())?;
     Ok(manifest)
 }
 
@@ -203,6 +203,6 @@ pub fn plan(
 fn keep(store: &dyn TileStore, name: &str, bytes: &[u8]) -> io::Result<()> {
     match store.has(name) {
         true => Ok(()),
-        false => store.commit(name, bytes),
+        false => store.commit(name, &bytes.to_vec().into()),
     }
 }

@@ -27,7 +27,7 @@ fn tile(packed: bool) -> (TileContentBytes, Model) {
     writer.add(scene.whole(), 0, &NoImages);
     let made = writer.content((&scene.materials, &[]), &NoImages, &[row()], "textures");
     let made = made.expect("something is to be seen");
-    let model = Model::new(&made.glb);
+    let model = Model::new(&made.glb.to_vec());
     let kept = TileContentBytes {
         bytes: made.glb.len(),
         triangles: made.triangles,

@@ -160,6 +160,7 @@ fn short(vertices: usize) -> bool {
 }
 
 /// Converts from z up to y up; adding 0 turns -0 into 0.
+#[inline]
 pub(super) fn turned([x, y, z]: [f32; 3]) -> [f32; 3] {
     [x + 0.0, z + 0.0, 0.0 - y]
 }
@@ -208,6 +209,7 @@ pub(super) fn write_each<T: Copy, const N: usize>(
 
 /// Encodes a number from -1 to 1 in a byte, -127 to 127, halves away from zero. An f64 holds the sum, so that nothing is
 /// rounded twice; `round` would be a call of its own on most machines.
+#[inline]
 pub(super) fn signed_byte(x: f32) -> i8 {
     let scaled = f64::from(x * 127.0);
     (scaled + 0.5f64.copysign(scaled)) as i8

@@ -1,5 +1,6 @@
 //! The JSON and the buffer of a `.glb` in memory whose arrays have views of their own, as tables of features want them.
 
+use crate::backend::pieces::Pieces;
 use glam::DVec3;
 use serde_json::{Value, json};
 
@@ -38,16 +39,31 @@ impl File {
     /// indices. A stride of 0 is none.
     pub(super) fn view(
         &mut self,
-        bin: &mut Vec<u8>,
+        bin: &mut Pieces,
         vertices: Option<(usize, u32)>,
         write: impl FnOnce(&mut Vec<u8>),
     ) -> usize {
-        bin.resize(bin.len().next_multiple_of(8), 0);
+        bin.pad(8);
         let start = bin.len();
-        write(bin);
-        let mut view = json!({
-            "buffer": 0, "byteOffset": start, "byteLength": bin.len() - start,
-        });
+        write(bin.end());
+        self.listed(start, bin.len() - start, vertices)
+    }
+
+    /// As [`File::view`], of vertices or indices that are there in the bytes of the file.
+    pub(super) fn array(
+        &mut self,
+        bin: &mut Pieces,
+        vertices: (usize, u32),
+        bytes: Vec<u8>,
+    ) -> usize {
+        bin.pad(8);
+        let (start, length) = (bin.len(), bytes.len());
+        bin.push(bytes);
+        self.listed(start, length, Some(vertices))
+    }
+
+    fn listed(&mut self, start: usize, length: usize, vertices: Option<(usize, u32)>) -> usize {
+        let mut view = json!({ "buffer": 0, "byteOffset": start, "byteLength": length });
         if let Some((stride, target)) = vertices {
             view["target"] = json!(target);
             if stride > 0 {
@@ -62,14 +78,14 @@ impl File {
     #[cfg(feature = "compress")]
     pub(super) fn packed_view(
         &mut self,
-        bin: &mut Vec<u8>,
+        bin: &mut Pieces,
         stream: &super::compress::streams::Stream,
         vertices: bool,
     ) -> usize {
         let bytes = stream.packed();
-        bin.resize(bin.len().next_multiple_of(8), 0);
+        bin.pad(8);
         let extension = stream.extension(bin.len(), bytes.len());
-        bin.extend(&bytes);
+        bin.push(bytes);
         let mut view = json!({
             "buffer": 1, "byteOffset": self.unpacked, "byteLength": stream.length(),
             "target": if vertices { 34962 } else { 34963 },
@@ -92,12 +108,12 @@ impl File {
     /// Adds meshes, their nodes with the extensions of those, and the extensions of the file.
     pub(super) fn finish(
         &mut self,
-        bin: &mut Vec<u8>,
+        bin: &mut Pieces,
         meshes: Vec<(Value, Value)>,
         table: Value,
         centre: DVec3,
     ) {
-        bin.resize(bin.len().next_multiple_of(4), 0);
+        bin.pad(4);
         let root = &mut self.root;
         root["accessors"] = json!(self.accessors);
         root["bufferViews"] = json!(self.views);
@@ -147,8 +163,8 @@ impl File {
         root["extensions"]["EXT_structural_metadata"] = table;
     }
 
-    /// Puts JSON and buffer into a container. The buffer is moved to its place, not copied, if it has the room.
-    pub(super) fn packed(&self, mut bin: Vec<u8>) -> Vec<u8> {
+    /// Puts JSON and buffer into a container.
+    pub(super) fn packed(&self, bin: Pieces) -> Pieces {
         let mut json = serde_json::to_vec(&self.root).unwrap_or_default();
         json.resize(json.len().next_multiple_of(4), b' ');
         let length = 12 + 8 + json.len() + 8 + bin.len();
@@ -160,7 +176,6 @@ impl File {
         head.extend(json);
         head.extend((bin.len() as u32).to_le_bytes());
         head.extend(b"BIN\0");
-        bin.splice(0..0, head);
-        bin
+        bin.behind(head)
     }
 }

@@ -5,8 +5,10 @@ use crate::scene::Primitive;
 use glam::{Vec2, Vec3};
 
 /// Normalises a vector: validators reject normals of other lengths.
+#[inline]
 pub(super) fn unit(n: [f32; 3]) -> [f32; 3] {
-    let squared = n.iter().map(|x| x * x).sum::<f32>();
+    let [x, y, z] = n;
+    let squared = x * x + y * y + z * z;
     if (0.9999..1.0001).contains(&squared) {
         n
     } else if squared > 1e-12 && squared.is_finite() {

@@ -1,6 +1,7 @@
 //! What is known of the features of a tile: the table of `EXT_structural_metadata`.
 
 use super::json_file::File;
+use crate::backend::pieces::Pieces;
 use serde_json::{Map, Value, json};
 
 /// A row of the table of features: one feature of a map and the house on it.
@@ -50,7 +51,7 @@ impl<'a> Table<'a> {
     }
 
     /// Writes the columns to the buffer; returns the extension of the root.
-    pub(super) fn written(&self, file: &mut File, bin: &mut Vec<u8>) -> Value {
+    pub(super) fn written(&self, file: &mut File, bin: &mut Pieces) -> Value {
         let (mut properties, mut columns) = (Map::new(), Map::new());
         for (name, description, of) in TEXTS {
             let texts: Vec<&str> = self.0.iter().map(of).collect();

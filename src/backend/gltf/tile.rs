@@ -8,14 +8,16 @@
 mod models;
 #[cfg(feature = "compress")]
 mod packed;
+mod vertices;
 
-use super::arrays::{MaterialRef, signed_byte, turned, write_each, write_floats};
+use super::arrays::{MaterialRef, signed_byte, turned};
 use super::bare::Bare;
 use super::json_file::{File, accessor};
 use super::materials::{MaterialRefs, Materials};
-use super::shading::{tangents, unit};
+use super::shading::tangents;
 use super::table::{FeatureRow, Table};
 use super::writer::root;
+use crate::backend::pieces::Pieces;
 use crate::backend::{Images, OutFile, images, sound};
 use crate::scene::{Detail, Image, Material, Primitive, ScenePart};
 use glam::{DVec2, DVec3, Vec3};
@@ -25,11 +27,12 @@ use std::collections::BTreeMap;
 use std::io::Cursor;
 use std::mem::take;
 use std::ops::Range;
+use vertices::{Vertices, add_indices, shortened};
 
 /// A file of a tile.
 pub struct TileContent<'a> {
     /// The `.glb`.
-    pub glb: Vec<u8>,
+    pub glb: Pieces,
     /// The images that it names, below the folder given for them.
     pub textures: Vec<OutFile<'a>>,
     /// The box of all vertices: least and greatest metres east, north and up in the frame of the town.
@@ -47,18 +50,14 @@ pub struct TileWriter {
     /// True if its arrays are packed.
     packed: bool,
     materials: MaterialRefs,
-    positions: Vec<[f32; 3]>,
-    normals: Vec<[f32; 3]>,
-    /// Where materials have relief, one for each vertex.
-    tangents: Vec<[f32; 4]>,
-    uvs: Vec<[f32; 2]>,
+    vertices: Vertices,
     /// The vertices on pages of baked images, by the number of the page.
     on_pages: Vec<(u32, Range<usize>)>,
-    features: Vec<f32>,
-    /// The indices of each material, by its number in the file.
-    batches: Vec<Vec<u32>>,
+    /// The indices of each material, by its number in the file, as bytes of 32-bit numbers.
+    batches: Vec<Vec<u8>>,
     /// For each material, true if it has relief.
     reliefs: Vec<bool>,
+    /// The box of models that are put up many times.
     bounds: Option<[DVec3; 2]>,
     models: Models,
 }
@@ -71,11 +70,13 @@ struct Pose {
 }
 
 impl Pose {
+    #[inline]
     fn point(self, [x, y, z]: [f32; 3]) -> DVec3 {
         let across = self.turn.rotate(DVec2::new(x.into(), y.into()));
         self.at + DVec3::new(across.x, across.y, z.into())
     }
 
+    #[inline]
     fn normal(self, [x, y, z]: [f32; 3]) -> [f32; 3] {
         let across = self.turn.rotate(DVec2::new(x.into(), y.into()));
         [across.x as f32, across.y as f32, z]
@@ -93,17 +94,14 @@ impl TileWriter {
         let mut materials = MaterialRefs::default();
         // Relief is nothing from afar.
         materials.flat = detail <= Detail::Flat;
+        let packed = packed && cfg!(feature = "compress");
         TileWriter {
             centre,
             detail,
-            packed: packed && cfg!(feature = "compress"),
+            packed,
             materials,
-            positions: vec![],
-            normals: vec![],
-            tangents: vec![],
-            uvs: vec![],
+            vertices: Vertices::new(packed),
             on_pages: vec![],
-            features: vec![],
             batches: vec![],
             reliefs: vec![],
             bounds: None,
@@ -122,19 +120,21 @@ impl TileWriter {
                     turn: DVec2::X,
                 }),
             };
-            let own = above.filter(|_| sound::node(node)).map(|above| {
-                let across = above.turn.rotate(node.at.truncate());
-                Pose {
-                    at: above.at + across.extend(node.at.z),
-                    turn: above.turn.rotate(node.turn).normalize_or(DVec2::X),
-                }
-            });
+            let own = above
+                .filter(|_| part.sound || sound::node(node))
+                .map(|above| {
+                    let across = above.turn.rotate(node.at.truncate());
+                    Pose {
+                        at: above.at + across.extend(node.at.z),
+                        turn: above.turn.rotate(node.turn).normalize_or(DVec2::X),
+                    }
+                });
             poses.push(own);
             let mesh = node.mesh.and_then(|id| part.mesh(id));
             let (Some(mesh), Some(pose)) = (mesh, own) else {
                 continue;
             };
-            let sound = |p: &&Primitive| sound::primitive(p, part.materials);
+            let sound = |p: &&Primitive| part.sound || sound::primitive(p, part.materials);
             let list: Vec<&Primitive> = mesh.primitives.iter().filter(sound).collect();
             if let Some(of) = node.stretched.as_deref().copied() {
                 let materials = &mut self.materials;
@@ -177,7 +177,7 @@ impl TileWriter {
             .collect();
         let bare = Bare::of(&known);
         let first = self.vertices(&bare.positions, (pose, feature));
-        self.uvs.extend(&bare.uvs);
+        self.vertices.uvs(&bare.uvs, |uv| uv);
         for ((_, material), indices) in known.iter().zip(bare.indices) {
             self.indices(*material, first, &indices);
         }
@@ -195,53 +195,37 @@ impl TileWriter {
             let material = &part.materials[p.material.0 as usize];
             let known = self.materials.of(p.material, material, images);
             let first = self.vertices(&p.positions, (pose, feature));
-            room(&mut self.normals, p.normals.len());
-            self.normals
-                .extend(p.normals.iter().map(|n| pose.normal(*n)));
+            self.vertices.normals(&p.normals, pose);
             if !self.materials.flat {
-                let turned = |[x, y, z, w]: [f32; 4]| {
-                    let [x, y, z] = pose.normal([x, y, z]);
-                    [x, y, z, w]
-                };
-                self.tangents.extend(tangents(p).into_iter().map(turned));
+                self.vertices.tangents(&tangents(p), pose);
             }
             if let Image::Baked(page) = material.image {
                 self.on_pages
-                    .push((page, self.uvs.len()..self.positions.len()));
+                    .push((page, first as usize..self.vertices.count));
             }
-            let metres = known.metres.unwrap_or(1.0);
-            let uvs = p.uvs.iter().map(|[u, v]| match known.metres {
-                Some(_) => [u / metres, 1.0 - v / metres],
-                None => [0.0; 2],
-            });
-            room(&mut self.uvs, p.uvs.len());
-            self.uvs.extend(uvs);
+            match known.metres {
+                Some(metres) => self
+                    .vertices
+                    .uvs(&p.uvs, |[u, v]| [u / metres, 1.0 - v / metres]),
+                None => self.vertices.uvs(&p.uvs, |_| [0.0; 2]),
+            }
             self.indices(known, first, &p.indices);
         }
     }
 
     /// Adds vertices; returns the number of the first.
     fn vertices(&mut self, points: &[[f32; 3]], (pose, feature): (Pose, u32)) -> u32 {
-        let first = self.positions.len() as u32;
-        room(&mut self.positions, points.len());
-        for point in points {
-            let local = self.rounded((pose.point(*point) - self.centre).as_vec3());
-            // The box is that of the numbers in the file.
-            let at = local.as_dvec3() + self.centre;
-            let [low, high] = self.bounds.get_or_insert([at; 2]);
-            (*low, *high) = (low.min(at), high.max(at));
-            self.positions.push(local.to_array());
-        }
-        self.features.resize(self.positions.len(), feature as f32);
-        first
+        self.vertices.add(points, (pose, self.centre), feature)
     }
 
-    /// Rounds a vertex as it will be in the file.
-    fn rounded(&self, local: Vec3) -> Vec3 {
-        match self.packed {
-            true => (local * STEPS).round() / STEPS,
-            false => local,
-        }
+    /// Returns the box of all that is to be seen: that of the numbers in the file.
+    fn bounds(&self) -> Option<[DVec3; 2]> {
+        let own = (self.vertices.count > 0).then(|| {
+            let at = |corner: Vec3| corner.as_dvec3() + self.centre;
+            self.vertices.bounds.map(at)
+        });
+        let both = own.into_iter().chain(self.bounds);
+        both.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)])
     }
 
     fn indices(&mut self, known: MaterialRef, first: u32, indices: &[u32]) {
@@ -251,7 +235,7 @@ impl TileWriter {
             self.reliefs.resize(material + 1, false);
         }
         self.reliefs[material] = known.relief;
-        self.batches[material].extend(indices.iter().map(|i| first + i));
+        add_indices(&mut self.batches[material], indices, first);
     }
 
     /// Returns the file; `None` if nothing is to be seen. Images are named below `folder`, a relative reference. `materials`
@@ -263,22 +247,21 @@ impl TileWriter {
         rows: &[FeatureRow],
         folder: &str,
     ) -> Option<TileContent<'a>> {
-        let bounds = self.bounds?;
+        let bounds = self.bounds()?;
         let mut root = root();
         let known = Materials::new(&self.materials, materials, images, &mut root);
         let textures = known.files_in(&mut root, folder);
         self.stretch(materials, grown);
-        // Room that is not written to takes no memory, to move a grown buffer does.
-        let mut bin = Vec::with_capacity(self.length() + (rows.len() << 11) + (1 << 20));
+        let mut bin = Pieces::default();
         let mut file = File::new(serde_json::to_value(&root).unwrap_or_default());
-        let batches = self.batches.iter().map(|b| b.len() / 3);
+        let batches = self.batches.iter().map(|b| b.len() / 12);
         let triangles = batches.sum::<usize>() + self.models.triangles();
-        let vertices = self.positions.len();
+        let vertices = self.vertices.count;
         let mut meshes = vec![];
         if vertices > 0 {
             let attributes = match self.packed {
                 #[cfg(feature = "compress")]
-                true => packed::attributes(&self, &mut file, &mut bin),
+                true => packed::attributes(&self.vertices, &mut file, &mut bin),
                 _ => self.attributes(&mut file, &mut bin),
             };
             let counts = (vertices, rows.len());
@@ -306,11 +289,11 @@ impl TileWriter {
             let Some(factor) = factor(page) else {
                 continue;
             };
-            for [_, v] in &mut self.uvs[vertices] {
+            self.vertices.change_v(vertices, |v| {
                 // As in a scene, where they are counted from below.
-                let above = 1.0 - *v * factor;
-                *v = 1.0 - above;
-            }
+                let above = 1.0 - v * factor;
+                1.0 - above
+            });
         }
         self.models
             .stretch(|material| match materials[material.0 as usize].image {
@@ -319,72 +302,45 @@ impl TileWriter {
             });
     }
 
-    /// Returns about the bytes of all arrays as they will be in the file.
-    fn length(&self) -> usize {
-        let vertex = 12
-            + 8
-            + 4
-            + 4 * (usize::from(!self.normals.is_empty()) + usize::from(!self.tangents.is_empty()));
-        let indices: usize = self.batches.iter().map(Vec::len).sum();
-        self.positions.len() * vertex + indices * 4
-    }
-
-    /// Writes the arrays of all vertices, and frees each; returns the attributes of every primitive.
-    fn attributes(&mut self, file: &mut File, bin: &mut Vec<u8>) -> Value {
-        let count = self.positions.len();
+    /// Puts the arrays of all vertices into the file; returns the attributes of every primitive.
+    fn attributes(&mut self, file: &mut File, bin: &mut Pieces) -> Value {
+        let Vertices {
+            count,
+            positions,
+            normals,
+            tangents,
+            uvs,
+            features,
+            bounds,
+            ..
+        } = std::mem::replace(&mut self.vertices, Vertices::new(self.packed));
         let mut attributes = BTreeMap::new();
-        let positions = take(&mut self.positions);
-        let view = file.view(bin, Some((12, 34962)), |out| {
-            write_floats(out, &positions, turned);
-        });
-        let (low, high) = super::arrays::bounds([&*positions]);
-        drop(positions);
-        let mut points = accessor(view, 5126, count, "VEC3");
+        let [low, high] = turned_bounds(bounds);
+        let mut points = accessor(file.array(bin, (12, 34962), positions), 5126, count, "VEC3");
         points["min"] = json!(low.map(f64::from));
         points["max"] = json!(high.map(f64::from));
         attributes.insert("POSITION", file.accessor(points));
-        if !self.normals.is_empty() {
-            let view = file.view(bin, Some((4, 34962)), |out| {
-                write_each(out, &take(&mut self.normals), |normal| {
-                    let [x, y, z] = turned(unit(normal)).map(byte);
-                    [x, y, z, 0]
-                });
-            });
-            let mut normals = accessor(view, 5120, count, "VEC3");
-            normals["normalized"] = json!(true);
-            attributes.insert("NORMAL", file.accessor(normals));
+        for (name, kind, directions) in [("NORMAL", "VEC3", normals), (TANGENT, "VEC4", tangents)] {
+            if !directions.is_empty() {
+                let view = file.array(bin, (4, 34962), directions);
+                let mut made = accessor(view, 5120, count, kind);
+                made["normalized"] = json!(true);
+                attributes.insert(name, file.accessor(made));
+            }
         }
-        if !self.tangents.is_empty() {
-            let view = file.view(bin, Some((4, 34962)), |out| {
-                write_each(out, &take(&mut self.tangents), |[x, y, z, w]| {
-                    let [x, y, z] = turned([x, y, z]);
-                    [x, y, z, w].map(byte)
-                });
-            });
-            let mut tangents = accessor(view, 5120, count, "VEC4");
-            tangents["normalized"] = json!(true);
-            attributes.insert(TANGENT, file.accessor(tangents));
-        }
-        let view = file.view(bin, Some((8, 34962)), |out| {
-            write_floats(out, &take(&mut self.uvs), |uv| uv);
-        });
-        attributes.insert(
-            "TEXCOORD_0",
-            file.accessor(accessor(view, 5126, count, "VEC2")),
-        );
-        let view = file.view(bin, Some((4, 34962)), |out| {
-            write_each(out, &take(&mut self.features), f32::to_le_bytes);
-        });
-        let ids = accessor(view, 5126, count, "SCALAR");
+        let uvs = accessor(file.array(bin, (8, 34962), uvs), 5126, count, "VEC2");
+        attributes.insert("TEXCOORD_0", file.accessor(uvs));
+        let ids = file.array(bin, (4, 34962), features);
+        let ids = accessor(ids, 5126, count, "SCALAR");
         attributes.insert("_FEATURE_ID_0", file.accessor(ids));
         json!(attributes)
     }
 
-    /// Writes the indices of each material and frees them; returns the primitives. `vertices` and `features` are their numbers.
+    /// Puts the indices of each material into the file; returns the primitives. `vertices` and `features` are their numbers.
     fn primitives(
         &mut self,
         file: &mut File,
-        bin: &mut Vec<u8>,
+        bin: &mut Pieces,
         attributes: &Value,
         (vertices, features): (usize, usize),
     ) -> Vec<Value> {
@@ -396,16 +352,17 @@ impl TileWriter {
         let shown = take(&mut self.batches).into_iter().enumerate();
         let mut primitives = vec![];
         for (material, batch) in shown.filter(|(_, batch)| !batch.is_empty()) {
+            let count = batch.len() / 4;
             let view = match self.packed {
                 #[cfg(feature = "compress")]
                 true => packed::indices(&batch, short, file, bin),
-                _ => file.view(bin, Some((0, 34963)), |out| match short {
-                    true => write_each(out, &batch, |i| (i as u16).to_le_bytes()),
-                    false => write_each(out, &batch, u32::to_le_bytes),
-                }),
+                _ => {
+                    let bytes = if short { shortened(&batch) } else { batch };
+                    file.array(bin, (0, 34963), bytes)
+                }
             };
             let kind = if short { 5123 } else { 5125 };
-            let indices = file.accessor(accessor(view, kind, batch.len(), "SCALAR"));
+            let indices = file.accessor(accessor(view, kind, count, "SCALAR"));
             primitives.push(json!({
                 "attributes": if self.reliefs[material] { attributes } else { &plain },
                 "indices": indices,
@@ -420,21 +377,19 @@ impl TileWriter {
     }
 }
 
-/// Makes room for more elements in a list that grows with the houses of a tile: for four times as many as it has, since room
-/// that is not written to takes no memory, and to move a list does.
-fn room<T>(list: &mut Vec<T>, more: usize) {
-    if list.capacity() - list.len() < more {
-        list.reserve(more.max(3 * list.len()));
-    }
+/// Returns least and greatest coordinates as the file has them, y up: north becomes -z, so its bounds change places.
+fn turned_bounds([low, high]: [Vec3; 2]) -> [[f32; 3]; 2] {
+    [
+        turned([low.x, high.y, low.z]),
+        turned([high.x, low.y, high.z]),
+    ]
 }
-
-/// Steps of coordinates in a packed metre.
-const STEPS: f32 = 4096.0;
 
 /// The attribute of tangents.
 const TANGENT: &str = "TANGENT";
 
 /// Encodes a number from -1 to 1 in a byte.
+#[inline]
 fn byte(x: f32) -> u8 {
     signed_byte(x) as u8
 }

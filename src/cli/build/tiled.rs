@@ -24,7 +24,7 @@ use crate::tiles::run::{self, TileJob, TileParts, TiledTown};
 use crate::tiles::{TileStore, envelopes};
 use crate::town::stream::Ledger;
 use crate::town::{Plan, TownInput};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -137,12 +137,12 @@ pub(super) fn finish(
     let tree = made.tileset(plan);
     tables(wish.output, &mut made.ledger)?;
     // The root comes last: whoever reads it finds what it names.
-    for (name, bytes) in &tree.branches {
-        folder.commit(name, bytes).map_err(failed)?;
+    let mut branches = BTreeSet::new();
+    for (name, bytes) in tree.branches {
+        folder.commit(&name, &bytes.into()).map_err(failed)?;
+        branches.insert(name);
     }
     write_all(vec![(wish.output.join("tileset.json"), tree.root)])?;
-    let branches = tree.branches.into_iter().map(|(name, _)| name);
-    let branches = branches.collect();
     folder.sweep(&made.files(), &branches).map_err(failed)?;
     if !wish.quiet {
         for line in lines(wish, made) {

@@ -145,7 +145,7 @@ impl<'a> Worker<'a> {
         };
         let mut json = serde_json::to_vec(&stored)?;
         json.push(b'\n');
-        self.store.commit(&tile.made(), &json)
+        self.store.commit(&tile.made(), &json.into())
     }
 
     /// Returns what became of a tile, if it and all its files are there and what was read for it is the same.

@@ -2,6 +2,7 @@
 //! has its name only when it is complete.
 
 use super::tables::{DECISIONS, ENVELOPES};
+use crate::backend::pieces::Pieces;
 use crate::tiles::run::TiledTown;
 use crate::tiles::{TileStore, envelopes};
 use std::collections::BTreeSet;
@@ -130,9 +131,13 @@ impl Scratch {
     }
 
     fn write(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
+        self.place(name, &bytes.to_vec().into())
+    }
+
+    fn place(&self, name: &str, bytes: &Pieces) -> io::Result<()> {
         let number = self.next.fetch_add(1, Ordering::Relaxed);
         let unfinished = self.folder.join(format!("unfinished-{number}"));
-        fs::write(&unfinished, bytes)?;
+        bytes.write(&mut fs::File::create(&unfinished)?)?;
         fs::rename(&unfinished, self.folder.join(name))
     }
 }
@@ -152,10 +157,10 @@ impl TileStore for ScratchStore<'_> {
         self.scratch.folder.join(name).is_file()
     }
 
-    fn commit(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
+    fn commit(&self, name: &str, bytes: &Pieces) -> io::Result<()> {
         if self.stops.load(Ordering::Relaxed) {
             return Err(io::ErrorKind::Interrupted.into());
         }
-        self.scratch.write(name, bytes)
+        self.scratch.place(name, bytes)
     }
 }

@@ -5,6 +5,7 @@ use super::{Pose, TANGENT, byte};
 use crate::backend::gltf::arrays::{MaterialRef, bounds, turned, write_floats};
 use crate::backend::gltf::json_file::{File, INSTANCES, accessor};
 use crate::backend::gltf::shading::{tangents, unit};
+use crate::backend::pieces::Pieces;
 use crate::scene::{MaterialId, Primitive, Stretched};
 use glam::{DVec3, Vec3};
 use serde_json::{Map, Value, json};
@@ -105,7 +106,7 @@ impl Models {
         &self,
         flat: bool,
         features: usize,
-        (file, bin): (&mut File, &mut Vec<u8>),
+        (file, bin): (&mut File, &mut Pieces),
     ) -> Vec<(Value, Value)> {
         let mut made = vec![];
         for model in &self.0 {
@@ -132,7 +133,7 @@ impl Models {
 
 impl Shape {
     /// Writes its arrays; returns the primitive.
-    fn written(&self, flat: bool, (file, bin): (&mut File, &mut Vec<u8>)) -> Value {
+    fn written(&self, flat: bool, (file, bin): (&mut File, &mut Pieces)) -> Value {
         let p = &self.primitive;
         let count = p.positions.len();
         let view = file.view(bin, Some((12, 34962)), |out| {
@@ -187,7 +188,7 @@ impl Shape {
 }
 
 /// Writes where instances stand; returns the attributes.
-fn places(instances: &[Instance], (file, bin): (&mut File, &mut Vec<u8>)) -> Value {
+fn places(instances: &[Instance], (file, bin): (&mut File, &mut Pieces)) -> Value {
     let count = instances.len();
     let at: Vec<[f32; 3]> = instances.iter().map(|i| i.at.to_array()).collect();
     let view = file.view(bin, None, |out| write_floats(out, &at, turned));

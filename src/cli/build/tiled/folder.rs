@@ -1,12 +1,13 @@
 //! A folder that keeps the files of tiles, each whole or not at all.
 
+use crate::backend::pieces::Pieces;
 use crate::backend::tileset::TreeFiles;
 use crate::cli::files::temporary::Temporary;
 use crate::tiles::TileStore;
 use crate::tiles::work;
 use std::collections::BTreeSet;
 use std::fs;
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// The folders in which a town's own files stand; what else is in them is swept away.
@@ -88,7 +89,7 @@ impl Folder {
                 Ok(())
             }
             // It is there already, which `commit` looks at, or lies on another disk.
-            Err(_) => self.commit(name, &fs::read(&source)?),
+            Err(_) => self.commit(name, &fs::read(&source)?.into()),
         }
     }
 }
@@ -125,18 +126,18 @@ impl TileStore for Folder {
         self.path.join(name).is_file()
     }
 
-    fn commit(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
+    fn commit(&self, name: &str, bytes: &Pieces) -> io::Result<()> {
         let target = self.path.join(name);
         let folder = target.parent().unwrap_or(&self.path);
         let mut file = Temporary::new_in(folder)?;
-        file.as_file_mut().write_all(bytes)?;
+        bytes.write(file.as_file_mut())?;
         file.as_file_mut().sync_all()?;
-        if file.persist_new(&target)? || fs::read(&target)? == bytes {
+        if file.persist_new(&target)? || bytes.are(&fs::read(&target)?) {
             return Ok(());
         }
         // An image that has changed since.
         let mut file = Temporary::new_in(folder)?;
-        file.as_file_mut().write_all(bytes)?;
+        bytes.write(file.as_file_mut())?;
         file.as_file_mut().sync_all()?;
         file.persist(&target)
     }

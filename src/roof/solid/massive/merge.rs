@@ -92,26 +92,43 @@ fn joined(
     {
         return None;
     }
-    let starting = |ring: &[u32], with: u32| {
-        let first = ring.iter().position(|id| *id == with)?;
-        Some([&ring[first..], &ring[..first]].concat())
-    };
-    let mut ring = starting(one, to)?;
-    ring.extend(&starting(other, from)?[1..]);
+    let place = |ring: &[u32], of: u32| ring.iter().position(|id| *id == of);
+    let (first, second) = (place(one, to)?, place(other, from)?);
+    let pieces = [
+        &one[first..],
+        &one[..first],
+        &other[second + 1..],
+        &other[..second],
+    ];
+    let mut ring = pieces.concat();
     ring.pop();
+    let whole = ring.len();
     without_spikes(&mut ring);
-    let mut sorted = ring.clone();
-    sorted.sort_unstable();
     let n = ring.len();
-    let simple = n > 2 && sorted.windows(2).all(|w| w[0] != w[1]);
     let bends = |i: usize| {
-        let [p, q, r] = [i, i + 1, i + 2].map(|k| at(ring[k % n]));
+        let [p, q, r] = [
+            at(ring[(i + n - 1) % n]),
+            at(ring[i]),
+            at(ring[(i + 1) % n]),
+        ];
         let turn = (q - p)
             .normalize_or_zero()
             .cross((r - q).normalize_or_zero());
         normal.dot(turn) > -PARALLEL
     };
-    (simple && (0..n).all(bends)).then_some(ring)
+    // Most that do not fit bend inwards where they meet.
+    let ends = [0, one.len() - 1];
+    if n == whole && ends.into_iter().any(|end| !bends(end)) {
+        return None;
+    }
+    (n > 2 && (0..n).all(bends) && is_simple(&ring)).then_some(ring)
+}
+
+/// Returns true if a ring passes no corner twice.
+fn is_simple(ring: &[u32]) -> bool {
+    let mut sorted = ring.to_vec();
+    sorted.sort_unstable();
+    sorted.windows(2).all(|w| w[0] != w[1])
 }
 
 fn normal(points: &[DVec3], ring: &[u32]) -> DVec3 {
