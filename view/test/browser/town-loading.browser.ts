@@ -111,10 +111,10 @@ test('a camera that looks away from the town waits for nothing', async () => {
 
 test('of a large town the middle is shown before the rest is built', async () => {
   const square = (x: number, y: number) => [[x, y], [x + 8, y], [x + 8, y + 12], [x, y + 12], [x, y]];
-  const houses = Array.from({ length: 720 }, (_, i) => ({
+  const houses = Array.from({ length: 2160 }, (_, i) => ({
     type: 'Feature', properties: { key: `h${i}` }, geometry: { type: 'Polygon', coordinates: [square(i % 60 * 20, Math.floor(i / 60) * 100 + 10)] },
   }));
-  const roads = Array.from({ length: 12 }, (_, i) => ({
+  const roads = Array.from({ length: 36 }, (_, i) => ({
     type: 'Feature', properties: { highway: 'residential' }, geometry: { type: 'LineString', coordinates: [[-20, i * 100], [1220, i * 100]] },
   }));
   for (const [name, features] of [['houses', houses], ['roads', roads]] as const) preview.write(`large/${name}.geojson`, JSON.stringify({ type: 'FeatureCollection', features }));
@@ -137,7 +137,7 @@ test('of a large town the middle is shown before the rest is built', async () =>
   assert.ok(first!.built >= 300 && first!.built < 450, `${first!.built} houses first`);
   assert.ok(first!.shown > 0 && !first!.whole, 'they are shown');
   assert.ok(first!.size < 0.8 * last.size, `${first!.size} m of ${last.size} m`);
-  assert.deepEqual([first!.features, last.features, last.built, last.whole], [720, 720, 720, true]);
+  assert.deepEqual([first!.features, last.features, last.built, last.whole], [2160, 2160, 2160, true]);
   await page.context().close();
 });
 
