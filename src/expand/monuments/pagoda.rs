@@ -76,8 +76,8 @@ impl Pass<'_, '_> {
             if let (0, [(_, aisle), core @ .., _]) = (i, &walls[..])
                 && !core.is_empty()
             {
-                // The posts round the altar (四天柱 shitenbashira).
-                let core: Vec<Bay> = core.iter().map(|(_, width)| (OPEN, *width)).collect();
+                // The four posts round the altar (四天柱 shitenbashira).
+                let core = [(OPEN, core.iter().map(|bay| bay.1).sum())];
                 draft.columns([*aisle; 2], [&core, &core]);
             }
             draft.roof(RoofStyle {

@@ -130,10 +130,10 @@ impl Flush {
             let gables = gables.filter(|f| {
                 let corners = f.corners.iter().map(|c| &solid.points[*c as usize]);
                 let depths = corners.clone().map(|p| self.before(p));
-                let (back, front) =
+                let (least, most) =
                     depths.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
-                // Neither its ends, which run through the wall, nor what lies in the line of the wall.
-                front - back < HEIGHT && back > HEIGHT && corners.clone().all(on_wall)
+                // The outer face alone: ends run through the wall, and what lies in its line belongs to something else.
+                most - least < HEIGHT && least > HEIGHT && corners.clone().all(on_wall)
             });
             let mut moved: Vec<u32> = gables.flat_map(|f| f.corners.iter().copied()).collect();
             moved.sort_unstable();
