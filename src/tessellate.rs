@@ -29,6 +29,7 @@ use crate::catalog::{Catalog, PartId};
 use crate::geometry::{Heading, SAME};
 use crate::scene::{Detail, Kind, Node, NodeId, PartNames, Scene, Shown};
 use crate::source::Limits;
+use crate::tessellate::roof::bulk::Bulk;
 use crate::tessellate::roof::mesh_key::Roofs;
 use crate::tessellate::wall::Line;
 use crate::tessellate::wall::index::WallIndex;
@@ -442,7 +443,7 @@ impl<'a> Walker<'a> {
     /// Writes the soffit of an overhanging storey.
     fn soffit(&mut self, root: NodeId, soffit: &Soffit, number: usize) {
         let name = format_compact!("soffit {number}");
-        let mesh = self.store.solids(&name, &soffit.solids, &|_, _| None, &[]);
+        let mesh = self.store.solids(&name, &Bulk::plain(&soffit.solids), &[]);
         let node = self.node(Some(root), Kind::Member, name, DVec3::ZERO);
         node.mesh = mesh;
         node.storey = Some(soffit.storey);

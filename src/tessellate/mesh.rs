@@ -226,13 +226,37 @@ impl Soup {
         self.shaded(corners, &[], grain);
     }
 
+    /// As [`Soup::face`], with the direction up the texture where it is another than up the face.
+    pub(super) fn covering(
+        &mut self,
+        corners: &[DVec3],
+        up: impl Fn(DVec3) -> Option<DVec3>,
+        grain: bool,
+    ) {
+        let normal = polygon::normal(corners);
+        if normal != DVec3::ZERO {
+            let along = |up: DVec3| (-up.truncate().perp().normalize_or_zero().extend(0.0), up);
+            let ways = up(normal).map_or_else(|| axes(normal), along);
+            self.laid(corners, &[], (normal, ways), grain);
+        }
+    }
+
     /// As [`Soup::face`], with one normal per corner; with none, corners take the normal of the face.
     pub(super) fn shaded(&mut self, corners: &[DVec3], normals: &[DVec3], grain: bool) {
         let normal = polygon::normal(corners);
-        if normal == DVec3::ZERO {
-            return;
+        if normal != DVec3::ZERO {
+            self.laid(corners, normals, (normal, axes(normal)), grain);
         }
-        let (right, up) = axes(normal);
+    }
+
+    /// Adds a plane polygon with these directions of its texture.
+    fn laid(
+        &mut self,
+        corners: &[DVec3],
+        normals: &[DVec3],
+        (normal, (right, up)): (DVec3, (DVec3, DVec3)),
+        grain: bool,
+    ) {
         let flat = |p: &DVec3| dvec2(right.dot(*p), up.dot(*p));
         let turned = grain && lies(corners.iter().map(flat));
         let first = self.positions.len() as u32;

@@ -9,6 +9,7 @@ use crate::ast::RoofKind;
 use crate::building::{Face, Finish, Solid};
 use crate::material::SurfaceId;
 use crate::tessellate::mesh::Soup;
+use crate::tessellate::roof::bulk::Bulk;
 use glam::DVec3;
 use std::sync::LazyLock;
 
@@ -47,9 +48,6 @@ fn names(kind: RoofKind) -> [&'static str; 2] {
     }
 }
 
-/// Surfaces of faces that depend on the surrounding house, by solid and face.
-pub(super) type Given<'g> = &'g dyn Fn(usize, &Face) -> Option<SurfaceId>;
-
 /// Returns the surface of plaster.
 pub(super) fn plaster() -> SurfaceId {
     SURFACES[2]
@@ -76,13 +74,10 @@ pub(super) fn is_minor(finish: Finish) -> bool {
 }
 
 /// Returns the faces of all solids with some finishes, one soup per surface in the order of first use.
-pub(super) fn soups(
-    solids: &[Solid],
-    given: Given<'_>,
-    with: impl Fn(Finish) -> bool,
-) -> Vec<(SurfaceId, Soup)> {
+pub(super) fn soups(bulk: &Bulk<'_>, with: impl Fn(Finish) -> bool) -> Vec<(SurfaceId, Soup)> {
+    let solids = &bulk.solids[..];
     let shows = |n: usize, face: &Face| {
-        with(face.finish).then(|| given(n, face).unwrap_or_else(|| surface(face.finish)))
+        with(face.finish).then(|| bulk.given(n, face).unwrap_or_else(|| surface(face.finish)))
     };
     let mut soups = rooms(solids, shows);
     let mut corners: Vec<DVec3> = Vec::with_capacity(8);
@@ -91,7 +86,11 @@ pub(super) fn soups(
             let Some(id) = shows(n, face) else { continue };
             gather(solid, face, &mut corners);
             if let Some((_, soup)) = soups.iter_mut().find(|(s, _)| *s == id) {
-                soup.face(&corners, has_grain(face.finish));
+                let up = |normal| match face.finish {
+                    Finish::Covering(_) => bulk.up(normal),
+                    _ => None,
+                };
+                soup.covering(&corners, up, has_grain(face.finish));
             }
         }
     }

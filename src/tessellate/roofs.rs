@@ -1,7 +1,7 @@
 //! The roofs of a house as nodes: each with what its storey's walls give it, and with its rows of tiles.
 
 use crate::ast::{RoofKind, RoofShape};
-use crate::building::{Built, Face, House, HouseRoofs, Roof, Solid};
+use crate::building::{Built, House, HouseRoofs, Roof, Solid};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, NodeId};
 use crate::tessellate::Walker;
@@ -108,10 +108,13 @@ impl<'a> Walker<'a> {
                     walls.plastered,
                     self.detail,
                 );
-                let bulk = new.key().bulk(self.detail);
-                let given = |solid: usize, face: &Face| bulk.given(solid, face);
-                let store = &mut self.store;
-                let mesh = store.solids(&name, &bulk.solids, &given, &worn.bodies);
+                // The plainest roofs have no picture that could be askew.
+                let surfaces = match self.detail {
+                    Detail::Body => &[],
+                    _ => &roofs.surfaces()[index..],
+                };
+                let bulk = new.key().bulk(surfaces, self.detail);
+                let mesh = self.store.solids(&name, &bulk, &worn.bodies);
                 let runs = worn.runs.into_iter();
                 let rows = runs.map(|run| (run.clone(), self.store.row(run.row, run.right)));
                 new.insert((mesh, rows.collect())).clone()

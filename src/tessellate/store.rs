@@ -10,11 +10,11 @@ use super::hasher::NumberHasher;
 use super::mesh::{Bodies, Soup};
 use super::weather::Weather;
 use super::weather::panel_look::PanelLook;
-use crate::building::Solid;
 use crate::catalog::{PartDef, PartId};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, MeshId};
-use crate::tessellate::roof::{self, Given, is_minor};
+use crate::tessellate::roof::bulk::Bulk;
+use crate::tessellate::roof::{self, is_minor};
 use crate::tessellate::store::from_afar::{FromAfar, Stripe};
 use crate::tessellate::trim;
 use crate::tessellate::trim::{Body, Row};
@@ -252,19 +252,13 @@ impl<'b> Store<'b> {
     }
 
     /// Adds one mesh of solids and their trim; `None` if there are none.
-    pub(super) fn solids(
-        &mut self,
-        name: &str,
-        solids: &[Solid],
-        given: Given<'_>,
-        worn: &[Body],
-    ) -> Option<MeshId> {
+    pub(super) fn solids(&mut self, name: &str, bulk: &Bulk<'_>, worn: &[Body]) -> Option<MeshId> {
         let flat = self.detail == Detail::Body;
-        let mut soups = roof::soups(solids, given, |finish| !(flat && is_minor(finish)));
+        let mut soups = roof::soups(bulk, |finish| !(flat && is_minor(finish)));
         trim::pour(worn, &mut soups);
         let mut looks = looks(self.weather.wear(soups));
         if flat {
-            let minor = self.weather.wear(roof::soups(solids, given, is_minor));
+            let minor = self.weather.wear(roof::soups(bulk, is_minor));
             looks.extend(coloured(minor));
         }
         if looks.is_empty() {

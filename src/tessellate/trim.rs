@@ -39,6 +39,7 @@ pub(super) use run::{Row, Run};
 pub(super) use seams::Beyond;
 use seams::{Kind, Seam};
 use slope::Field;
+pub(super) use slope::Twist;
 use surface::Surface;
 
 /// A roof whose trim is under construction.
@@ -82,9 +83,9 @@ pub(super) fn build(
         detail,
         plastered,
     };
-    let fields = match detail {
-        Detail::Body | Detail::Flat => vec![],
-        _ => Field::all(&surface),
+    let fields = match edge::rafters::are_shown(&context) || detail > Detail::Flat {
+        true => Field::all(&surface),
+        false => vec![],
     };
     let seams = surface.seams(beyond);
     for seam in &seams {

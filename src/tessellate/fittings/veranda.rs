@@ -30,8 +30,8 @@ pub(super) fn bodies(it: &Veranda, detail: Detail) -> Bodies {
     let n = it.sides.len();
     for (i, side) in it.sides.iter().enumerate() {
         deck(&mut bodies, it, side);
-        if detail > Detail::Flat {
-            below(&mut bodies, it, side);
+        if detail > Detail::Body {
+            below(&mut bodies, it, side, detail);
         }
         if it.rail != Rail::None {
             let bends = [&it.sides[(i + n - 1) % n], &it.sides[(i + 1) % n]];
@@ -81,12 +81,13 @@ fn ways(side: &Deck) -> (DVec2, DVec2) {
     (along, dvec2(along.y, -along.x))
 }
 
-/// Adds the supports of the boards: posts on the ground, arms from the wall upstairs.
-fn below(bodies: &mut Bodies, it: &Veranda, side: &Deck) {
+/// Adds the supports of the boards: posts on the ground, arms from the wall upstairs; at detail 1 only the posts.
+fn below(bodies: &mut Bodies, it: &Veranda, side: &Deck, detail: Detail) {
     let (along, out) = ways(side);
     let width = (side.outer[0] - side.inner[0]).dot(out).abs();
     let top = it.top - UNDER - BOARDS;
-    for at in &side.posts {
+    let shown = it.grounded || detail > Detail::Flat;
+    for at in side.posts.iter().filter(|_| shown) {
         let wall = side.inner[0] + along * *at;
         if it.grounded {
             if it.top - it.foot > 0.15 {
@@ -99,6 +100,9 @@ fn below(bodies: &mut Bodies, it: &Veranda, side: &Deck) {
                     SHORT,
                     (it.foot, top - EDGE.1),
                 );
+            }
+            if detail == Detail::Flat {
+                continue;
             }
             block(
                 bodies,
@@ -246,8 +250,8 @@ impl Stretch {
         } else {
             self.round_rail(bodies, it, beyond, z + RAILING - 0.045 + lift);
         }
-        if detail > Detail::Flat {
-            self.struts(bodies, it, z);
+        if detail > Detail::Body {
+            self.struts(bodies, it, z, detail);
         }
         if it.rail == Rail::Knobbed {
             for (k, at) in [0.0, self.length].into_iter().enumerate() {
@@ -274,7 +278,8 @@ impl Stretch {
         bodies.slide(it.paint, &ring, way.extend(0.0), true);
     }
 
-    fn struts(&self, bodies: &mut Bodies, it: &Veranda, z: f64) {
+    /// Adds the struts between the rails; at detail 1 each is one block.
+    fn struts(&self, bodies: &mut Bodies, it: &Veranda, z: f64, detail: Detail) {
         let count = (self.length / 0.95).round().clamp(1.0, 400.0);
         for k in 0..=count as u32 {
             let at = self.start + self.along * (self.length * f64::from(k) / count);
@@ -288,6 +293,10 @@ impl Stretch {
                     (z + foot, z + top),
                 );
             };
+            if detail == Detail::Flat {
+                upright(0.035, -0.01, RAILING - 0.08);
+                continue;
+            }
             upright(0.05, -0.01, 0.06);
             upright(0.035, 0.14, 0.43);
             upright(0.03, 0.48, RAILING - 0.14);

@@ -3,6 +3,7 @@
 use crate::catalog::body::{Namako, Place};
 use crate::catalog::value::Joints;
 use crate::material::SurfaceId;
+use crate::scene::Detail;
 use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::part::bay::{Bay, Layer};
 use crate::tessellate::part::boards::pieces;
@@ -19,6 +20,9 @@ const SECTION: [(f64, f64); 5] = [
 
 /// Cosine of 45 degrees.
 const DIAGONAL: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// How far a passer-by's look goes across a joint on each metre into the house, metres.
+const SLANT: f64 = 1.0;
 
 /// Corners closer than this to a line of the section are snapped to it, to avoid slivers, metres.
 const SNAP: f64 = 5e-4;
@@ -39,7 +43,7 @@ fn running(bay: &mut Bay<'_>, namako: &Namako, place: &Place, rect: Rect) {
         pieces(rect.height(), namako.tile.0),
     );
     let (w, h) = (rect.width() / cols as f64, rect.height() / rows as f64);
-    let joint = Joint::new(namako, place);
+    let joint = Joint::new(namako, place, bay.detail);
     for row in 0..=rows {
         let z = rect.z0 + h * row as f64;
         joint.draw(bay, rect, |p| p.y - z);
@@ -61,7 +65,7 @@ fn diagonal(bay: &mut Bay<'_>, namako: &Namako, place: &Place, rect: Rect) {
     let step = rect.width() / pieces(rect.width(), side) as f64;
     let first = -((rect.height() / step).ceil() as i64) - 1;
     let last = (rect.width() / step).ceil() as i64 + 1;
-    let joint = Joint::new(namako, place);
+    let joint = Joint::new(namako, place, bay.detail);
     for i in first..=last {
         let at = step * i as f64;
         joint.draw(bay, rect, |p| {
@@ -87,11 +91,18 @@ struct Joint {
 }
 
 impl Joint {
-    fn new(namako: &Namako, place: &Place) -> Joint {
+    /// Where joints are a flat image they are as wide as a round one seems to somebody who looks along the wall.
+    fn new(namako: &Namako, place: &Place, detail: Detail) -> Joint {
+        let (half, layer) = (namako.joint.0 / 2.0, Layer::from(place));
+        let seems = (half + libm::hypot(half, layer.thick * SLANT)) / 2.0;
         Joint {
             finish: place.finish,
-            half: namako.joint.0 / 2.0,
-            layer: Layer::from(place),
+            half: if detail < Detail::Everything {
+                seems
+            } else {
+                half
+            },
+            layer,
         }
     }
 

@@ -7,7 +7,8 @@ use crate::roof::solid::massive::{groups, lean, massive};
 use crate::scene::Detail;
 use crate::tessellate::roof::infill::{Infill, is_fill};
 use crate::tessellate::roof::plaster;
-use glam::DVec2;
+use crate::tessellate::trim::Twist;
+use glam::{DVec2, DVec3};
 use std::borrow::Cow;
 
 /// Returns for each roof of a house the roofs whose solids it shows.
@@ -45,6 +46,7 @@ pub(in crate::tessellate) struct Walls {
 /// The solids that some roofs show.
 pub(in crate::tessellate) struct Bulk<'a> {
     pub(in crate::tessellate) solids: Cow<'a, [Solid]>,
+    twists: Vec<Twist>,
     gables: Gables<'a>,
     plastered: bool,
     timber: Option<SurfaceId>,
@@ -59,10 +61,22 @@ enum Gables<'a> {
 }
 
 impl<'a> Bulk<'a> {
-    /// The solids of these roofs over some walls.
+    /// Solids by themselves, in the default surfaces.
+    pub(in crate::tessellate) fn plain(solids: &'a [Solid]) -> Bulk<'a> {
+        Bulk {
+            solids: Cow::Borrowed(solids),
+            twists: vec![],
+            gables: Gables::BySolid(&[]),
+            plastered: false,
+            timber: None,
+        }
+    }
+
+    /// The solids of these roofs over some walls, and their facets that are twisted.
     pub(in crate::tessellate) fn of(
         roofs: &'a [Roof],
         walls: &'a Walls,
+        twists: Vec<Twist>,
         detail: Detail,
     ) -> Bulk<'a> {
         let (gables, plastered, timber) = (&walls.gables[..], walls.plastered, walls.timber);
@@ -84,12 +98,14 @@ impl<'a> Bulk<'a> {
                 Bulk {
                     gables: Gables::Near(near.collect()),
                     solids: Cow::Owned(solids),
+                    twists,
                     plastered,
                     timber,
                 }
             }
             (None, roofs) => Bulk {
                 solids: laid(roofs, gables),
+                twists,
                 gables: Gables::BySolid(gables),
                 plastered,
                 timber,
@@ -105,6 +121,11 @@ impl<'a> Bulk<'a> {
             Finish::Soffit | Finish::Timber => self.timber,
             _ => None,
         }
+    }
+
+    /// Returns the direction up the slope along a face of the covering that looks to `normal`, where it is not that up the face.
+    pub(in crate::tessellate) fn up(&self, normal: DVec3) -> Option<DVec3> {
+        self.twists.iter().find_map(|twist| twist.up(normal))
     }
 
     /// Returns the surface of a gable wall.

@@ -1,11 +1,11 @@
 //! Keys by which equal roofs share one mesh, as parts do: the houses of a row often have the same plan.
 
 use crate::ast::{RoofKind, RoofShape};
-use crate::building::{Face, Roof, Solid, Trim};
+use crate::building::{Face, Roof, RoofSurface, Solid, Trim};
 use crate::scene::{Detail, MeshId};
 use crate::tessellate::hasher::NumberHasher;
 use crate::tessellate::roof::bulk::{Bulk, Walls};
-use crate::tessellate::trim::{Beyond, Run};
+use crate::tessellate::trim::{Beyond, Run, Twist};
 use crate::tessellate::weather::Weather;
 use glam::DVec3;
 use std::collections::HashMap;
@@ -61,9 +61,11 @@ impl<'a> MeshKey<'a> {
         &self.beyond
     }
 
-    /// Returns the solids it shows.
-    pub(in crate::tessellate) fn bulk(&self, detail: Detail) -> Bulk<'_> {
-        Bulk::of(self.shown, &self.walls, detail)
+    /// Returns the solids it shows; `surfaces` are those of its house, from its own on.
+    pub(in crate::tessellate) fn bulk(&self, surfaces: &[RoofSurface], detail: Detail) -> Bulk<'_> {
+        let shown = surfaces.iter().take(self.shown.len());
+        let twists = shown.flat_map(Twist::all).collect();
+        Bulk::of(self.shown, &self.walls, twists, detail)
     }
 
     pub(in crate::tessellate) fn walls(&self) -> &Walls {

@@ -78,6 +78,19 @@ pub(in crate::tessellate) struct Beyond {
 
 /// Default extension of a ridge into what covers its end, metres.
 const INTO: f64 = 0.15;
+/// How far all other trim extends into what it meets at a joint, metres: faces on the joint itself would flicker with those of
+/// the other roof or the wall.
+pub(super) const REACH: f64 = 0.003;
+
+impl Seam {
+    /// Extends it a little at an end.
+    fn reach(&mut self, end: usize) {
+        let last = self.points.len() - 1;
+        let (at, back) = if end == 0 { (0, 1) } else { (last, last - 1) };
+        let way = (self.points[at] - self.points[back]).normalize_or_zero();
+        self.points[at] += way * REACH;
+    }
+}
 
 impl Surface {
     /// Returns all seams, ridges first.
@@ -92,14 +105,14 @@ impl Surface {
         let kinds = pieces.chunk_by(|a, b| a.0 == b.0);
         let seams = kinds.flat_map(|same| self.chains(same[0].0, same, &ends));
         let mut seams: Vec<Seam> = seams.collect();
-        let ridges = seams
-            .iter_mut()
-            .filter(|s| matches!(s.kind, Kind::Ridge | Kind::Hip));
         let mut runs = beyond.runs.iter();
-        for seam in ridges {
+        for seam in &mut seams {
+            let is_ridge = matches!(seam.kind, Kind::Ridge | Kind::Hip);
             for end in 0..2 {
-                if seam.ends[end] == End::Joint {
-                    seam.runs[end] = runs.next().copied().unwrap_or(INTO);
+                match seam.ends[end] == End::Joint {
+                    true if is_ridge => seam.runs[end] = runs.next().copied().unwrap_or(INTO),
+                    true => seam.reach(end),
+                    false => {}
                 }
             }
         }

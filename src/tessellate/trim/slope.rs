@@ -1,6 +1,7 @@
 //! One slope with its frame: lays out rows up the slope and courses along it, in one phase over all facets of the
 //! slope.
 
+use crate::building::{EdgeKind, RoofSurface};
 use crate::material::SurfaceId;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::surface::Surface;
@@ -24,6 +25,42 @@ pub(super) struct Field {
     rise: DVec2,
     /// Its corners as (s, t), counter-clockwise.
     corners: Vec<DVec2>,
+}
+
+/// A facet that falls in another direction than its slope, as under a raised corner: known by its rise.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::tessellate) struct Twist {
+    rise: DVec2,
+    /// Up its slope in plan, unit length.
+    up: DVec2,
+}
+
+impl Twist {
+    /// How little a facet is turned that is none, metres across the slope per metre.
+    const LEAST: f64 = 1e-3;
+
+    /// Returns the twisted facets of a roof; those that fall across their slope or back are not like its tiles at all.
+    pub(in crate::tessellate) fn all(surface: &RoofSurface) -> Vec<Twist> {
+        if surface.edges.iter().all(|e| e.kind != EdgeKind::Fold) {
+            return vec![];
+        }
+        let fields = Field::all(&Surface::of(surface)).into_iter();
+        let twists = fields.filter(|f| f.rise.dot(f.right).abs() > Twist::LEAST);
+        let twists = twists.filter(|f| f.pitch() > 0.5 * f.rise.length());
+        twists
+            .map(|f| Twist {
+                rise: f.rise,
+                up: f.up,
+            })
+            .collect()
+    }
+
+    /// Returns the direction up the slope, along the face, if a face that looks to `normal` is this facet.
+    pub(in crate::tessellate) fn up(&self, normal: DVec3) -> Option<DVec3> {
+        let rise = -normal.truncate() / normal.z;
+        let own = normal.z > 0.0 && rise.distance(self.rise) < 1e-6;
+        own.then(|| self.up.extend(self.rise.dot(self.up)).normalize())
+    }
 }
 
 impl Field {

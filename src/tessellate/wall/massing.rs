@@ -3,20 +3,23 @@
 //! Walls are open above and below, where roofs and the ground close them; there is no interior.
 
 use crate::building::Ring;
+use crate::catalog::body::{Element, Shape};
 use crate::catalog::{Below, Catalog, PartId, Stance};
 use crate::geometry::FOUNDATION;
 use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
 use crate::program::{Content, PictureId, Unit};
-use crate::scene::MeshId;
+use crate::scene::{Detail, MeshId};
 use crate::tessellate::mesh::Soup;
+use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::part::DADO;
-use crate::tessellate::part::bay::HALF_POST;
+use crate::tessellate::part::bay::{Bay, HALF_POST};
 use crate::tessellate::store::draft::MeshDraft;
 use crate::tessellate::store::from_afar::Stripe;
 use crate::tessellate::store::look::{Look, Share, Shown};
 use crate::tessellate::wall::member::{PLATE, SILL};
 use crate::tessellate::wall::{Line, PlacedUnit};
+use crate::tessellate::weather::Weather;
 use crate::tessellate::{Level, Walker, turn_of};
 use glam::{DVec3, dvec2};
 use smallvec::{SmallVec, smallvec};
@@ -26,7 +29,7 @@ use std::sync::LazyLock;
 const LONGEST: f64 = 4.0;
 
 /// How much more of a post is seen because it stands before its wall and one looks along it, metres.
-const PROUD: f64 = 0.03;
+const PROUD: f64 = 0.04;
 
 /// The surfaces of the frame (posts, plates, sills) and of the foundation under it.
 static FRAME: LazyLock<[SurfaceId; 2]> = LazyLock::new(|| ["cedar", "stone"].map(SurfaceId::named));
@@ -39,6 +42,21 @@ struct Band {
     shown: Shown,
     /// True if the material is an image that spans the band once.
     picture: bool,
+}
+
+/// A picture that hangs on a part.
+struct Hung {
+    picture: PictureId,
+    /// From the unit's left end and above the floor, metres.
+    area: Rect,
+}
+
+/// What is seen of a unit.
+#[derive(Default)]
+struct Seen {
+    /// From its foot to its top.
+    bands: Vec<Band>,
+    pictures: Vec<Hung>,
 }
 
 /// Adjacent units that look the same.
@@ -103,17 +121,13 @@ impl Walker<'_> {
     fn stretches(&mut self, level: Level<'_>, line: &Line<'_>) -> Vec<Stretch> {
         let mut stretches: Vec<Stretch> = vec![];
         let catalog = self.catalog;
-        let shown = |s: &&PlacedUnit<'_>| s.solid() && !shows_through(catalog, level, s);
-        for placed in line.units.iter().filter(shown) {
-            let mut bands = vec![];
-            // One weather for the wall: neighbours of one look stay one face.
-            self.store.weather = self.frame((0.0, level.height));
-            self.bands(
-                placed.unit,
-                (level, placed),
-                (0.0, placed.top()),
-                &mut bands,
-            );
+        let shown = |s: &PlacedUnit<'_>| s.solid() && !shows_through(catalog, level, s);
+        for (i, placed) in line.units.iter().enumerate().filter(|(_, s)| shown(s)) {
+            self.store.weather = self.weather_from_afar(level, placed, i + 1);
+            let mut seen = Seen::default();
+            let all = (0.0, placed.top());
+            self.bands(placed.unit, (level, placed), all, &mut seen);
+            let bands = &mut seen.bands;
             // Walls go down to the ground; no picture does, since it would be stretched.
             let lowest = bands.iter_mut().find(|b| b.z.0.abs() < 1e-3 && !b.picture);
             if let Some(band) = lowest.filter(|_| level.grounded()) {
@@ -126,24 +140,41 @@ impl Walker<'_> {
                     picture: false,
                 });
             }
-            let end = placed.offset + placed.width;
-            let goes_on = stretches.last_mut().filter(|s| {
-                let level = (s.tops.0 - s.tops.1).abs() < 1e-6 && placed.tops == s.tops;
-                let near = (s.to - placed.offset).abs() < 1e-6 && s.face == placed.face;
-                level && near && s.bands == bands && bands.iter().all(|b| !b.picture)
-            });
-            match goes_on {
-                Some(stretch) => stretch.to = end,
-                None => stretches.push(Stretch {
-                    from: placed.offset,
-                    to: end,
+            for (from, to, bands) in seen.sections(placed.width) {
+                let stretch = Stretch {
+                    from: placed.offset + from,
+                    to: placed.offset + to,
                     face: placed.face,
                     tops: placed.tops,
                     bands,
-                }),
+                };
+                match stretches.last_mut().filter(|s| s.goes_on(&stretch)) {
+                    Some(last) => last.to = stretch.to,
+                    None => stretches.push(stretch),
+                }
             }
         }
         stretches
+    }
+
+    /// Returns the weather of a unit as it is seen from afar: walls of one surface have that of the whole wall, so that
+    /// neighbours stay one face, joinery has its own.
+    fn weather_from_afar(
+        &self,
+        level: Level<'_>,
+        placed: &PlacedUnit<'_>,
+        number: usize,
+    ) -> Weather {
+        let is_joinery = |id: PartId| {
+            let afar = self.store.afar(id, self.catalog.part(id));
+            afar.is_some_and(|stripes| stripes.iter().any(|s| !s.textured))
+        };
+        match &placed.unit.content {
+            content @ Content::Part(id) if is_joinery(*id) => {
+                self.unit_weather(number, content, (0.0, placed.top()))
+            }
+            _ => self.frame((0.0, level.height)),
+        }
     }
 
     /// Returns the wall above units of which a ceiling covers only a part.
@@ -217,12 +248,12 @@ impl Walker<'_> {
         unit: &Unit,
         (level, placed): (Level<'_>, &PlacedUnit<'_>),
         z: (f64, f64),
-        out: &mut Vec<Band>,
+        out: &mut Seen,
     ) {
         let (z0, z1) = z;
         match &unit.content {
             Content::Void => {}
-            Content::Picture(id) => out.push(Band {
+            Content::Picture(id) => out.bands.push(Band {
                 z,
                 shown: Shown::of(Look::Picture(id.0, Share::default())),
                 picture: true,
@@ -247,14 +278,14 @@ impl Walker<'_> {
         picture: Option<PictureId>,
         at: (Level<'_>, &PlacedUnit<'_>),
         z: (f64, f64),
-        out: &mut Vec<Band>,
+        out: &mut Seen,
     ) {
         let ((z0, z1), placed) = (z, at.1);
         let mut band = |from: f64, to: f64, afar: &[Stripe]| {
             let height = to - from;
             for stripe in afar.iter().filter(|_| height > 1e-3) {
                 let z = (from + height * stripe.z.0, from + height * stripe.z.1);
-                out.push(self.band(at, z, (stripe, height)));
+                out.bands.push(self.band(at, z, (stripe, height)));
             }
         };
         let definition = self.catalog.part(id);
@@ -275,17 +306,74 @@ impl Walker<'_> {
         let boards = [Stripe::of_surface(SurfaceId::named("boards"))];
         band(z0, boarded, &boards);
         band(boarded, foot, &around);
-        if picture.is_none() {
-            band(foot, top, main);
-        }
+        // Beside a picture one sees the wall on which it hangs.
+        band(foot, top, if picture.is_some() { &around } else { main });
         band(top, z1, &around);
-        if let Some(id) = picture.filter(|_| top - foot > 1e-3) {
-            out.push(Band {
+        if let Some(picture) = picture {
+            let size = (placed.width, z1 - z0);
+            let (width, opening) = (placed.width, (foot - z0, top - z0));
+            let bay = Bay::new(definition, size, opening, placed.around, Detail::Body, None);
+            let shows = |e: &&Element| matches!(e.shape, Shape::Shown(_));
+            let element = definition.body.iter().find(shows);
+            let area = element.and_then(|e| bay.rect(&e.place, None));
+            let area = area.map(|r| Rect {
+                x0: r.x0.clamp(0.0, width),
+                x1: r.x1.clamp(0.0, width),
+                z0: (z0 + r.z0).clamp(z0, z1),
+                z1: (z0 + r.z1).clamp(z0, z1),
+            });
+            let area = area.filter(|r| r.width() > 1e-3 && r.height() > 1e-3);
+            out.pictures.extend(area.map(|area| Hung { picture, area }));
+        }
+    }
+}
+
+impl Seen {
+    /// Returns sections between two distances from the right end of a unit of a width, each with its bands.
+    fn sections(self, width: f64) -> Vec<(f64, f64, Vec<Band>)> {
+        let Some(Hung { area, .. }) = self.pictures.first() else {
+            return vec![(0.0, width, self.bands)];
+        };
+        let (right, left) = (width - area.x1, width - area.x0);
+        let mut middle = self.bands.clone();
+        for Hung { picture, area } in &self.pictures {
+            let (foot, top) = (area.z0, area.z1);
+            let parts = |band: &Band| {
+                let (z0, z1) = band.z;
+                let below = Band {
+                    z: (z0, z1.min(foot)),
+                    ..*band
+                };
+                let above = Band {
+                    z: (z0.max(top), z1),
+                    ..*band
+                };
+                [below, above]
+            };
+            middle = middle.iter().flat_map(parts).collect();
+            middle.retain(|band| band.z.1 - band.z.0 > 1e-3);
+            middle.push(Band {
                 z: (foot, top),
-                shown: Shown::of(Look::Picture(id.0, Share::default())),
+                shown: Shown::of(Look::Picture(picture.0, Share::default())),
                 picture: true,
             });
         }
+        let sections = [
+            (0.0, right, self.bands.clone()),
+            (right, left, middle),
+            (left, width, self.bands),
+        ];
+        let wide = |(from, to, _): &(f64, f64, Vec<Band>)| to - from > 1e-3;
+        sections.into_iter().filter(wide).collect()
+    }
+}
+
+impl Stretch {
+    /// Returns true if another one goes on with what this one shows.
+    fn goes_on(&self, next: &Stretch) -> bool {
+        let level = (self.tops.0 - self.tops.1).abs() < 1e-6 && next.tops == self.tops;
+        let near = (self.to - next.from).abs() < 1e-6 && self.face == next.face;
+        level && near && self.bands == next.bands && self.bands.iter().all(|b| !b.picture)
     }
 }
 

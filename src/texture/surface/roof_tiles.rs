@@ -116,7 +116,8 @@ fn hongawara_at(spot: Spot) -> Texel<3> {
         1.0 - 0.62 * (1.0 - smooth(RADIUS, RADIUS + 0.035, x.abs()))
     };
     let lip = 1.0 - smooth(0.004, 0.012, course.at * length);
-    let shape = shadow * beside * (1.0 + 0.12 * lip) * if round { 0.86 + 3.4 * arch } else { 1.0 };
+    let shape =
+        shadow * beside * (1.0 + 0.12 * lip) * if round { 0.832 + 3.28 * arch } else { 1.0 };
     let base = if round { arch + 0.012 } else { pan };
     Texel {
         height: base + thick * (1.0 - course.at) - if round { 0.004 * butt } else { 0.0 },

@@ -7,7 +7,7 @@ use crate::scene::Detail;
 use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::line::Line;
-use crate::tessellate::trim::seams::{End, Kind, Seam};
+use crate::tessellate::trim::seams::{End, Kind, REACH, Seam};
 
 /// Half the width of a gutter, and its height above the slopes, metres.
 const GUTTER: (f64, f64) = (0.09, 0.012);
@@ -88,7 +88,7 @@ pub(in crate::tessellate::trim) fn wall(
     };
     let fall = context.lean(seam).max(0.0);
     let free = seam.spans.iter().any(|s| s.deep != [0.0; 2]);
-    let back = if free { -OVER } else { 0.0 };
+    let back = if free { -OVER } else { -REACH };
     let mut profile = vec![(back, -SUNK), (wide, -fall * wide - SUNK)];
     for i in 0..courses {
         let own = wide * (1.0 - 0.2 * f64::from(i));

@@ -76,6 +76,15 @@ fn rows(context: &TrimContext<'_>) -> Vec<Row> {
     vec![upper, lower]
 }
 
+/// Returns true if there are rafters, or at least the boards in front of them; great ones hide the top of the wall even from afar.
+pub(in crate::tessellate::trim) fn are_shown(context: &TrimContext<'_>) -> bool {
+    let least = match context.roof.trim.rafters > 1 {
+        true => Detail::Flat,
+        false => Detail::Openings,
+    };
+    context.detail >= least && context.roof.trim.eaves >= 2.0 * BACK
+}
+
 /// Adds the rafters under one line of eaves, and the board in front of them.
 pub(in crate::tessellate::trim) fn eaves(
     context: &TrimContext<'_>,
@@ -83,7 +92,7 @@ pub(in crate::tessellate::trim) fn eaves(
     seam: &Seam,
     bodies: &mut Vec<Body>,
 ) {
-    if context.detail < Detail::Openings || context.roof.trim.eaves < 2.0 * BACK {
+    if !are_shown(context) {
         return;
     }
     let rows = rows(context);

@@ -2,6 +2,7 @@
 
 use crate::material::SurfaceId;
 use crate::tessellate::trim::body::Body;
+use crate::tessellate::trim::seams::REACH;
 use crate::tessellate::trim::surface::Surface;
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
@@ -96,6 +97,10 @@ fn rim(surface: &Surface, sides: Vec<(u32, u32, [f64; 2])>, closed: bool) -> Opt
             out: both.normalize_or_zero() / half,
             deep,
         });
+    }
+    if let (false, [first, .., last]) = (closed, &mut points[..]) {
+        first.at -= way(0) * REACH;
+        last.at += way(n - 1) * REACH;
     }
     (points.len() > 1).then_some(Rim { points, closed })
 }
