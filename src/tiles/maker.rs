@@ -10,6 +10,7 @@ use super::record::{TileRecord, record_file};
 use super::terrain::{Cell, Patch};
 use crate::ast::WrittenPart;
 use crate::ast::town::Tiles;
+use crate::backend::gltf::SpareArrays;
 use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
 use crate::driver::TileDriver;
@@ -81,6 +82,7 @@ pub struct Maker<'a> {
     salt: TileSalt,
     levels: Vec<Detail>,
     home: Home,
+    spare: SpareArrays,
 }
 
 /// Returns the levels of detail, from far to near.
@@ -107,6 +109,7 @@ impl<'a> Maker<'a> {
             salt: TileSalt::new(input, (&levels, means.packed), parts),
             levels,
             home: Home::of(input.source.name()),
+            spare: SpareArrays::default(),
         }
     }
 
@@ -152,12 +155,17 @@ impl<'a> Maker<'a> {
             tile,
             input,
             (&self.levels, self.means.packed),
-            self.means.input.world,
+            (self.means.input.world, &self.spare),
         )?;
         for (path, _) in &mut made.record.pictures {
             *path = self.home.seen(path);
         }
         self.keep(&made)?;
+        for (name, bytes) in made.files {
+            if let Some(level) = made.record.levels.iter().find(|level| level.file == name) {
+                self.spare.keep(level.detail, bytes);
+            }
+        }
         done.found = made.found;
         done.record = Some(made.record);
         Ok(done)

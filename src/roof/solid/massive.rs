@@ -43,7 +43,18 @@ pub fn groups(roofs: &[Roof]) -> impl Iterator<Item = &[Roof]> {
 /// one closed solid: such a group becomes several.
 pub fn massive(roofs: &[Roof]) -> Option<Vec<Solid>> {
     roofs.iter().find(|r| r.attic.filled)?;
-    Some(united(&roofs.iter().collect::<Vec<_>>()))
+    let alone = || match roofs {
+        [roof] => lone_with_timber(roof),
+        _ => None,
+    };
+    Some(alone().unwrap_or_else(|| united(&roofs.iter().collect::<Vec<_>>())))
+}
+
+/// Returns the solid of a roof that meets no other in closed form, and its timber; none if it is not simple.
+fn lone_with_timber(roof: &Roof) -> Option<Vec<Solid>> {
+    let timber = roof.solids.iter().filter(|s| surface(s).is_none() && !is_gable(s));
+    let solid = lean::alone(roof)?;
+    Some(std::iter::once(solid).chain(timber.cloned()).collect())
 }
 
 /// Returns the solids of some roofs, as one if that is possible.
