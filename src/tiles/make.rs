@@ -22,6 +22,7 @@ use twox_hash::XxHash3_128;
 pub(super) const FOLDER: &str = "../textures";
 
 /// A tile that has been made.
+#[derive(Debug)]
 pub struct MadeTile {
     /// What is known of it.
     pub record: TileRecord,

@@ -23,9 +23,9 @@ use crate::backend::{Images, OutFile, images, sound};
 use crate::scene::{Detail, Image, Material, Primitive, ScenePart};
 use glam::{DVec2, DVec3, Vec3};
 use models::Models;
+use serde_json::{Value, json};
 use spare::Spare;
 pub use spare::SpareArrays;
-use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::Cursor;
 use std::mem::take;
@@ -100,12 +100,7 @@ impl TileWriter {
     }
 
     /// The same in the memory of arrays that are spare.
-    pub fn over(
-        arrays: &SpareArrays,
-        detail: Detail,
-        centre: DVec3,
-        packed: bool,
-    ) -> TileWriter {
+    pub fn over(arrays: &SpareArrays, detail: Detail, centre: DVec3, packed: bool) -> TileWriter {
         let mut spare = arrays.take(detail as u8);
         let mut materials = MaterialRefs::default();
         // Relief is nothing from afar.

@@ -52,7 +52,10 @@ pub fn massive(roofs: &[Roof]) -> Option<Vec<Solid>> {
 
 /// Returns the solid of a roof that meets no other in closed form, and its timber; none if it is not simple.
 fn lone_with_timber(roof: &Roof) -> Option<Vec<Solid>> {
-    let timber = roof.solids.iter().filter(|s| surface(s).is_none() && !is_gable(s));
+    let timber = roof
+        .solids
+        .iter()
+        .filter(|s| surface(s).is_none() && !is_gable(s));
     let solid = lean::alone(roof)?;
     Some(std::iter::once(solid).chain(timber.cloned()).collect())
 }
