@@ -42,3 +42,26 @@ impl Spare {
         array
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arrays_come_back_without_elements_and_in_their_order() {
+        let spare = SpareArrays::default();
+        let mut file = Pieces::from(vec![1; LEAST]);
+        file.push(vec![2; 2 * LEAST]);
+        file.push(vec![3; 4]);
+        file.push(vec![4; 3 * LEAST]);
+        spare.keep(1, file);
+        assert_eq!(spare.take(0).array().capacity(), 0, "of another level");
+        let mut own = spare.take(1);
+        let arrays = [own.array(), own.array(), own.array()];
+        assert!(arrays.iter().all(Vec::is_empty));
+        assert_eq!(
+            arrays.map(|array| array.capacity()),
+            [2 * LEAST, 3 * LEAST, 0]
+        );
+    }
+}
