@@ -33,7 +33,7 @@ pub use apart::Gltf;
 pub use compress::Ktx2;
 pub use container::Glb;
 pub use table::FeatureRow;
-pub use tile::{TileContent, TileWriter, graphics_bytes};
+pub use tile::{SpareArrays, TileContent, TileWriter, graphics_bytes};
 pub use writer::Writer;
 #[cfg(feature = "view")]
 pub(crate) use writer::{glb_of_houses, written_nodes};

@@ -73,6 +73,11 @@ impl Pieces {
         self.iter().try_for_each(|piece| out.write_all(piece))
     }
 
+    /// Returns the whole pieces.
+    pub fn into_whole(self) -> Vec<Vec<u8>> {
+        self.whole
+    }
+
     /// Returns all as one.
     pub fn to_vec(&self) -> Vec<u8> {
         let mut all = Vec::with_capacity(self.len());

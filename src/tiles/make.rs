@@ -5,7 +5,7 @@ use super::mesh::Tile;
 use super::record::{LevelRecord, MM, TextureRecord, TileRecord};
 #[cfg(feature = "compress")]
 use crate::backend::gltf::Ktx2;
-use crate::backend::gltf::{TileContent, TileWriter, graphics_bytes};
+use crate::backend::gltf::{SpareArrays, TileContent, TileWriter, graphics_bytes};
 use crate::backend::images::Library;
 use crate::backend::pieces::Pieces;
 use crate::backend::{Images, OutFile, PictureBytes, SurfaceFiles};
@@ -22,6 +22,7 @@ use twox_hash::XxHash3_128;
 pub(super) const FOLDER: &str = "../textures";
 
 /// A tile that has been made.
+#[derive(Debug)]
 pub struct MadeTile {
     /// What is known of it.
     pub record: TileRecord,
@@ -31,7 +32,8 @@ pub struct MadeTile {
     pub found: Diagnostics,
 }
 
-/// Makes the files of a tile at each level of detail, given from far to near; their arrays may be packed.
+/// Makes the files of a tile at each level of detail, given from far to near, in the memory of arrays that are spare; they may
+/// be packed.
 ///
 /// # Errors
 /// The one that ended its houses.
@@ -40,7 +42,7 @@ pub fn make(
     tile: &Tile,
     input: TileInput,
     (levels, packed): (&[Detail], bool),
-    world: &dyn World,
+    (world, spare): (&dyn World, &SpareArrays),
 ) -> io::Result<MadeTile> {
     let mut found = Diagnostics::new();
     let (row_of, rows, hash) = (input.row_of, input.rows, input.hash);
@@ -48,7 +50,7 @@ pub fn make(
     let made = driver.houses(input.houses, &mut found)?;
     let mut files = Files::default();
     for detail in levels {
-        let mut writer = TileWriter::packed(*detail, centre, packed);
+        let mut writer = TileWriter::over(spare, *detail, centre, packed);
         let mut take = |number: usize, part: ScenePart<'_>| {
             writer.add(part, row_of[number], &TileImages(&made.library));
         };

@@ -10,6 +10,7 @@ use super::record::{TileRecord, record_file};
 use super::terrain::{Cell, Patch};
 use crate::ast::WrittenPart;
 use crate::ast::town::Tiles;
+use crate::backend::gltf::SpareArrays;
 use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
 use crate::driver::TileDriver;
@@ -45,7 +46,7 @@ pub struct TileMeans<'a> {
 /// What became of one tile, or of one piece of ground.
 #[derive(Debug, Default)]
 pub struct Done {
-    /// What became of its features; their houses are written already.
+    /// What became of its features.
     pub account: Option<Account>,
     /// What is known of it, if it has houses.
     pub record: Option<TileRecord>,
@@ -57,6 +58,8 @@ pub struct Done {
     pub included: Vec<Source>,
     /// The values of expressions, if the options ask for them.
     pub values: Values,
+    /// Its files, if the store does not have them yet.
+    pub(super) unkept: Option<MadeTile>,
 }
 
 impl Done {
@@ -81,6 +84,7 @@ pub struct Maker<'a> {
     salt: TileSalt,
     levels: Vec<Detail>,
     home: Home,
+    spare: SpareArrays,
 }
 
 /// Returns the levels of detail, from far to near.
@@ -107,6 +111,7 @@ impl<'a> Maker<'a> {
             salt: TileSalt::new(input, (&levels, means.packed), parts),
             levels,
             home: Home::of(input.source.name()),
+            spare: SpareArrays::default(),
         }
     }
 
@@ -115,22 +120,27 @@ impl<'a> Maker<'a> {
         &self.salt
     }
 
-    /// Makes a tile as [`Maker::tile`] does; one that makes the program fail is left out, and its features are reported.
+    /// Makes a tile, unless it is there, and keeps nothing yet; one that makes the program fail is left out, and its features
+    /// are reported.
     ///
     /// # Errors
-    /// Those of [`Maker::tile`].
-    pub fn tile_or_why_not(&self, plan: &Plan, tile: &Tile) -> io::Result<Done> {
-        match catch_unwind(AssertUnwindSafe(|| self.tile(plan, tile))) {
+    /// Those of the spool in which features wait.
+    pub fn unkept_or_why_not(&self, plan: &Plan, tile: &Tile) -> io::Result<Done> {
+        match catch_unwind(AssertUnwindSafe(|| self.unkept(plan, tile))) {
             Ok(done) => done,
             Err(_) => tile.with(plan, |part, lots, _| Done::unmade(part, lots)),
         }
     }
 
-    /// Makes a tile of a town, unless it is there.
+    /// Makes a tile of a town, unless it is there, and keeps it.
     ///
     /// # Errors
     /// Those of the store, and of the spool in which features wait.
     pub fn tile(&self, plan: &Plan, tile: &Tile) -> io::Result<Done> {
+        self.kept(self.unkept(plan, tile)?)
+    }
+
+    fn unkept(&self, plan: &Plan, tile: &Tile) -> io::Result<Done> {
         let (input, year) = (self.means.input, self.means.year);
         let mut input = evaluate(tile, (plan, input), year, &self.salt)?;
         let mut done = Done {
@@ -152,13 +162,30 @@ impl<'a> Maker<'a> {
             tile,
             input,
             (&self.levels, self.means.packed),
-            self.means.input.world,
+            (self.means.input.world, &self.spare),
         )?;
         for (path, _) in &mut made.record.pictures {
             *path = self.home.seen(path);
         }
+        done.found = std::mem::take(&mut made.found);
+        done.unkept = Some(made);
+        Ok(done)
+    }
+
+    /// Keeps the files of a tile.
+    ///
+    /// # Errors
+    /// Those of the store.
+    pub fn kept(&self, mut done: Done) -> io::Result<Done> {
+        let Some(made) = done.unkept.take() else {
+            return Ok(done);
+        };
         self.keep(&made)?;
-        done.found = made.found;
+        for (name, bytes) in made.files {
+            if let Some(level) = made.record.levels.iter().find(|level| level.file == name) {
+                self.spare.keep(level.detail, bytes);
+            }
+        }
         done.record = Some(made.record);
         Ok(done)
     }

@@ -20,7 +20,7 @@ use crate::town::{Plan, TownInput};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::mpsc::{self, SyncSender};
 use std::thread;
 
 /// A town to be built in tiles.
@@ -251,7 +251,7 @@ pub(super) fn zero(plan: &Plan) -> Option<f64> {
 struct Ordered<'t> {
     waiting: BTreeMap<usize, Done>,
     next: usize,
-    take: &'t mut (dyn FnMut(Done) -> io::Result<()> + Send),
+    take: &'t mut dyn FnMut(Done) -> io::Result<()>,
 }
 
 impl Ordered<'_> {
@@ -264,6 +264,9 @@ impl Ordered<'_> {
         Ok(())
     }
 }
+
+/// A tile or a piece of ground that has been made, and the number of its features.
+type Unkept = (io::Result<Done>, usize);
 
 /// The tiles and pieces of ground that threads make.
 struct Queue<'q> {
@@ -278,62 +281,63 @@ impl Queue<'_> {
     fn all(
         &self,
         progress: &(dyn Fn(usize) + Sync),
-        take: &mut (dyn FnMut(Done) -> io::Result<()> + Send),
+        take: &mut dyn FnMut(Done) -> io::Result<()>,
     ) -> io::Result<()> {
         let next = AtomicUsize::new(0);
         let count = self.tiles.len() + self.pieces.len();
-        let made = Mutex::new(Ordered {
+        let mut made = Ordered {
             waiting: BTreeMap::new(),
             next: 0,
             take,
-        });
-        let failed: Mutex<Option<io::Error>> = Mutex::new(None);
-        let work = || {
-            // A tile is the work of one thread: no more tiles are in memory than there are threads.
-            let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build();
-            loop {
-                let number = next.fetch_add(1, Ordering::Relaxed);
-                if number >= count {
-                    return;
-                }
-                let (done, features) = match &alone {
-                    Ok(pool) => pool.install(|| self.one(number)),
-                    Err(_) => self.one(number),
-                };
-                if let Err(error) = done.and_then(|done| locked(&made).add(number, done)) {
-                    next.store(count, Ordering::Relaxed);
-                    locked(&failed).get_or_insert(error);
-                    return;
-                }
-                progress(features);
-            }
         };
+        let (send, receive) = mpsc::sync_channel(1);
         thread::scope(|scope| {
             for _ in 0..self.job.threads.clamp(1, count.max(1)) {
-                scope.spawn(work);
+                let (next, send) = (&next, send.clone());
+                scope.spawn(move || self.work(next, send));
             }
-        });
-        match failed.into_inner().unwrap_or_else(PoisonError::into_inner) {
-            Some(error) => Err(error),
-            None => Ok(()),
+            drop(send);
+            // No thread that makes tiles waits for a disk. Without a receiver all of them end.
+            for (number, (done, features)) in receive {
+                let kept = done.and_then(|done| self.maker.kept(done))?;
+                made.add(number, kept)?;
+                progress(features);
+            }
+            Ok(())
+        })
+    }
+
+    /// Makes one after another, and passes each on with its number.
+    fn work(&self, next: &AtomicUsize, send: SyncSender<(usize, Unkept)>) {
+        // A tile is the work of one thread: hardly more tiles are in memory than there are threads.
+        let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+        let count = self.tiles.len() + self.pieces.len();
+        loop {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            if number >= count {
+                return;
+            }
+            let made = match &alone {
+                Ok(pool) => pool.install(|| self.one(number)),
+                Err(_) => self.one(number),
+            };
+            if send.send((number, made)).is_err() {
+                return;
+            }
         }
     }
 
     /// Makes one of them; returns the number of its features too. Only the first tile tells which files were read.
-    fn one(&self, number: usize) -> (io::Result<Done>, usize) {
+    fn one(&self, number: usize) -> Unkept {
         let plan = self.job.plan;
         let Some(tile) = self.tiles.get(number) else {
             let cell = self.pieces[number - self.tiles.len()];
             return (self.maker.piece(plan, cell), 0);
         };
-        let mut done = self.maker.tile_or_why_not(plan, tile);
+        let mut done = self.maker.unkept_or_why_not(plan, tile);
         if let (Ok(done), true) = (&mut done, number > 0) {
             done.included.clear();
         }
         (done, tile.features())
     }
-}
-
-fn locked<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

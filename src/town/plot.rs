@@ -67,7 +67,12 @@ impl Rectangle {
     /// Returns true if it meets a neighbour more than its outline does.
     fn meets(&self, ring: &[DVec2], neighbours: &[&[DVec2]]) -> bool {
         let corners = self.corners();
+        let [low, high] = around(&corners);
         neighbours.iter().any(|other| {
+            let [from, to] = around(other);
+            if !(low.cmplt(to).all() && from.cmplt(high).all()) {
+                return false;
+            }
             let own = shared(&corners, other);
             own > OVERLAP && own > shared(ring, other) + OVERLAP
         })
@@ -76,6 +81,13 @@ impl Rectangle {
     fn fits(&self, ring: &[DVec2], neighbours: &[&[DVec2]]) -> bool {
         self.leaves(ring) <= LEAVES && !self.meets(ring, neighbours)
     }
+}
+
+/// Returns the box around a ring.
+fn around(ring: &[DVec2]) -> [DVec2; 2] {
+    let none = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+    let grow = |[low, high]: [DVec2; 2], p: &DVec2| [low.min(*p), high.max(*p)];
+    ring.iter().fold(none, grow)
 }
 
 /// Returns the extent of a ring behind the line of its front, metres.

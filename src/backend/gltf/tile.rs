@@ -8,6 +8,7 @@
 mod models;
 #[cfg(feature = "compress")]
 mod packed;
+mod spare;
 mod vertices;
 
 use super::arrays::{MaterialRef, signed_byte, turned};
@@ -23,6 +24,8 @@ use crate::scene::{Detail, Image, Material, Primitive, ScenePart};
 use glam::{DVec2, DVec3, Vec3};
 use models::Models;
 use serde_json::{Value, json};
+use spare::Spare;
+pub use spare::SpareArrays;
 use std::collections::BTreeMap;
 use std::io::Cursor;
 use std::mem::take;
@@ -60,6 +63,8 @@ pub struct TileWriter {
     /// The box of models that are put up many times.
     bounds: Option<[DVec3; 2]>,
     models: Models,
+    /// Arrays of a tile before, whose memory is written over.
+    spare: Spare,
 }
 
 /// The way from the frame of a node to that of the town.
@@ -91,6 +96,12 @@ impl TileWriter {
 
     /// The same with arrays that are packed, if this program can.
     pub fn packed(detail: Detail, centre: DVec3, packed: bool) -> TileWriter {
+        TileWriter::over(&SpareArrays::default(), detail, centre, packed)
+    }
+
+    /// The same in the memory of arrays that are spare.
+    pub fn over(arrays: &SpareArrays, detail: Detail, centre: DVec3, packed: bool) -> TileWriter {
+        let mut spare = arrays.take(detail as u8);
         let mut materials = MaterialRefs::default();
         // Relief is nothing from afar.
         materials.flat = detail <= Detail::Flat;
@@ -100,12 +111,13 @@ impl TileWriter {
             detail,
             packed,
             materials,
-            vertices: Vertices::new(packed),
+            vertices: Vertices::over(&mut spare, detail, packed),
             on_pages: vec![],
             batches: vec![],
             reliefs: vec![],
             bounds: None,
             models: Models::default(),
+            spare,
         }
     }
 
@@ -231,7 +243,8 @@ impl TileWriter {
     fn indices(&mut self, known: MaterialRef, first: u32, indices: &[u32]) {
         let material = known.number.value();
         if self.batches.len() <= material {
-            self.batches.resize(material + 1, vec![]);
+            let spare = &mut self.spare;
+            self.batches.resize_with(material + 1, || spare.array());
             self.reliefs.resize(material + 1, false);
         }
         self.reliefs[material] = known.relief;

@@ -7,6 +7,7 @@
 //!
 //! The upper surface is cut into parts with a plane below each, no two of which share any space (`parts`). They become
 //! upright columns, whose common surface is the solid (`union`); faces side by side in one plane become one (`merge`).
+//! A simple roof that meets no other needs none of this: its solid has a closed form (`lean`), and its timber stays beside it.
 //!
 //! | roof | becomes |
 //! |---|---|
@@ -42,8 +43,27 @@ pub fn groups(roofs: &[Roof]) -> impl Iterator<Item = &[Roof]> {
 /// Returns the solids of one of these [`groups`]; none if it has no attic. Roofs that touch only in an edge cannot be
 /// one closed solid: such a group becomes several.
 pub fn massive(roofs: &[Roof]) -> Option<Vec<Solid>> {
+    let alone = match roofs {
+        [roof] => lone_with_timber(roof),
+        _ => None,
+    };
+    alone.or_else(|| general(roofs))
+}
+
+/// Returns the same from the union of columns, whatever the roofs are.
+pub fn general(roofs: &[Roof]) -> Option<Vec<Solid>> {
     roofs.iter().find(|r| r.attic.filled)?;
     Some(united(&roofs.iter().collect::<Vec<_>>()))
+}
+
+/// Returns the solid of a roof that meets no other in closed form, and its timber; none if it is not simple.
+fn lone_with_timber(roof: &Roof) -> Option<Vec<Solid>> {
+    let timber = roof
+        .solids
+        .iter()
+        .filter(|s| surface(s).is_none() && !is_gable(s));
+    let solid = lean::alone(roof)?;
+    Some(std::iter::once(solid).chain(timber.cloned()).collect())
 }
 
 /// Returns the solids of some roofs, as one if that is possible.

@@ -3,7 +3,7 @@
 use crate::scene::Baked;
 use crate::tessellate::bake::Picture;
 use crate::texture::{jpeg, png};
-use image::{DynamicImage, ImageBuffer, Pixel, RgbImage, RgbaImage};
+use image::{ImageBuffer, Pixel, RgbImage, RgbaImage};
 
 /// An image of bytes.
 type Map<P> = ImageBuffer<P, Vec<u8>>;
@@ -77,7 +77,7 @@ impl Pixels {
         let relief = self.relief.map(|maps| maps.map(|map| cut(map, used)));
         let color = move || match holes {
             true => png(color.into(), false),
-            false => jpeg(&DynamicImage::from(color).into_rgb8(), 90),
+            false => jpeg(&opaque(color), 90),
         };
         let relief = move || match relief {
             None => (vec![], vec![]),
@@ -99,6 +99,19 @@ fn cut<P: Pixel<Subpixel = u8>>(image: Map<P>, rows: u32) -> Map<P> {
     let mut bytes = image.into_raw();
     bytes.truncate(width as usize * rows as usize * usize::from(P::CHANNEL_COUNT));
     ImageBuffer::from_raw(width, rows, bytes).expect("has as many bytes as pixels")
+}
+
+/// Returns the colours of an image, in its own memory.
+fn opaque(image: RgbaImage) -> RgbImage {
+    let (width, height) = image.dimensions();
+    let mut bytes = image.into_raw();
+    let pixels = bytes.len() / 4;
+    for pixel in 0..pixels {
+        let [r, g, b] = [0, 1, 2].map(|channel| bytes[4 * pixel + channel]);
+        bytes[3 * pixel..3 * pixel + 3].copy_from_slice(&[r, g, b]);
+    }
+    bytes.truncate(3 * pixels);
+    RgbImage::from_raw(width, height, bytes).expect("has three bytes a pixel")
 }
 
 /// Copies an image to a place on a page. Its edge goes on into the margin.

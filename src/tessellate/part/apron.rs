@@ -2,6 +2,7 @@
 
 use crate::catalog::body::{Apron, Place};
 use crate::material::SurfaceId;
+use crate::scene::Detail;
 use crate::tessellate::mesh::Axis;
 use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::part::bay::Bay;
@@ -10,6 +11,9 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Segments of the arc.
 const STEPS: u32 = 8;
+
+/// The same where the rest of the wall is flat: 4 mm off, half the thickness of a lath.
+const FEW_STEPS: u32 = 5;
 
 /// Adds the vertical laths and the horizontal ones over them.
 pub(in crate::tessellate) fn apron(bay: &mut Bay<'_>, apron: &Apron, place: &Place, rect: Rect) {
@@ -20,9 +24,13 @@ pub(in crate::tessellate) fn apron(bay: &mut Bay<'_>, apron: &Apron, place: &Pla
     };
     let pitch = rect.width() / f64::from(apron.count.max(1));
     let half = pitch * 0.43;
-    let share = |i: u32| f64::from(i) / f64::from(STEPS);
-    let outer = (0..=STEPS).map(|i| arc.point(share(i), 0.0));
-    let inner = (0..=STEPS)
+    let steps = match bay.detail > Detail::Flat {
+        true => STEPS,
+        false => FEW_STEPS,
+    };
+    let share = |i: u32| f64::from(i) / f64::from(steps);
+    let outer = (0..=steps).map(|i| arc.point(share(i), 0.0));
+    let inner = (0..=steps)
         .rev()
         .map(|i| arc.point(share(i), -place.thick.0));
     let lath: Vec<DVec2> = outer.chain(inner).collect();

@@ -2,6 +2,7 @@
 
 use crate::catalog::body::{Cloth, Place};
 use crate::material::SurfaceId;
+use crate::scene::Detail;
 use crate::tessellate::mesh::Axis;
 use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::mesh::smooth::soft_bar;
@@ -23,6 +24,9 @@ const LOOP: f64 = 0.032;
 /// Columns and rows of a cloth's mesh.
 const GRID: [u32; 2] = [10, 5];
 
+/// The same where the rest of the wall is flat: shaded alike, its outline 2 mm off.
+const COARSE_GRID: [u32; 2] = [6, 4];
+
 /// Adds cloths that fill the width of the rectangle and hang from its top; their count is kept, their width adapts.
 pub(in crate::tessellate) fn cloth(bay: &mut Bay<'_>, cloth: &Cloth, place: &Place, rect: Rect) {
     let n = cloth.count.max(1);
@@ -35,6 +39,10 @@ pub(in crate::tessellate) fn cloth(bay: &mut Bay<'_>, cloth: &Cloth, place: &Pla
         return;
     }
     let middle = place.thick.0 / 2.0 - place.front.0;
+    let grid = match bay.detail > Detail::Flat {
+        true => GRID,
+        false => COARSE_GRID,
+    };
     let ring = soft_bar(
         (middle - POLE, middle + POLE),
         (pole - POLE, pole + POLE),
@@ -50,7 +58,7 @@ pub(in crate::tessellate) fn cloth(bay: &mut Bay<'_>, cloth: &Cloth, place: &Pla
         let which = f64::from(i);
         let half = place.thick.0 / 2.0;
         let size = dvec2(width, drop);
-        bay.bodies.sheet(place.finish, GRID, size, half, |u, v| {
+        bay.bodies.sheet(place.finish, grid, size, half, |u, v| {
             let (free, share) = ((1.0 - SEWN - v).max(0.0) / (1.0 - SEWN), 1.0 - v);
             // Below the seam neighbours pull apart, the more so towards the foot, and each has folds of its own.
             let slit = if n > 1 {

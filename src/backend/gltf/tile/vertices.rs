@@ -1,9 +1,10 @@
 //! The arrays of all vertices of a tile, in the bytes that the file has: a town has gigabytes of them, so each is written
 //! once, while houses are added.
 
-use super::{Pose, byte};
+use super::{Pose, Spare, byte};
 use crate::backend::gltf::arrays::turned;
 use crate::backend::gltf::shading::unit;
+use crate::scene::Detail;
 use glam::{DVec3, Vec3};
 use std::ops::Range;
 
@@ -39,6 +40,23 @@ impl Vertices {
             uvs: vec![],
             features: vec![],
             bounds: [Vec3::MAX, Vec3::MIN],
+        }
+    }
+
+    /// The same in the memory of spare arrays, in the order in which a file of this detail has them.
+    pub(super) fn over(spare: &mut Spare, detail: Detail, packed: bool) -> Vertices {
+        let positions = spare.array();
+        let mut directions = |least: Detail| match detail >= least {
+            true => spare.array(),
+            false => vec![],
+        };
+        Vertices {
+            positions,
+            normals: directions(Detail::Flat),
+            tangents: directions(Detail::Openings),
+            uvs: spare.array(),
+            features: spare.array(),
+            ..Vertices::new(packed)
         }
     }
 

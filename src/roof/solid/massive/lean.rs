@@ -38,6 +38,11 @@ pub fn lean(roofs: &[Roof]) -> Option<Vec<Solid>> {
     Some(solids)
 }
 
+/// Returns the solid of a simple roof in closed form; none of others.
+pub(super) fn alone(roof: &Roof) -> Option<Solid> {
+    lone::lone(&pieces::pieces(&[roof])).filter(is_sound)
+}
+
 /// Returns the solids of some roofs: of a simple one in closed form, of others from their common plan.
 fn made(roofs: &[&Roof]) -> Vec<Solid> {
     let pieces = pieces::pieces(roofs);
