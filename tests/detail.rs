@@ -1,6 +1,6 @@
 //! Levels of detail: the same house with less and less shape, never another outline.
 
-use crate::support::{compile, compile_file, stem, texts_in_turn};
+use crate::support::{compile, compile_file, root, stem, texts_in_turn};
 use glam::{DVec3, dvec3};
 use hsd::backend::{flat, sound};
 use hsd::driver;
@@ -53,6 +53,42 @@ fn every_example_is_sound_at_every_detail() {
                     assert!(crossed(p) == 0, "{name} {detail:?} {}", mesh.name);
                 }
             }
+        }
+    }
+}
+
+/// Boards with pictures hang where they hang at full detail; beside them one sees the wall.
+#[test]
+fn boards_keep_their_size_from_afar() {
+    let run = compile_file(&root().join("examples/tea-shop.hsd"));
+    let [body, .., all] = scenes(&run);
+    let places = [body, all].map(|scene| {
+        let mut found = vec![];
+        for (node, place) in scene.nodes.iter().zip(flat::places(scene.whole())) {
+            for primitive in flat::primitives(scene.whole(), node) {
+                let material = &scene.materials[primitive.material.0 as usize];
+                if !matches!(material.image, Image::Picture(_)) {
+                    continue;
+                }
+                let points = primitive.positions.iter();
+                for corners in points.collect::<Vec<_>>().chunks(4) {
+                    let at = corners.iter().map(|p| place.point(flat::point(**p)));
+                    let at: Vec<DVec3> = at.collect();
+                    let lo = at.iter().copied().reduce(DVec3::min).expect("corners");
+                    let hi = at.iter().copied().reduce(DVec3::max).expect("corners");
+                    found.push((lo, hi));
+                }
+            }
+        }
+        found.sort_by(|a, b| a.0.x.total_cmp(&b.0.x));
+        found
+    });
+    let [from_afar, near] = places;
+    assert_eq!((from_afar.len(), near.len()), (3, 3));
+    for (a, b) in from_afar.iter().zip(&near) {
+        for (p, q) in [(a.0, b.0), (a.1, b.1)] {
+            let off = (p - q) * dvec3(1.0, 0.0, 1.0);
+            assert!(off.length() < 0.03, "{p} instead of {q}");
         }
     }
 }

@@ -120,6 +120,36 @@ fn storeys_taper_evenly_whatever_their_number() {
     }
 }
 
+/// A pagoda of three and more bays has its four posts round the altar, one bay from the walls, and none besides.
+#[test]
+fn four_posts_stand_round_the_altar() {
+    for bays in 1..=5 {
+        let run = house(&format!("<Pagoda width=\"20\" bays=\"{bays}\"/>"));
+        sound(&run);
+        let storeys = &run.building.houses[0].house.storeys;
+        let inner = |storey: usize| storeys[storey].rings.iter().filter(|r| r.inner).count();
+        let within: Vec<_> = storeys[0].rings.iter().filter(|r| r.inner).collect();
+        let corners = within.iter().flat_map(|ring| &ring.walls);
+        let posts: std::collections::BTreeSet<_> = corners
+            .flat_map(|wall| [wall.from, wall.to])
+            .map(|p| p.to_array().map(|x| (x * 1000.0).round() as i64))
+            .collect();
+        assert_eq!(
+            posts.len(),
+            if bays < 3 { 0 } else { 4 },
+            "{bays} bays: {posts:?}"
+        );
+        assert!(
+            within
+                .iter()
+                .flat_map(|r| &r.walls)
+                .all(|w| w.units.len() <= 3),
+            "{bays} bays"
+        );
+        assert_eq!(inner(1), 0, "{bays} bays");
+    }
+}
+
 #[test]
 fn other_measures_work_too() {
     for text in [

@@ -4,7 +4,7 @@ mod looks;
 mod parts;
 mod roofs;
 
-use glam::{DVec2, Vec3, dvec2};
+use glam::{DVec2, DVec3, Vec3, dvec2};
 use hsd::ast::{CodeText, Order, RoofKind, RoofShape, StoreyKind};
 use hsd::building::{
     Building, Built, Ceiling, Face, Finish, House, HouseRoofs, Ring, Roof, Solid, Storey, Trim,
@@ -13,7 +13,7 @@ use hsd::building::{
 use hsd::catalog::PartId;
 use hsd::geometry::SHAKU;
 use hsd::program::{Content, Picture, PictureId, Roofs, Split, Unit};
-use hsd::scene::{Detail, Image, Kind, Mesh, Node, Scene};
+use hsd::scene::{Detail, Image, Kind, Mesh, Node, Primitive, Scene};
 use hsd::source::Span;
 use hsd::tessellate::tessellate;
 use std::collections::BTreeMap;

@@ -161,6 +161,43 @@ fn roofs_that_are_alike_share_a_mesh() {
     assert_eq!(twice.meshes, one.meshes, "a second house adds no mesh");
 }
 
+/// Under raised corners a slope is twisted, and its tiles run up the slope all the same: from edge to edge the picture moves across
+/// as far as one goes along the eaves.
+#[test]
+fn tiles_of_a_twisted_slope_run_with_its_rows() {
+    let scene = at_detail(
+        "<House><Hall bays=\"5 5\" bay=\"10\"/></House>",
+        Detail::Openings,
+    );
+    let roof = scene.nodes.iter().find(|n| n.kind == Kind::Roof);
+    let mesh = roof.and_then(|n| n.mesh).expect("a roof");
+    let is_tiled = |p: &&Primitive| scene.materials[p.material.0 as usize].name == "hongawara";
+    let tiles = scene.meshes[mesh.0 as usize]
+        .primitives
+        .iter()
+        .find(is_tiled);
+    let tiles = tiles.expect("a tiled slope");
+    let (mut twisted, mut askew) = (0, 0);
+    for corners in tiles.indices.chunks_exact(3) {
+        let at = |k: usize| corners[k] as usize;
+        let [p, q, r] = [0, 1, 2].map(|k| DVec3::from(tiles.positions[at(k)].map(f64::from)));
+        let normal = (q - p).cross(r - p).normalize();
+        // Along the eaves of the side that it mostly looks to.
+        let along = match normal.x.abs() < normal.y.abs() {
+            true => -DVec3::X * normal.y.signum(),
+            false => DVec3::Y * normal.x.signum(),
+        };
+        twisted += usize::from(normal.dot(along).abs() > 0.02);
+        for (a, b) in [(0, 1), (1, 2)] {
+            let [from, to] = [a, b].map(|k| f64::from(tiles.uvs[at(k)][0]));
+            let [p, q] = [a, b].map(|k| DVec3::from(tiles.positions[at(k)].map(f64::from)));
+            askew += usize::from(((to - from) - (q - p).dot(along)).abs() > 1e-3);
+        }
+    }
+    assert!(twisted > 8, "{twisted} twisted faces");
+    assert_eq!(askew, 0, "of {twisted} twisted faces");
+}
+
 /// Gable fills stand in the plane of a wall that hides its posts, and back between posts that show.
 #[test]
 fn gable_fills_are_flush_with_plaster_over_the_posts() {

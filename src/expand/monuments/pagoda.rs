@@ -12,7 +12,7 @@ const COLUMNS: f64 = 0.49;
 const BRACKETS: f64 = 0.265;
 /// Height from one eaves plate to the next, as a share of the upper storey's width.
 const RISE: f64 = 0.855;
-/// Diameter of the first columns as a share of the first width.
+/// Diameter of the first columns as a share of the first width, of a pagoda of three bays.
 const POST: f64 = 0.085;
 /// Overhang, and the purlin's position in it.
 const EAVES: f64 = 0.47;
@@ -50,6 +50,8 @@ impl Pass<'_, '_> {
         let thickness = or(m.thickness, 0.6);
         let steps = count(m.steps, 3);
         draft.look(m, &usual(first), paint);
+        // More bays of the same width between more posts.
+        let slender = 3.0 / f64::from(tiers[0].bays.max(3));
         let mut plate = 0.0;
         for (i, tier) in tiers.iter().enumerate() {
             plate += tier.height;
@@ -64,7 +66,7 @@ impl Pass<'_, '_> {
             let columns = self.at_least(span, Scarce::Tier, tier.height - base - zone, LEAST);
             plate += base + zone + columns - tier.height;
             let order = Order {
-                posts: draft.posts(or(m.post, POST * first) * tier.share, paint, 3),
+                posts: draft.posts(or(m.post, POST * first * slender) * tier.share, paint, 3),
                 veranda: match i {
                     0 => None,
                     _ => draft.veranda(tier.width * 0.1, base, Rail::Crossed, vec![]),
