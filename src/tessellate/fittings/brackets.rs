@@ -70,6 +70,20 @@ pub(super) fn beams(it: &Brackets, detail: Detail) -> Bodies {
         it.heads
             .iter()
             .for_each(|head| slope(&mut bodies, it, head));
+        let top = ComplexBuilder::new(it, detail).heights(0).1;
+        for strut in &it.struts {
+            let z = strut.at.z;
+            let heights = (z + it.post * 0.28, z + top);
+            let at = (strut.at.truncate(), strut.out);
+            super::block(
+                &mut bodies,
+                it.paint,
+                at,
+                (-0.06, 0.07),
+                it.post * 0.42,
+                heights,
+            );
+        }
     }
     bodies
 }
@@ -93,13 +107,7 @@ fn slope(bodies: &mut Bodies, it: &Brackets, head: &Head) {
 
 /// Builds one complex.
 pub(super) fn head(it: &Brackets, form: Form, detail: Detail) -> Bodies {
-    let mut carver = ComplexBuilder {
-        bodies: Bodies::default(),
-        it,
-        level: it.purlin / f64::from(it.steps + 1),
-        thick: (it.post * 0.36).max(0.115),
-        detail,
-    };
+    let mut carver = ComplexBuilder::new(it, detail);
     match form {
         Form::Strut => carver.strut(),
         Form::Straight if detail < Detail::Openings => carver.corbel(DVec2::NEG_Y, 1.0),
@@ -125,7 +133,17 @@ struct ComplexBuilder<'a> {
     detail: Detail,
 }
 
-impl ComplexBuilder<'_> {
+impl<'a> ComplexBuilder<'a> {
+    fn new(it: &'a Brackets, detail: Detail) -> ComplexBuilder<'a> {
+        ComplexBuilder {
+            bodies: Bodies::default(),
+            it,
+            level: it.purlin / f64::from(it.steps + 1),
+            thick: (it.post * 0.36).max(0.115),
+            detail,
+        }
+    }
+
     /// Adds a block centred on a point, its lower part tapered (斗繰り).
     fn block(&mut self, at: DVec2, way: DVec2, width: f64, (foot, top): (f64, f64)) {
         let side = dvec2(-way.y, way.x);
