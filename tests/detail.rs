@@ -1,10 +1,11 @@
 //! Levels of detail: the same house with less and less shape, never another outline.
 
-use crate::support::{compile, compile_file, root, stem, texts_in_turn};
+use crate::support::{compile, compile_changed, compile_file, root, stem, texts_in_turn};
 use glam::{DVec3, dvec3};
 use hsd::backend::{flat, sound};
 use hsd::driver;
 use hsd::scene::{Detail, Image, Kind, Scene};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 /// How far the outlines of two details may lie apart, metres: flat parts lie in the plane of their wall, and
@@ -91,6 +92,39 @@ fn boards_keep_their_size_from_afar() {
             assert!(off.length() < 0.03, "{p} instead of {q}");
         }
     }
+}
+
+/// A wall with a board on it is as large as one without: what is cut out behind the board is the board.
+#[test]
+fn boards_leave_the_wall_whole_from_afar() {
+    let area = |unit: &str| {
+        let path = root().join("examples/tea-shop.hsd");
+        let side = format!("<Row>{unit}KSK  KSK  </Row>");
+        let text = format!(
+            "<House><include href=\"tea-shop/parts.hsd\"/><Storey height=\"12\"><Row>KSK  KSK  KSK  </Row>{side}\
+             <Row>KSK  KSK  KSK  </Row>{side}</Storey><Roofs mode=\"explicit\"><Roof kind=\"K\" shape=\"KIR\" ridge=\"X\" \
+             height=\"12\" a0=\"0\" b0=\"0\" a1=\"3\" b1=\"3\" pitch=\"3\"/></Roofs></House>"
+        );
+        let run = compile_changed(
+            &path,
+            BTreeMap::from([("tea-shop.hsd".into(), text.into())]),
+        );
+        assert!(!run.has_errors(), "{}", run.short());
+        let [body, ..] = scenes(&run);
+        let mut sum = 0.0;
+        for p in body.meshes.iter().flat_map(|m| &m.primitives) {
+            for corners in p.indices.chunks_exact(3) {
+                let at = |k: usize| flat::point(p.positions[corners[k] as usize]);
+                let out = (at(1) - at(0)).cross(at(2) - at(0));
+                if out.z.abs() < 0.01 * out.length() {
+                    sum += out.length() / 2.0;
+                }
+            }
+        }
+        sum
+    };
+    let [plain, hung] = ["KSK  ", "<Part code=\"signboard\"/>"].map(area);
+    assert!((plain - hung).abs() < 1e-3, "{hung} instead of {plain}");
 }
 
 /// Triangles without area.

@@ -65,8 +65,9 @@ struct Stretch {
     from: f64,
     to: f64,
     face: f64,
-    /// Heights at the right and left end, metres.
+    /// Heights at the right and left end, metres, and that at which the highest band is level.
     tops: (f64, f64),
+    top: f64,
     bands: Vec<Band>,
 }
 
@@ -140,12 +141,17 @@ impl Walker<'_> {
                     picture: false,
                 });
             }
+            let at = |by: f64| {
+                let (right, left) = placed.tops;
+                right + (left - right) * by / placed.width
+            };
             for (from, to, bands) in seen.sections(placed.width) {
                 let stretch = Stretch {
                     from: placed.offset + from,
                     to: placed.offset + to,
                     face: placed.face,
-                    tops: placed.tops,
+                    tops: (at(from), at(to)),
+                    top: placed.top(),
                     bands,
                 };
                 match stretches.last_mut().filter(|s| s.goes_on(&stretch)) {
@@ -201,6 +207,7 @@ impl Walker<'_> {
                     to,
                     face: placed.face,
                     tops: section.tops,
+                    top: right.min(left),
                     bands: vec![Band {
                         z,
                         shown: Shown::of(look),
@@ -417,7 +424,6 @@ fn draw(
     soups: &mut Vec<(Look, Soup)>,
 ) {
     let (left, right) = (-stretch.to, -stretch.from);
-    let top = stretch.tops.0.min(stretch.tops.1);
     for band in &stretch.bands {
         let look = band.shown.look;
         let at = soups.iter().position(|(id, _)| *id == look);
@@ -427,7 +433,7 @@ fn draw(
         });
         let (z0, z1) = band.z;
         // The highest one follows a sloping top.
-        let (high_left, high_right) = match (z1 - top).abs() < 1e-6 {
+        let (high_left, high_right) = match (z1 - stretch.top).abs() < 1e-6 {
             true => (stretch.tops.1, stretch.tops.0),
             false => (z1, z1),
         };
