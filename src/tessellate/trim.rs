@@ -7,7 +7,7 @@
 //! | detail | shows |
 //! |---|---|
 //! | 0 | nothing: the roof is its surface |
-//! | 1 | ridges, hips and descending ridges as plain blocks, finials, end tiles and barge boards |
+//! | 1 | ridges, hips and descending ridges as plain blocks, finials, end tiles, barge boards and the boards before great rafters |
 //! | 2 | silhouettes: ridge courses as a picture under a round cap, end tiles, pendants, thick eaves, fascias, plain eaves and verge tiles, flashings, valley gutters |
 //! | 3 | ridge courses and cap tiles one by one, rafters, the fronts of eaves tiles, rows of round tiles, battens and stones, standing seams |
 //!

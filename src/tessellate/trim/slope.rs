@@ -36,10 +36,10 @@ pub(in crate::tessellate) struct Twist {
 }
 
 impl Twist {
-    /// How little a facet is turned that is none, metres across the slope per metre.
+    /// Facets that fall less across their slope are not twisted, metres per metre in plan.
     const LEAST: f64 = 1e-3;
 
-    /// Returns the twisted facets of a roof; those that fall across their slope or back are not like its tiles at all.
+    /// Returns the twisted facets of a roof. Those that fall mostly across their slope, as on a karahafu, keep their own direction.
     pub(in crate::tessellate) fn all(surface: &RoofSurface) -> Vec<Twist> {
         if surface.edges.iter().all(|e| e.kind != EdgeKind::Fold) {
             return vec![];
