@@ -46,7 +46,7 @@ pub struct TileMeans<'a> {
 /// What became of one tile, or of one piece of ground.
 #[derive(Debug, Default)]
 pub struct Done {
-    /// What became of its features.
+    /// How many of its features were built, skipped or corrected.
     pub account: Option<Account>,
     /// What is known of it, if it has houses.
     pub record: Option<TileRecord>,

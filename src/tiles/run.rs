@@ -130,7 +130,7 @@ impl<'a> TileJob<'a> {
 /// A town in tiles.
 #[derive(Debug)]
 pub struct TiledTown {
-    /// What became of its features.
+    /// How many of its features were built, skipped or corrected.
     pub ledger: Ledger,
     /// Its tiles with houses, in the order of their keys.
     pub tiles: Vec<TileRecord>,

@@ -276,7 +276,7 @@ fn scans_of_itazu_are_read() {
     );
 }
 
-/// The combinations that the other tests leave out, where so many plans are asked for (`HSD_PLANS`).
+/// Tests the remaining combinations of convention and condition; runs only if `HSD_PLANS` is set.
 #[test]
 fn other_plans_are_read() {
     if std::env::var_os("HSD_PLANS").is_none() {

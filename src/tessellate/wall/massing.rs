@@ -51,7 +51,7 @@ struct Hung {
     area: Rect,
 }
 
-/// What is seen of a unit.
+/// The visible stripes of a unit, and the pictures that hang on it.
 #[derive(Default)]
 struct Seen {
     /// From its foot to its top.
@@ -323,14 +323,17 @@ impl Walker<'_> {
             let shows = |e: &&Element| matches!(e.shape, Shape::Shown(_));
             let element = definition.body.iter().find(shows);
             let area = element.and_then(|e| bay.rect(&e.place, None));
-            let area = area.map(|r| Rect {
+            // Cloths and the like show theirs over the whole opening.
+            let r = area.unwrap_or(bay.opening.across(0.0, width));
+            let area = Rect {
                 x0: r.x0.clamp(0.0, width),
                 x1: r.x1.clamp(0.0, width),
                 z0: (z0 + r.z0).clamp(z0, z1),
                 z1: (z0 + r.z1).clamp(z0, z1),
-            });
-            let area = area.filter(|r| r.width() > 1e-3 && r.height() > 1e-3);
-            out.pictures.extend(area.map(|area| Hung { picture, area }));
+            };
+            if area.width() > 1e-3 && area.height() > 1e-3 {
+                out.pictures.push(Hung { picture, area });
+            }
         }
     }
 }
