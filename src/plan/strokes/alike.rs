@@ -18,13 +18,22 @@ const TIMES: f64 = 1.4;
 const BESIDES: f64 = 0.1;
 const BOUNDS: [f64; 2] = [0.25, 0.5];
 
+/// From which share of the darkest on a place is the core of a wall.
+const CORE: f32 = 0.85;
+/// How much paler its core may be, in the same way.
+const CORE_TIMES: f64 = 2.0;
+const CORE_BESIDES: f64 = 0.08;
+const CORE_BOUNDS: [f64; 2] = [0.12, 0.3];
+
 /// How a sheet draws its walls, across.
 pub(super) struct Walls {
     profile: [f32; ACROSS],
     band: std::ops::Range<usize>,
     sum: f32,
-    /// The distance from which on a unit is unlike.
-    near: f64,
+    /// Where walls are darkest: blurred lines beside each other are never so dark there, whatever lies beside the wall.
+    core: Vec<usize>,
+    /// The distances of the whole and of the core from which on a unit is unlike.
+    near: [f64; 2],
 }
 
 impl Walls {
@@ -54,43 +63,57 @@ impl Walls {
             (last? + BESIDE + 1).min(ACROSS),
         );
         let sum = profile[first..last].iter().sum();
+        let core = (first..last).filter(|j| profile[*j] >= CORE * most);
         let mut walls = Walls {
             profile,
+            core: core.collect(),
             band: first..last,
             sum,
-            near: 0.0,
+            near: [0.0; 2],
         };
-        let mut all: Vec<f64> = patches.iter().map(|p| walls.distance(p)).collect();
-        all.sort_by(f64::total_cmp);
-        let near = TIMES * all[all.len() / 2] + BESIDES;
-        walls.near = near.clamp(BOUNDS[0], BOUNDS[1]);
+        let distances: Vec<[f64; 2]> = patches.iter().map(|p| walls.distances(p)).collect();
+        let median = |k: usize| {
+            let mut all: Vec<f64> = distances.iter().map(|d| d[k]).collect();
+            all.sort_by(f64::total_cmp);
+            all[all.len() / 2]
+        };
+        walls.near = [
+            (TIMES * median(0) + BESIDES).clamp(BOUNDS[0], BOUNDS[1]),
+            (CORE_TIMES * median(1) + CORE_BESIDES).clamp(CORE_BOUNDS[0], CORE_BOUNDS[1]),
+        ];
         Some(walls)
     }
 
     /// How unlike the walls a unit is: beyond 1 it is none of them.
     pub(super) fn unlike(&self, patch: &Patch) -> f64 {
-        self.distance(patch) / self.near
+        let [whole, core] = self.distances(patch);
+        (whole / self.near[0]).max(core / self.near[1])
     }
 
-    /// How much darker or lighter a unit is than the walls, in shares of them.
-    fn distance(&self, patch: &Patch) -> f64 {
-        let half = |profile: &[f32; ACROSS]| {
-            let by = |shift: i64| {
-                let at = |j: usize| {
-                    usize::try_from(j as i64 + shift)
-                        .ok()
-                        .and_then(|k| profile.get(k))
-                        .copied()
-                        .unwrap_or(0.0)
-                };
-                self.band
-                    .clone()
-                    .map(|j| (at(j) - self.profile[j]).abs())
-                    .sum::<f32>()
-            };
-            (-SWAY..=SWAY).map(by).fold(f32::INFINITY, f32::min)
+    /// How much darker or lighter a unit is than the walls, and how much paler in their core, in shares of them.
+    fn distances(&self, patch: &Patch) -> [f64; 2] {
+        let halves = patch.profiles.each_ref().map(|half| {
+            let all = (-SWAY..=SWAY).map(|shift| self.differences(half, shift));
+            all.fold([f32::INFINITY; 2], |a, b| [a[0].min(b[0]), a[1].min(b[1])])
+        });
+        [0, 1].map(|k| f64::from((halves[0][k] + halves[1][k]) / 2.0))
+    }
+
+    /// The same of half a unit, if it lies so many samples to the side.
+    fn differences(&self, profile: &[f32; ACROSS], shift: i64) -> [f32; 2] {
+        let at = |j: usize| {
+            let k = usize::try_from(j as i64 + shift).ok();
+            k.and_then(|k| profile.get(k)).copied().unwrap_or(0.0)
         };
-        let halves = patch.profiles.each_ref().map(half);
-        f64::from((halves[0] + halves[1]) / 2.0 / self.sum.max(1.0))
+        let whole = self.band.clone().map(|j| (at(j) - self.profile[j]).abs());
+        let core = self
+            .core
+            .iter()
+            .map(|j| (self.profile[*j] - at(*j)).max(0.0));
+        let of_core: f32 = self.core.iter().map(|j| self.profile[*j]).sum();
+        [
+            whole.sum::<f32>() / self.sum.max(1.0),
+            core.sum::<f32>() / of_core.max(1.0),
+        ]
     }
 }

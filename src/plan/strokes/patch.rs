@@ -15,6 +15,14 @@ pub(super) const END: f64 = 0.14;
 /// How far from the end of a unit leaves may hang, and the shortest leaf that is looked for there, units: they hang at posts.
 const HINGES: [f64; 4] = [0.0, 0.04, 0.08, 0.12];
 const LEAVES: [f64; 4] = [0.82, 0.82, 0.82, 0.7];
+/// What is fainter than so many thresholds of ink is paper, and the least that is full ink.
+const FAINT: f64 = 0.35;
+const FULL: f64 = 2.05;
+/// The share of the ink of a sheet that is no darker than full ink.
+const DARK: f64 = 0.95;
+/// The power of its share of full ink that a stroke counts: by the share itself faint strokes would be nothing beside walls, and
+/// if all ink counted alike, blurred strokes beside each other would be a bar.
+const POWER: f64 = 0.7;
 /// Samples to each side over which ink is spread, so that strokes a hair beside each other still agree.
 const SOFT: usize = 1;
 /// How far from the line of the grid a stroke may lie whose sway is measured, units.
@@ -54,14 +62,39 @@ pub(super) struct Raw {
     leaf: f64,
 }
 
+/// How dark full ink is on a sheet, 0 to 255: walls are as dark as anything on it.
+pub(super) fn full(ink: &Ink) -> f64 {
+    let mut counts = [0_u32; 256];
+    for pixel in ink.dark.pixels().filter(|p| p[0] > ink.threshold) {
+        counts[usize::from(pixel[0])] += 1;
+    }
+    let stop = f64::from(counts.iter().sum::<u32>()) * DARK;
+    let mut below = 0.0;
+    let at = counts.iter().position(|n| {
+        below += f64::from(*n);
+        below >= stop
+    });
+    (at.unwrap_or(0) as f64).max(f64::from(ink.threshold) * FULL)
+}
+
+/// What a share of full ink counts.
+pub(super) fn weight(share: f64) -> f64 {
+    libm::pow(share, POWER)
+}
+
 impl Raw {
-    /// The ink of a unit that begins at a crossing; `all` has what slants too.
-    pub(super) fn of((ink, all): (&Ink, &Ink), grid: &Grid, from: DVec2, upright: bool) -> Raw {
+    /// The ink of a unit that begins at a crossing; `all` has what slants too, and `full` is how dark full ink is.
+    pub(super) fn of(
+        (ink, all, full): (&Ink, &Ink, f64),
+        grid: &Grid,
+        from: DVec2,
+        upright: bool,
+    ) -> Raw {
         let place = |along: f64, across: f64| match upright {
             false => grid.at(from.x + along, from.y + across),
             true => grid.at(from.x + across, from.y + along),
         };
-        let (black, red, tone) = sampled(ink, &place);
+        let (black, red, tone) = sampled(ink, full, &place);
         Raw {
             black,
             red,
@@ -151,11 +184,17 @@ fn profiles(tone: &[f32]) -> [[f32; ACROSS]; 2] {
 }
 
 /// Black and red ink on a unit, and how dark it is, four samples to a place.
-fn sampled(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> (Vec<f32>, Vec<f32>, Vec<f32>) {
+fn sampled(
+    ink: &Ink,
+    full: f64,
+    place: &dyn Fn(f64, f64) -> DVec2,
+) -> (Vec<f32>, Vec<f32>, Vec<f32>) {
     let mut black = vec![0.0; ALONG * ACROSS];
     let mut red = vec![0.0; ALONG * ACROSS];
     let mut tone = vec![0.0; ALONG * ACROSS];
-    let full = f64::from(ink.threshold) * 1.7;
+    let faint = f64::from(ink.threshold) * FAINT;
+    // Red ink is never as dark as walls.
+    let full_red = f64::from(ink.threshold) * (FULL - FAINT) / 2.0;
     for (j, i) in (0..ACROSS).flat_map(|j| (0..ALONG).map(move |i| (j, i))) {
         let (mut dark, mut colour) = (0.0, 0.0);
         for (a, b) in [(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)] {
@@ -166,8 +205,8 @@ fn sampled(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> (Vec<f32>, Vec<f32>,
             dark += f64::from(dark_at(ink, at)) / 4.0;
             colour += f64::from(level_at(&ink.red, at)) / 4.0;
         }
-        let share = ((dark - f64::from(ink.threshold) * 0.35) / full).clamp(0.0, 1.0);
-        let of_red = (colour / full * 2.0).clamp(0.0, 1.0).min(share);
+        let share = weight(((dark - faint) / (full - faint)).clamp(0.0, 1.0));
+        let of_red = (colour / full_red).clamp(0.0, 1.0).min(share);
         black[j * ALONG + i] = (share - of_red) as f32;
         red[j * ALONG + i] = of_red as f32;
         tone[j * ALONG + i] = dark as f32;

@@ -293,7 +293,7 @@ impl Line {
                 } else {
                     0.0
                 };
-                let value = mean + proof - habits.costs[k] - bare - foreign;
+                let value = mean + proof - habits.costs[k] - stamp.cost - bare - foreign;
                 match best.iter_mut().find(|b| b.0 == stamp.role) {
                     Some(b) if b.1 >= value => {}
                     Some(b) => (b.1, b.2) = (value, Some(k)),

@@ -2,13 +2,19 @@
 
 use super::super::legend::{Legend, Mark, Role, Symbol};
 use super::Nib;
-use super::patch::{ACROSS, ALONG, Patch, REACH, across, skip, soft, tone};
+use super::patch::{ACROSS, ALONG, Patch, REACH, across, skip, soft, tone, weight};
 use super::proof::{Proof, opposites};
 
 /// Spreads of a symbol that are tried.
 const SPREADS: usize = 7;
 /// How many pens strokes lie apart at least, from middle to middle.
 const APART: f64 = 1.6;
+/// What it costs, at most, that the strokes of a symbol are so near each other that they cannot be told apart.
+const VAGUE: f64 = 0.2;
+/// How many times as far apart as they are wide blurred strokes are still told apart.
+const BLURRED_APART: f64 = 1.2;
+/// How wide a bell curve is at half its height, in spreads.
+const BELL: f64 = 2.355;
 
 /// A symbol as ink.
 #[derive(Clone)]
@@ -17,6 +23,8 @@ pub(super) struct Stamp {
     pub(super) units: usize,
     /// The symbol's place in its legend, and which of its spreads this is.
     pub(super) kind: (usize, usize),
+    /// What it costs that its strokes cannot be told apart.
+    pub(super) cost: f64,
     /// Whether it has red marks.
     is_red: bool,
     /// The way of a leaf, or the leaf.
@@ -40,12 +48,14 @@ pub(super) fn stamps(legend: &Legend, nib: Nib) -> Vec<Stamp> {
             let [low, high] = symbol.spread;
             let spread = low + (high - low) * k as f64 / (SPREADS - 1) as f64;
             // Strokes that run into each other are a bar.
-            if narrowest(symbol) * spread < APART * nib.width {
+            let gap = narrowest(symbol) * spread;
+            if gap < APART * nib.width {
                 continue;
             }
             let first = out.len();
             let upright = Stamp {
                 kind: (place, k),
+                cost: VAGUE * (1.0 - gap / apart(nib)).max(0.0),
                 ..stamp(symbol, units, spread, nib)
             };
             for (turned, mirrored) in [(false, false), (true, false), (false, true), (true, true)] {
@@ -59,6 +69,12 @@ pub(super) fn stamps(legend: &Legend, nib: Nib) -> Vec<Stamp> {
         }
     }
     out
+}
+
+/// How far apart blurred strokes are from middle to middle that are seen as two.
+fn apart(nib: Nib) -> f64 {
+    let blur = BELL * nib.blur;
+    BLURRED_APART * libm::sqrt(nib.width * nib.width + blur * blur)
 }
 
 /// Gives the stamps of a symbol what they have to prove.
@@ -109,7 +125,10 @@ fn stamp(symbol: &Symbol, units: usize, spread: f64, nib: Nib) -> Stamp {
                 pairs.for_each(|(value, column)| *value = value.max(row * column));
             }
         }
-        let ink = soft(&blurred(ink, along, nib.blur), along);
+        let mut ink = blurred(ink, along, nib.blur);
+        let inked = ink.iter_mut().filter(|v| **v > 0.0);
+        inked.for_each(|v| *v = weight(f64::from(*v)) as f32);
+        let ink = soft(&ink, along);
         (0..units)
             .map(|k| part(&ink, k, along))
             .collect::<Vec<Vec<u8>>>()
@@ -118,6 +137,7 @@ fn stamp(symbol: &Symbol, units: usize, spread: f64, nib: Nib) -> Stamp {
         role: symbol.role,
         units,
         kind: (0, 0),
+        cost: 0.0,
         mirrored: None,
         proof: None,
         is_red: symbol.marks.iter().any(|(_, p)| p.is_red),
