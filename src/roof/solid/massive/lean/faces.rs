@@ -196,10 +196,10 @@ pub(super) fn merged(points: &[DVec3], patches: &Patches) -> Option<Vec<Polygon>
         border(own, &mut around)?;
         traced(points, normal, (&around, number), &mut loops)?;
         let turned = |n: usize| facing(points, normal, loops.corners(n)) < 0.0;
-        let mut own = floors.all().filter(|f| f.1 == number).peekable();
-        if own.peek().is_some() && (first..loops.ends.len()).any(turned) {
+        let is_floor = floors.ends.iter().any(|end| end.1 == number);
+        if is_floor && (first..loops.ends.len()).any(turned) {
             loops.truncate(first);
-            for (corners, group) in own {
+            for (corners, group) in floors.all().filter(|f| f.1 == number) {
                 loops.corners.extend_from_slice(corners);
                 loops.end(group);
             }
