@@ -177,19 +177,36 @@ pub fn has_area(solid: &Solid, face: &Face) -> bool {
 
 /// Returns true if the corners of a face lie in one plane.
 pub fn is_plane(solid: &Solid, face: &Face) -> bool {
-    let unit = double_area(solid, face).normalize_or_zero();
+    lies_across(solid, face, double_area(solid, face))
+}
+
+/// Returns true if a face has an area and lies in one plane.
+pub fn is_sound(solid: &Solid, face: &Face) -> bool {
+    let normal = double_area(solid, face);
+    normal.length() >= 2.0 * AREA && lies_across(solid, face, normal)
+}
+
+/// Returns true if the corners of a face lie in one plane across a normal.
+fn lies_across(solid: &Solid, face: &Face, normal: DVec3) -> bool {
+    let unit = normal.normalize_or_zero();
     let point = |c: &u32| solid.points[*c as usize];
-    let off = |c: &u32| unit.dot(point(c) - point(&face.corners[0])).abs();
+    let first = point(&face.corners[0]);
+    let off = |c: &u32| unit.dot(point(c) - first).abs();
     face.corners.iter().all(|c| off(c) <= PLANE)
 }
 
 /// Returns the normal of a face with twice its area as its length.
 fn double_area(solid: &Solid, face: &Face) -> DVec3 {
-    let point = |i: usize| solid.points[face.corners[i] as usize];
-    let first = point(0);
-    (1..face.corners.len() - 1)
-        .map(|i| (point(i) - first).cross(point(i + 1) - first))
-        .sum()
+    let point = |c: u32| solid.points[c as usize];
+    let [first, rest @ ..] = &face.corners[..] else {
+        return DVec3::ZERO;
+    };
+    let first = point(*first);
+    let mut sum = DVec3::ZERO;
+    for pair in rest.windows(2) {
+        sum += (point(pair[0]) - first).cross(point(pair[1]) - first);
+    }
+    sum
 }
 
 fn inward(solid: &Solid) -> Vec<Flaw> {

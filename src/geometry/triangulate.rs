@@ -20,11 +20,10 @@ pub(crate) fn ears(ring: &[DVec2], mut out: impl FnMut([u32; 3])) {
         (MANY..rest.len()).for_each(|_| out(cutting.cut()));
         rest = cutting.rest().collect();
     }
-    while rest.len() > 2 {
-        let ear = best_ear(ring, &rest);
-        let n = rest.len();
-        out([rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]]);
-        rest.remove(ear);
+    let mut left = Left::of(ring, &rest);
+    while left.count > 2 {
+        let ear = left.best();
+        out(left.cut(ear));
     }
 }
 
@@ -41,31 +40,118 @@ pub fn triangles(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<[DVec2; 3]> {
     found
 }
 
-/// Returns the index of the corner to cut off next: of all whose triangle holds no other corner the roundest, so that
-/// collinear corners are not left to the end as a triangle without area; if there is none, the corner that comes
-/// nearest.
-fn best_ear(ring: &[DVec2], rest: &[u32]) -> usize {
-    let n = rest.len();
-    let mut best = (f64::NEG_INFINITY, 0);
-    for i in 0..n {
-        let triangle = [i + n - 1, i, i + 1].map(|j| ring[rest[j % n] as usize]);
-        let (roundness, convex) = shape(triangle);
-        if roundness <= best.0 || roundness.is_nan() {
-            continue;
+/// The corners that are left of a ring, with what is known of each: only the neighbours of a corner that is cut off, and
+/// those whose triangle held it, are looked at again.
+struct Left {
+    count: usize,
+    corners: [Known; MANY],
+}
+
+/// What is known of a corner: how round its triangle is, whether that has area and lies inside, and what it holds.
+#[derive(Clone, Copy, Default)]
+struct Known {
+    number: u32,
+    at: DVec2,
+    roundness: f64,
+    convex: bool,
+    holds: Holds,
+}
+
+/// Whether a triangle holds a corner that is left.
+#[derive(Clone, Copy, Default, PartialEq)]
+enum Holds {
+    #[default]
+    Unknown,
+    Nothing,
+    /// The number of the first one in the ring.
+    Corner(u32),
+}
+
+impl Left {
+    /// Takes some corners of a ring, at most [`MANY`].
+    fn of(ring: &[DVec2], numbers: &[u32]) -> Left {
+        let mut corners = [Known::default(); MANY];
+        for (known, &number) in corners.iter_mut().zip(numbers) {
+            known.number = number;
+            known.at = ring[number as usize];
         }
-        let blocked = |j: &u32| {
-            let p = ring[*j as usize];
-            !triangle.contains(&p) && holds(triangle, p)
+        let mut left = Left {
+            count: numbers.len(),
+            corners,
         };
-        let worth = match convex && !rest.iter().any(blocked) {
-            true => roundness,
-            false => worth_blocked(roundness),
-        };
-        if worth > best.0 {
-            best = (worth, i);
-        }
+        (0..left.count).for_each(|i| left.look(i));
+        left
     }
-    best.1
+
+    /// Returns a corner between its neighbours.
+    fn around(&self, i: usize) -> [Known; 3] {
+        let before = if i == 0 { self.count - 1 } else { i - 1 };
+        let after = if i + 1 == self.count { 0 } else { i + 1 };
+        [self.corners[before], self.corners[i], self.corners[after]]
+    }
+
+    fn triangle(&self, i: usize) -> [DVec2; 3] {
+        let [p, q, r] = self.around(i);
+        [p.at, q.at, r.at]
+    }
+
+    fn look(&mut self, i: usize) {
+        let (roundness, convex) = shape(self.triangle(i));
+        let known = &mut self.corners[i];
+        known.roundness = roundness;
+        known.convex = convex;
+        known.holds = Holds::Unknown;
+    }
+
+    /// Returns the index of the corner to cut off next: of all whose triangle holds no other corner the roundest, so that
+    /// collinear corners are not left to the end as a triangle without area; if there is none, the corner that comes
+    /// nearest.
+    fn best(&mut self) -> usize {
+        let mut best = (f64::NEG_INFINITY, 0);
+        for i in 0..self.count {
+            let Known {
+                roundness, convex, ..
+            } = self.corners[i];
+            if roundness <= best.0 || roundness.is_nan() {
+                continue;
+            }
+            let worth = match convex && !self.is_blocked(i) {
+                true => roundness,
+                false => worth_blocked(roundness),
+            };
+            if worth > best.0 {
+                best = (worth, i);
+            }
+        }
+        best.1
+    }
+
+    fn is_blocked(&mut self, i: usize) -> bool {
+        if self.corners[i].holds == Holds::Unknown {
+            let [p, q, r] = self.triangle(i);
+            let inside = |k: &&Known| holds([p, q, r], k.at) && k.at != p && k.at != q && k.at != r;
+            let held = self.corners[..self.count].iter().find(inside);
+            let held = held.map_or(Holds::Nothing, |k| Holds::Corner(k.number));
+            self.corners[i].holds = held;
+        }
+        self.corners[i].holds != Holds::Nothing
+    }
+
+    /// Cuts a corner off, and returns it between its neighbours.
+    fn cut(&mut self, i: usize) -> [u32; 3] {
+        let [before, cut, after] = self.around(i);
+        self.corners.copy_within(i + 1..self.count, i);
+        self.count -= 1;
+        let n = self.count;
+        for known in &mut self.corners[..n] {
+            if known.holds == Holds::Corner(cut.number) {
+                known.holds = Holds::Unknown;
+            }
+        }
+        self.look((i + n - 1) % n);
+        self.look(i % n);
+        [before.number, cut.number, after.number]
+    }
 }
 
 /// Returns how round the triangle of a corner is, twice its area by the square of its longest side, and true if it has area

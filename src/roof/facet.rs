@@ -4,7 +4,6 @@ use crate::geometry::tolerance::{CUT, SLIVER};
 use crate::roof::frame::Plane;
 use glam::DVec2;
 use smallvec::SmallVec;
-use std::borrow::Cow;
 
 /// A corner of a facet.
 #[derive(Clone, Copy, Debug)]
@@ -15,11 +14,17 @@ pub struct Corner {
     pub rim: bool,
 }
 
+/// The corners of a convex polygon in plan. Most have so few that they need no memory of their own.
+pub type Convex = SmallVec<[Corner; 6]>;
+
+/// The sides of a convex polygon.
+pub(in crate::roof) type Sides = SmallVec<[HalfPlane; 6]>;
+
 /// A plane piece of a roof's upper surface.
 #[derive(Clone, Debug)]
 pub struct Facet {
     /// Convex, counter-clockwise seen from above.
-    pub outline: Vec<Corner>,
+    pub outline: Convex,
     /// The convex part of it that cuts lower roofs: without verges, which stand over a lower neighbour rather than in
     /// it.
     pub body: Vec<DVec2>,
@@ -50,7 +55,7 @@ impl Facet {
             at: *at,
             rim: false,
         };
-        let whole: Vec<Corner> = self.body.iter().map(corner).collect();
+        let whole: Convex = self.body.iter().map(corner).collect();
         let rest = edges(area).iter().fold(whole, |rest, side| {
             let [inside, _] = side.halves(&rest);
             inside
@@ -69,13 +74,17 @@ impl Facet {
 
     /// Returns its parts beyond its body and beyond further sides: convex, each with its first edge on the side that
     /// cut it off.
-    pub(in crate::roof) fn beyond(&self, more: &[HalfPlane]) -> Vec<Vec<Corner>> {
+    pub(in crate::roof) fn beyond(&self, more: &[HalfPlane]) -> Vec<Convex> {
         let mut verges = vec![];
         let same = |(c, p): (&Corner, &DVec2)| c.at == *p;
         let whole =
             self.outline.len() == self.body.len() && self.outline.iter().zip(&self.body).all(same);
-        let body = if whole { vec![] } else { edges(&self.body) };
-        let mut inside = self.outline.clone();
+        let body = if whole {
+            Sides::new()
+        } else {
+            edges(&self.body)
+        };
+        let mut inside = Convex::from_slice(&self.outline);
         for side in body.iter().chain(more) {
             if inside.iter().all(|c| side.depth(c.at) > -CUT) {
                 continue;
@@ -124,7 +133,7 @@ impl HalfPlane {
     }
 
     /// Returns the parts of a convex piece inside and outside; one may have no corners.
-    pub(in crate::roof) fn halves(&self, piece: &[Corner]) -> [Vec<Corner>; 2] {
+    pub(in crate::roof) fn halves(&self, piece: &[Corner]) -> [Convex; 2] {
         let depths: SmallVec<[f64; 12]> = piece.iter().map(|c| self.depth(c.at)).collect();
         [part(piece, &depths, 1.0), part(piece, &depths, -1.0)]
     }
@@ -174,11 +183,7 @@ pub(in crate::roof) enum Higher {
 }
 
 /// Removes from `pieces` of one facet the area that a cutter covers at a greater height.
-pub(in crate::roof) fn cut(
-    facet: &Facet,
-    pieces: Vec<Vec<Corner>>,
-    cutter: &Cutter<'_>,
-) -> Vec<Vec<Corner>> {
+pub(in crate::roof) fn cut(facet: &Facet, pieces: Vec<Convex>, cutter: &Cutter<'_>) -> Vec<Convex> {
     let higher = match relative_position(facet.plane, cutter.plane) {
         RelativePosition::Above => return pieces,
         RelativePosition::Level if !cutter.first => return cut_verges(facet, pieces, cutter),
@@ -198,13 +203,12 @@ pub(in crate::roof) fn cut(
 }
 
 /// Cuts at the same height: a facet keeps its body, and its verges give way to the other's body.
-fn cut_verges(facet: &Facet, pieces: Vec<Vec<Corner>>, cutter: &Cutter<'_>) -> Vec<Vec<Corner>> {
+fn cut_verges(facet: &Facet, pieces: Vec<Convex>, cutter: &Cutter<'_>) -> Vec<Convex> {
     let mine = edges(&facet.body);
     let mut left = Vec::with_capacity(pieces.len());
     for piece in pieces {
         let mut verges = Vec::new();
-        let body = split_off(Cow::Owned(piece), mine.iter(), &mut verges);
-        left.extend(body.map(Cow::into_owned));
+        left.extend(split_off(piece, mine.iter(), &mut verges));
         verges
             .into_iter()
             .for_each(|p| subtract(p, cutter.sides.iter(), &mut left));
@@ -213,7 +217,7 @@ fn cut_verges(facet: &Facet, pieces: Vec<Vec<Corner>>, cutter: &Cutter<'_>) -> V
 }
 
 /// Returns the parts of a piece with `axis . p` above and below a value; one may have no corners.
-pub(in crate::roof) fn halves(piece: &[Corner], axis: DVec2, at: f64) -> [Vec<Corner>; 2] {
+pub(in crate::roof) fn halves(piece: &[Corner], axis: DVec2, at: f64) -> [Convex; 2] {
     HalfPlane { normal: axis, at }.halves(piece)
 }
 
@@ -243,26 +247,37 @@ fn relative_position(mine: Plane, cutter: Option<Plane>) -> RelativePosition {
 }
 
 /// Returns the half-planes whose intersection is a convex polygon.
-pub(in crate::roof) fn edges(polygon: &[DVec2]) -> Vec<HalfPlane> {
-    let next = polygon.iter().cycle().skip(1);
-    polygon
-        .iter()
-        .zip(next)
-        .filter_map(|(p, q)| HalfPlane::left_of(*p, *q))
-        .collect()
+pub(in crate::roof) fn edges(polygon: &[DVec2]) -> Sides {
+    sides(polygon, |p| *p)
+}
+
+/// Returns the half-planes whose intersection is a convex outline.
+pub(in crate::roof) fn sides_of(outline: &[Corner]) -> Sides {
+    sides(outline, |c| c.at)
+}
+
+fn sides<T>(polygon: &[T], at: impl Fn(&T) -> DVec2) -> Sides {
+    let mut sides = Sides::new();
+    for (i, p) in polygon.iter().enumerate() {
+        let q = polygon.get(i + 1).unwrap_or(&polygon[0]);
+        if let Some(side) = HalfPlane::left_of(at(p), at(q)) {
+            sides.push(side);
+        }
+    }
+    sides
 }
 
 /// Returns the pieces of `piece` outside the intersection of some half-planes.
 pub(in crate::roof) fn subtract<'s>(
-    piece: Vec<Corner>,
+    piece: Convex,
     sides: impl Iterator<Item = &'s HalfPlane> + Clone,
-    left: &mut Vec<Vec<Corner>>,
+    left: &mut Vec<Convex>,
 ) {
     if is_outside(&piece, sides.clone()) {
         return left.push(piece);
     }
     let mut off = Vec::new();
-    let inside = split_off(Cow::Borrowed(&piece), sides, &mut off).is_some();
+    let inside = split_off(Convex::from_slice(&piece), sides, &mut off).is_some();
     match inside {
         true => left.append(&mut off),
         false => left.push(piece),
@@ -278,11 +293,11 @@ pub(in crate::roof) fn is_outside<'s>(
 }
 
 /// Returns the part of `piece` inside all half-planes; the rest goes to `off` in convex pieces.
-pub(in crate::roof) fn split_off<'p, 's>(
-    piece: Cow<'p, [Corner]>,
+pub(in crate::roof) fn split_off<'s>(
+    piece: Convex,
     sides: impl Iterator<Item = &'s HalfPlane>,
-    off: &mut Vec<Vec<Corner>>,
-) -> Option<Cow<'p, [Corner]>> {
+    off: &mut Vec<Convex>,
+) -> Option<Convex> {
     let mut inside = piece;
     let mut depths: SmallVec<[f64; 12]> = SmallVec::new();
     for side in sides {
@@ -291,8 +306,8 @@ pub(in crate::roof) fn split_off<'p, 's>(
         }
         depths.clear();
         depths.extend(inside.iter().map(|c| side.depth(c.at)));
-        let outer = part(&inside, &depths, -1.0);
-        inside = Cow::Owned(part(&inside, &depths, 1.0));
+        let outer = part(&inside, &depths[..], -1.0);
+        inside = part(&inside, &depths[..], 1.0);
         off.extend((area(&outer) > SLIVER).then_some(outer));
         if area(&inside) <= SLIVER {
             return None;
@@ -302,12 +317,13 @@ pub(in crate::roof) fn split_off<'p, 's>(
 }
 
 /// Returns the part of a convex polygon where `sign * depth >= 0`.
-fn part(polygon: &[Corner], depths: &[f64], sign: f64) -> Vec<Corner> {
+fn part(polygon: &[Corner], depths: &[f64], sign: f64) -> Convex {
     let n = polygon.len();
-    let mut kept = Vec::with_capacity(n + 1);
+    let mut kept = Convex::new();
     for i in 0..n {
-        let (p, q) = (polygon[i], polygon[(i + 1) % n]);
-        let (dp, dq) = (sign * depths[i], sign * depths[(i + 1) % n]);
+        let j = if i + 1 == n { 0 } else { i + 1 };
+        let (p, q) = (polygon[i], polygon[j]);
+        let (dp, dq) = (sign * depths[i], sign * depths[j]);
         if dp > -CUT {
             // An edge that leaves at its very start is replaced by the cut.
             let rim = p.rim && (dp >= CUT || dq > -CUT);
@@ -327,10 +343,11 @@ pub(in crate::roof) fn area(outline: &[Corner]) -> f64 {
     let Some(first) = outline.first() else {
         return 0.0;
     };
-    let fan = outline
-        .windows(2)
-        .map(|w| (w[0].at - first.at).perp_dot(w[1].at - first.at));
-    fan.sum::<f64>() / 2.0
+    let mut sum = 0.0;
+    for w in outline.windows(2) {
+        sum += (w[0].at - first.at).perp_dot(w[1].at - first.at);
+    }
+    sum / 2.0
 }
 
 #[cfg(test)]

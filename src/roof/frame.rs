@@ -52,6 +52,18 @@ impl Rect {
     }
 }
 
+/// Returns the bounding box of some corners.
+pub(in crate::roof) fn round(corners: impl Iterator<Item = DVec2>) -> Rect {
+    let none = Rect {
+        min: DVec2::MAX,
+        max: DVec2::MIN,
+    };
+    corners.fold(none, |r: Rect, p| Rect {
+        min: r.min.min(p),
+        max: r.max.max(p),
+    })
+}
+
 /// Converts plan steps to metres.
 pub fn metres(steps: i64, unit: f64) -> f64 {
     steps as f64 / STEPS as f64 * unit

@@ -8,7 +8,7 @@ pub(in crate::roof) mod verges;
 use crate::ast::RoofShape;
 use crate::building::{Attic, Roof, Verge};
 use crate::geometry::tolerance::JOINT;
-use crate::roof::facet::edges;
+use crate::roof::facet::{Sides, edges};
 use crate::roof::join::gable_infill::{Built, fit};
 use crate::roof::join::meet::{apart, meet};
 use crate::roof::shape::form::{Form, RoofDraft};
@@ -91,7 +91,7 @@ fn attic(form: &Form, plate: f64, shape: RoofShape) -> Attic {
         ..Attic::default()
     };
     if filled {
-        let walls = form.walls.map_or(vec![], |w| edges(&w.corners()));
+        let walls = form.walls.map_or(Sides::new(), |w| edges(&w.corners()));
         for facet in &form.facets {
             let top = facet.plane;
             let lift = |at: DVec2| at.extend(top.at(at));

@@ -6,6 +6,7 @@ pub mod massive;
 use crate::building::{Corners, Face, Finish, Solid};
 use crate::geometry::tolerance::HEIGHT;
 use glam::DVec3;
+use smallvec::SmallVec;
 
 /// Returns the solid that a convex plane profile sweeps along `by`; the profile may run either way round.
 pub fn prism(profile: &[DVec3], by: DVec3, finish: Finish) -> Solid {
@@ -112,23 +113,28 @@ pub(super) fn clip(solid: &Solid, normal: DVec3, at: f64) -> Option<Solid> {
         d if d.abs() < HEIGHT => 0.0,
         d => d,
     };
-    let depths: Vec<f64> = solid.points.iter().map(beyond).collect();
+    let depths: SmallVec<[f64; 24]> = solid.points.iter().map(beyond).collect();
+    let depths = &depths[..];
     if depths.iter().all(|d| *d <= 0.0) {
         return depths.iter().any(|d| *d < 0.0).then(|| solid.clone());
     }
     if depths.iter().all(|d| *d >= 0.0) {
         return None;
     }
-    let mut points = solid.points.clone();
-    let mut cuts: Vec<(u32, u32, u32)> = vec![];
+    let mut points = Vec::with_capacity(solid.points.len() + 8);
+    points.extend_from_slice(&solid.points);
+    let mut cuts: Vec<(u32, u32, u32)> = Vec::with_capacity(8);
     let mut faces = Vec::with_capacity(solid.faces.len() + 1);
     for face in &solid.faces {
+        let own = &face.corners[..];
         let mut corners = Corners::new();
-        for (i, &p) in face.corners.iter().enumerate() {
-            let q = face.corners[(i + 1) % face.corners.len()];
+        let mut is_inside = false;
+        for (i, &p) in own.iter().enumerate() {
+            let q = own[if i + 1 == own.len() { 0 } else { i + 1 }];
             let (dp, dq) = (depths[p as usize], depths[q as usize]);
             if dp <= 0.0 {
                 corners.push(p);
+                is_inside |= dp < 0.0;
             }
             if dp * dq < 0.0 {
                 let (lo, hi) = (p.min(q), p.max(q));
@@ -143,8 +149,7 @@ pub(super) fn clip(solid: &Solid, normal: DVec3, at: f64) -> Option<Solid> {
                 }));
             }
         }
-        let inside = |c: &u32| depths.get(*c as usize).is_some_and(|d| *d < 0.0);
-        if corners.len() > 2 && corners.iter().any(inside) {
+        if corners.len() > 2 && is_inside {
             faces.push(Face {
                 corners,
                 finish: face.finish,
@@ -152,7 +157,7 @@ pub(super) fn clip(solid: &Solid, normal: DVec3, at: f64) -> Option<Solid> {
         }
     }
     let finish = solid.faces[0].finish;
-    let lid = lid(&faces, &points, &depths, normal)?;
+    let lid = lid(&faces, &points, depths, normal)?;
     faces.push(Face {
         corners: lid,
         finish,
@@ -163,7 +168,7 @@ pub(super) fn clip(solid: &Solid, normal: DVec3, at: f64) -> Option<Solid> {
 /// Returns the face that closes a cut: the corners on it, ordered about its normal.
 fn lid(faces: &[Face], points: &[DVec3], depths: &[f64], normal: DVec3) -> Option<Corners> {
     let on = |c: &u32| depths.get(*c as usize).is_none_or(|d| *d == 0.0);
-    let mut all: Vec<u32> = faces
+    let mut all: SmallVec<[u32; 16]> = faces
         .iter()
         .flat_map(|f| f.corners.iter().copied())
         .filter(on)
@@ -172,19 +177,23 @@ fn lid(faces: &[Face], points: &[DVec3], depths: &[f64], normal: DVec3) -> Optio
     all.dedup();
     let middle = all.iter().map(|c| points[*c as usize]).sum::<DVec3>() / all.len().max(1) as f64;
     let (x, y) = normal.any_orthonormal_pair();
-    let angle = |c: &u32| {
-        let way = points[*c as usize] - middle;
-        libm::atan2(y.dot(way), x.dot(way))
+    let angle = |c: u32| {
+        let way = points[c as usize] - middle;
+        (libm::atan2(y.dot(way), x.dot(way)), c)
     };
-    all.sort_by(|p, q| angle(p).total_cmp(&angle(q)));
-    (all.len() > 2).then(|| all.into_iter().collect())
+    if all.len() < 3 {
+        return None;
+    }
+    let mut turned: SmallVec<[(f64, u32); 16]> = all.into_iter().map(angle).collect();
+    turned.sort_by(|p, q| p.0.total_cmp(&q.0));
+    Some(turned.into_iter().map(|t| t.1).collect())
 }
 
 /// Returns a solid of these faces with the points they use.
 fn packed(points: &[DVec3], faces: Vec<Face>) -> Solid {
-    let mut number = vec![u32::MAX; points.len()];
+    let mut number: SmallVec<[u32; 32]> = SmallVec::from_elem(u32::MAX, points.len());
     let mut solid = Solid {
-        points: vec![],
+        points: Vec::with_capacity(points.len()),
         faces,
     };
     for corner in solid.faces.iter_mut().flat_map(|f| f.corners.iter_mut()) {

@@ -173,7 +173,7 @@ impl SceneBuilder {
 
     /// Returns the mesh of a draft.
     fn mesh(&mut self, draft: Arc<MeshDraft>) -> MeshId {
-        let digest = draft.digest;
+        let digest = draft.digest();
         if let Some(known) = self.meshes.find(digest) {
             return known;
         }

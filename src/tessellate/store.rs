@@ -264,7 +264,11 @@ impl<'b> Store<'b> {
         if looks.is_empty() {
             return None;
         }
-        Some(self.push(MeshDraft::new(name.to_owned(), looks, vec![])))
+        let name = name.to_owned();
+        Some(self.push(match flat {
+            true => MeshDraft::part(name, looks),
+            false => MeshDraft::new(name, looks, vec![]),
+        }))
     }
 
     /// Returns the mesh of a row of bodies in this direction.

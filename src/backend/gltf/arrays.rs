@@ -190,7 +190,9 @@ pub(super) fn write_floats<const N: usize>(
     let start = out.len();
     out.resize(start + 4 * N * list.len(), 0);
     for (room, value) in out[start..].chunks_exact_mut(4 * N).zip(list) {
-        room.copy_from_slice(map(*value).map(f32::to_le_bytes).as_flattened());
+        for (four, number) in room.as_chunks_mut::<4>().0.iter_mut().zip(&map(*value)) {
+            *four = number.to_le_bytes();
+        }
     }
 }
 

@@ -23,8 +23,9 @@ impl Bare {
     pub(super) fn of(list: &[(&Primitive, MaterialRef)]) -> Bare {
         let count = list.iter().map(|(p, _)| p.positions.len()).sum();
         let mut bare = Bare {
+            positions: Vec::with_capacity(count / 2),
+            uvs: Vec::with_capacity(count / 2),
             indices: vec![vec![]; list.len()],
-            ..Bare::default()
         };
         let mut places = Places::new(count);
         // Those without a texture come last, since they take the vertices of others.
@@ -43,9 +44,9 @@ impl Bare {
     fn numbers(&mut self, p: &Primitive, metres: Option<f32>, places: &mut Places) -> Vec<u32> {
         let corners = p.positions.iter().zip(&p.uvs);
         let number = |(position, uv): (&[f32; 3], &[f32; 2])| {
-            let position = position.map(|x| x + 0.0);
+            let [x, y, z] = *position;
             let uv = metres.map(|m| [uv[0] / m + 0.0, 1.0 - uv[1] / m]);
-            self.number(position, uv, places)
+            self.number([x + 0.0, y + 0.0, z + 0.0], uv, places)
         };
         corners.map(number).collect()
     }
@@ -88,10 +89,10 @@ impl Places {
     }
 }
 
-fn hash(position: [f32; 3]) -> u32 {
+fn hash([x, y, z]: [f32; 3]) -> u32 {
     const ODD: u64 = 0x9E37_79B9_7F4A_7C15;
     let mix = |sum: u64, x: f32| (sum ^ u64::from(x.to_bits())).wrapping_mul(ODD);
-    (position.into_iter().fold(0, mix) >> 32) as u32
+    (mix(mix(mix(0, x), y), z) >> 32) as u32
 }
 
 #[cfg(test)]

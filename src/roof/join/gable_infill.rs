@@ -9,6 +9,7 @@ use crate::geometry::tolerance::HEIGHT;
 use crate::roof::solid::SUNK;
 use crate::roof::solid::{clip, columns};
 use glam::{DVec2, DVec3};
+use smallvec::SmallVec;
 
 /// Overlaps of two solids below this volume stay, cubic metres: they touch.
 const TOUCH: f64 = 1e-7;
@@ -27,7 +28,7 @@ pub(in crate::roof) struct Built {
 
 /// A convex body as the intersection of half-spaces: outward normals, and their distances.
 struct Body {
-    planes: Vec<(DVec3, f64)>,
+    planes: SmallVec<[(DVec3, f64); 8]>,
     lo: DVec3,
     hi: DVec3,
 }
@@ -133,16 +134,15 @@ fn bodies(roof: &Built) -> Vec<Body> {
 
 /// Returns the body under a face of the upper surface.
 fn below(solid: &Solid, face: &Face, drop: f64, sunk: f64) -> Option<Body> {
-    let points: Vec<DVec3> = corners(solid, face).collect();
+    let points: SmallVec<[DVec3; 6]> = corners(solid, face).collect();
     let normal = outward(&points)?;
     if normal.z < 1e-3 {
         return None;
     }
     let at = normal.dot(points[0]);
-    let mut planes = vec![
-        (normal, at - sunk * normal.z),
-        (-normal, (drop - sunk) * normal.z - at),
-    ];
+    let mut planes = SmallVec::new();
+    planes.push((normal, at - sunk * normal.z));
+    planes.push((-normal, (drop - sunk) * normal.z - at));
     for (i, p) in points.iter().enumerate() {
         let way = (points[(i + 1) % points.len()] - *p).truncate();
         let side: DVec2 = -way.try_normalize()?.perp();
@@ -159,7 +159,7 @@ fn below(solid: &Solid, face: &Face, drop: f64, sunk: f64) -> Option<Body> {
 /// Converts a convex solid to a body.
 fn of(solid: Solid) -> Body {
     let plane = |face: &Face| {
-        let points: Vec<DVec3> = corners(&solid, face).collect();
+        let points: SmallVec<[DVec3; 6]> = corners(&solid, face).collect();
         outward(&points).map(|normal| (normal, normal.dot(points[0])))
     };
     let (lo, hi) = bounds(&solid.points);
@@ -175,10 +175,10 @@ fn corners<'s>(solid: &'s Solid, face: &'s Face) -> impl Iterator<Item = DVec3> 
 }
 
 fn outward(points: &[DVec3]) -> Option<DVec3> {
-    let fan = points.windows(2);
-    let sum: DVec3 = fan
-        .map(|w| (w[0] - points[0]).cross(w[1] - points[0]))
-        .sum();
+    let mut sum = DVec3::ZERO;
+    for w in points.windows(2) {
+        sum += (w[0] - points[0]).cross(w[1] - points[0]);
+    }
     sum.try_normalize()
 }
 
@@ -187,9 +187,11 @@ fn volume(solid: &Solid) -> f64 {
         return 0.0;
     };
     let of = |face: &Face| -> f64 {
-        let points: Vec<DVec3> = corners(solid, face).map(|p| p - *from).collect();
-        let fan = points.windows(2);
-        fan.map(|w| points[0].dot(w[0].cross(w[1]))).sum()
+        let at = |c: u32| solid.points[c as usize] - *from;
+        let corners = &face.corners[..];
+        let first = corners.first().map_or(DVec3::ZERO, |c| at(*c));
+        let fan = corners.windows(2);
+        fan.fold(0.0_f64, |sum, w| sum + first.dot(at(w[0]).cross(at(w[1]))))
     };
     solid.faces.iter().map(of).sum::<f64>() / 6.0
 }

@@ -4,8 +4,8 @@
 //! remains of each roof is still a closed solid of its own, and no two overlap. Verges are the exception: they stand
 //! over a lower neighbour and cut only the parts of it that would penetrate them (`verges`).
 
-use crate::roof::facet::{Corner, Cutter, Facet, HalfPlane, cut, edges, halves};
-use crate::roof::frame::Rect;
+use crate::roof::facet::{Convex, Cutter, Facet, HalfPlane, Sides, cut, edges, halves};
+use crate::roof::frame::{Rect, round};
 use crate::roof::join::nearby::Nearby;
 use crate::roof::join::verges::clear_verges;
 use crate::roof::shape::form::Form;
@@ -36,9 +36,9 @@ pub(in crate::roof) fn meet(forms: &[Form], walls: &[Vec<DVec2>]) -> Option<Vec<
     for of in &boxes {
         left = left.checked_sub(roofs.overlapping(of).len())?;
     }
-    let wall_sides: Vec<Vec<HalfPlane>> = walls.iter().map(|w| edges(w)).collect();
+    let wall_sides: Vec<Sides> = walls.iter().map(|w| edges(w)).collect();
     let sides_of = |form: &Form| form.facets.iter().map(|f| edges(&f.body)).collect();
-    let sides: Vec<Vec<Vec<HalfPlane>>> = forms.iter().map(sides_of).collect();
+    let sides: Vec<Vec<Sides>> = forms.iter().map(sides_of).collect();
     let kept = |n: usize| {
         let walls: Vec<Cutter<'_>> = match forms[n].hung {
             true => vec![],
@@ -65,24 +65,12 @@ pub(in crate::roof) fn meet(forms: &[Form], walls: &[Vec<DVec2>]) -> Option<Vec<
 fn whole(form: &Form) -> Vec<Piece> {
     form.facets
         .iter()
-        .map(|f| (f.outline.clone(), f.plane))
+        .map(|f| (Convex::from_slice(&f.outline), f.plane))
         .collect()
 }
 
 fn bounds(form: &Form) -> Rect {
     round(form.facets.iter().flat_map(|f| &f.outline).map(|c| c.at))
-}
-
-/// Returns the bounding box of some corners.
-fn round(corners: impl Iterator<Item = DVec2>) -> Rect {
-    let none = Rect {
-        min: DVec2::MAX,
-        max: DVec2::MIN,
-    };
-    corners.fold(none, |r: Rect, p| Rect {
-        min: r.min.min(p),
-        max: r.max.max(p),
-    })
 }
 
 /// Returns the storey above as a cutter, higher than every roof.
@@ -99,7 +87,7 @@ fn wall<'f>(body: &'f [DVec2], sides: &'f [HalfPlane]) -> Cutter<'f> {
 fn cutters<'f>(
     n: usize,
     forms: &'f [Form],
-    sides: &'f [Vec<Vec<HalfPlane>>],
+    sides: &'f [Vec<Sides>],
     near: &[usize],
     walls: Vec<Cutter<'f>>,
 ) -> Vec<Cutter<'f>> {
@@ -127,7 +115,7 @@ fn cutters<'f>(
 fn remaining(facet: &Facet, cutters: &[Cutter<'_>]) -> Vec<Piece> {
     let mut pieces = Vec::new();
     let all: Vec<&Cutter<'_>> = cutters.iter().collect();
-    cut_by(facet, facet.outline.clone(), &all, &mut pieces);
+    cut_by(facet, Convex::from_slice(&facet.outline), &all, &mut pieces);
     pieces
         .into_iter()
         .filter(|p| has_area(p))
@@ -137,7 +125,7 @@ fn remaining(facet: &Facet, cutters: &[Cutter<'_>]) -> Vec<Piece> {
 
 /// Cuts a piece by all cutters; if they are very many, first in halves, each with those that it meets, since a piece
 /// would otherwise be tested against every one.
-fn cut_by(facet: &Facet, piece: Vec<Corner>, cutters: &[&Cutter<'_>], done: &mut Vec<Vec<Corner>>) {
+fn cut_by(facet: &Facet, piece: Convex, cutters: &[&Cutter<'_>], done: &mut Vec<Convex>) {
     const MANY: usize = 48;
     let bounds = |points: &mut dyn Iterator<Item = DVec2>| {
         points.fold((DVec2::MAX, DVec2::MIN), |(lo, hi), p| {

@@ -1,8 +1,10 @@
 //! Verges over lower roofs: the part of a slope inside the thickness of a verge above it is cut away, since the
 //! verge covers it.
 
-use crate::roof::facet::{Corner, Facet, HalfPlane, Higher, edges, subtract};
-use crate::roof::frame::Plane;
+use crate::roof::facet::{
+    Convex, Corner, Facet, HalfPlane, Higher, Sides, edges, sides_of, subtract,
+};
+use crate::roof::frame::{Plane, Rect, round};
 use crate::roof::shape::form::Form;
 use crate::roof::solid::sheet::{Piece, has_area};
 use glam::DVec2;
@@ -20,12 +22,16 @@ pub(in crate::roof) fn clear_verges(
         let verges = left_of(form, &met[n]);
         for other in near(n).into_iter().filter(|o| *o != n) {
             let clearance = form.clearance(other, &forms[other]);
-            for (outline, top) in &verges {
-                let limits = (top.raised(clearance), top.raised(-form.drop));
+            for verge in &verges {
+                // Most slopes nearby lie beside it.
+                if !met[other].iter().any(|(piece, _)| verge.overlaps(piece)) {
+                    continue;
+                }
+                let limits = (verge.top.raised(clearance), verge.top.raised(-form.drop));
+                let mut left = vec![];
                 for (piece, plane) in std::mem::take(&mut met[other]) {
-                    let mut left = vec![];
-                    outside(piece, plane, outline, limits, &mut left);
-                    let left = left.into_iter().filter(|p| has_area(p));
+                    outside(piece, plane, &verge.sides, limits, &mut left);
+                    let left = left.drain(..).filter(|p| has_area(p));
                     met[other].extend(left.map(|p| (p, plane)));
                 }
             }
@@ -33,11 +39,29 @@ pub(in crate::roof) fn clear_verges(
     }
 }
 
-/// A part of an upper surface: its outline and its plane.
-type Cover = (Vec<DVec2>, Plane);
+/// A part of an upper surface that stands over lower ones.
+struct Cover {
+    sides: Sides,
+    around: Rect,
+    top: Plane,
+}
 
-fn cover((outline, plane): &Piece) -> Cover {
-    (outline.iter().map(|c| c.at).collect(), *plane)
+impl Cover {
+    fn of(outline: &Convex, top: Plane) -> Cover {
+        Cover {
+            sides: sides_of(outline),
+            around: around(outline),
+            top,
+        }
+    }
+
+    fn overlaps(&self, piece: &Convex) -> bool {
+        self.around.overlaps(&around(piece))
+    }
+}
+
+fn around(outline: &Convex) -> Rect {
+    round(outline.iter().map(|c| c.at))
 }
 
 /// Returns the verges of a form that remain after joining.
@@ -48,10 +72,10 @@ fn left_of(form: &Form, met: &[Piece]) -> Vec<Cover> {
         for (piece, _) in met.iter().filter(|(_, plane)| *plane == facet.plane) {
             let mut over = vec![];
             match facet.body.len() {
-                0..3 => over.push(piece.clone()),
-                _ => subtract(piece.clone(), body.iter(), &mut over),
+                0..3 => over.push(Convex::from_slice(piece)),
+                _ => subtract(Convex::from_slice(piece), body.iter(), &mut over),
             }
-            verges.extend(over.into_iter().map(|v| cover(&(v, facet.plane))));
+            verges.extend(over.iter().map(|v| Cover::of(v, facet.plane)));
         }
     }
     verges
@@ -64,13 +88,13 @@ fn has_verge(facet: &Facet) -> bool {
 
 /// Returns the part of a piece outside a verge, which takes the space between two limits, the upper first.
 fn outside(
-    piece: Vec<Corner>,
+    piece: Convex,
     plane: Plane,
-    verge: &[DVec2],
+    verge: &Sides,
     (top, bottom): (Plane, Plane),
-    left: &mut Vec<Vec<Corner>>,
+    left: &mut Vec<Convex>,
 ) {
-    let mut sides = edges(verge);
+    let mut sides = Sides::from_slice(verge);
     for (upper, lower) in [(top, plane), (plane, bottom)] {
         match HalfPlane::where_higher(upper, lower) {
             Higher::Nowhere => return left.push(piece),

@@ -44,7 +44,10 @@ pub fn slab_of_cells(
             at(c.a1, c.b1),
         ];
         (
-            corners.map(|at| Corner { at, rim: true }).to_vec(),
+            corners
+                .map(|at| Corner { at, rim: true })
+                .into_iter()
+                .collect(),
             Plane::level(base + LIFT),
         )
     };
@@ -70,7 +73,12 @@ pub fn slab(
     thickness: f64,
 ) -> Vec<Solid> {
     let corner = |at: DVec2| Corner { at, rim: true };
-    let piece = |t: &[DVec2; 3]| (t.map(corner).to_vec(), Plane::level(base + LIFT));
+    let piece = |t: &[DVec2; 3]| {
+        (
+            t.map(corner).into_iter().collect(),
+            Plane::level(base + LIFT),
+        )
+    };
     let pieces: Vec<Piece> = triangles(outline, holes).iter().map(piece).collect();
     sheet(&pieces, thickness, &coat(kind), f64::MIN)
 }

@@ -5,11 +5,15 @@
 //! is divided so that every face stays strictly convex. Faces connected through edges become
 //! one solid; edges of one polygon alone become its sides.
 
+mod near;
+
 use crate::building::{Corners, Face, Finish, Solid};
 use crate::geometry::tolerance::{CUT, HEIGHT};
-use crate::roof::facet::{Corner, area};
+use crate::roof::facet::{Convex, Corner, area};
 use crate::roof::frame::Plane;
+pub(in crate::roof) use crate::roof::solid::sheet::near::Sorted;
 use glam::{DVec2, DVec3};
+use smallvec::SmallVec;
 
 /// The finishes of a sheet's faces.
 #[derive(Clone, Copy, Debug)]
@@ -25,7 +29,7 @@ pub struct Coat {
 }
 
 /// A polygon of the upper surface with its plane.
-pub type Piece = (Vec<Corner>, Plane);
+pub type Piece = (Convex, Plane);
 
 /// Returns the closed solids under these pieces, `drop` metres thick measured vertically. Solids that are nowhere
 /// higher than `floor` are left out: they are eaves without their roof.
@@ -66,7 +70,7 @@ pub(in crate::roof) fn surface(solid: &Solid) -> Option<(Vec<Piece>, f64)> {
             at: solid.points[*p as usize].truncate(),
             rim: rims.binary_search(&[*p, *q]).is_ok(),
         };
-        let outline: Vec<Corner> = ids.iter().zip(next).map(corner).collect();
+        let outline: Convex = ids.iter().zip(next).map(corner).collect();
         let points = || ids.iter().map(|i| solid.points[*i as usize]);
         Some((outline, Plane::around(points())?))
     };
@@ -75,7 +79,7 @@ pub(in crate::roof) fn surface(solid: &Solid) -> Option<(Vec<Piece>, f64)> {
 }
 
 /// A face of the mesh: point indices, each with true if the edge that starts there is a rim.
-type Loop = Vec<(u32, bool)>;
+type Loop = SmallVec<[(u32, bool); 8]>;
 
 #[derive(Default)]
 struct Mesh {
@@ -88,7 +92,7 @@ impl Mesh {
         let mut mesh = Mesh::default();
         let mut weld = Weld::of(pieces);
         for (outline, plane) in pieces {
-            let mut face: Loop = Vec::with_capacity(outline.len());
+            let mut face = Loop::new();
             for corner in outline {
                 let at = corner.at.extend(plane.at(corner.at));
                 let id = weld.id(at, &mut mesh.points);
@@ -138,27 +142,30 @@ impl Mesh {
     }
 
     fn with_corners(&self, face: &Loop, sorted: &Sorted) -> Loop {
-        let mut whole = Loop::with_capacity(face.len());
+        let mut whole = Loop::new();
+        let mut on: Vec<(f64, u32)> = vec![];
         for (i, &(from, rim)) in face.iter().enumerate() {
             let to = face[(i + 1) % face.len()].0;
             whole.push((from, rim));
+            on.clear();
             let (p, q) = (self.plan(from), self.plan(to));
             let (lo, hi) = (p.min(q) - CUT, p.max(q) + CUT);
             let way = (q - p).normalize_or_zero();
             let (foot, rise) = (self.points[from as usize].z, self.rise(from, to));
-            let near = sorted.near(lo, hi).iter();
-            let mut on: Vec<(f64, u32)> = near
-                .filter(|(_, id)| *id != from && *id != to)
-                .filter_map(|(_, id)| {
-                    let r = self.plan(*id);
-                    let at = way.dot(r - p);
-                    let level = (foot + rise * at - self.points[*id as usize].z).abs() < HEIGHT;
-                    let inside = r.cmpge(lo).all() && r.cmple(hi).all();
-                    (inside && level && way.perp_dot(r - p).abs() < CUT).then_some((at, *id))
-                })
-                .collect();
+            for &(_, id) in sorted.near(lo, hi) {
+                let r = self.plan(id);
+                let off = r.x < lo.x || r.x > hi.x || r.y < lo.y || r.y > hi.y;
+                if off || id == from || id == to {
+                    continue;
+                }
+                let at = way.dot(r - p);
+                let level = (foot + rise * at - self.points[id as usize].z).abs() < HEIGHT;
+                if level && way.perp_dot(r - p).abs() < CUT {
+                    on.push((at, id));
+                }
+            }
             on.sort_by(|a, b| a.0.total_cmp(&b.0));
-            whole.extend(on.into_iter().map(|(_, id)| (id, rim)));
+            on.iter().for_each(|(_, id)| whole.push((*id, rim)));
         }
         whole
     }
@@ -192,7 +199,7 @@ impl Mesh {
             return;
         };
         let (lo, hi) = (from.min(to), from.max(to));
-        let mut first: Loop = face[lo..=hi].to_vec();
+        let mut first = Loop::from_slice(&face[lo..=hi]);
         let mut second: Loop = face[hi..].iter().chain(&face[..=lo]).copied().collect();
         for half in [&mut first, &mut second] {
             if let Some(last) = half.last_mut() {
@@ -207,8 +214,9 @@ impl Mesh {
     fn edges(&self) -> Vec<(u32, u32, u32, u32)> {
         let mut edges = Vec::with_capacity(self.faces.len() * 4);
         for (f, face) in self.faces.iter().enumerate() {
+            let face = &face[..];
             for (i, &(p, _)) in face.iter().enumerate() {
-                let q = face[(i + 1) % face.len()].0;
+                let q = face.get(i + 1).unwrap_or(&face[0]).0;
                 edges.push((p.min(q), p.max(q), f as u32, i as u32));
             }
         }
@@ -264,9 +272,9 @@ impl Mesh {
     fn rims(&self, faces: &[usize]) -> Vec<(u32, u32, bool)> {
         let mut edges = Vec::with_capacity(faces.len() * 4);
         for f in faces {
-            let face = &self.faces[*f];
+            let face = &self.faces[*f][..];
             for (i, &(p, rim)) in face.iter().enumerate() {
-                let q = face[(i + 1) % face.len()].0;
+                let q = face.get(i + 1).unwrap_or(&face[0]).0;
                 edges.push((p.min(q), p.max(q), p, rim));
             }
         }
@@ -291,12 +299,12 @@ impl Mesh {
         let top = |id: &u32| number[*id as usize];
         let mut face = |corners: Corners, finish: Finish| all.push(Face { corners, finish });
         for f in faces {
-            let face_of = &self.faces[*f];
-            face(face_of.iter().map(|(id, _)| top(id)).collect(), coat.top);
-            face(
-                face_of.iter().rev().map(|(id, _)| top(id) + 1).collect(),
-                coat.soffit,
-            );
+            let face_of = &self.faces[*f][..];
+            let (mut upper, mut lower) = (Corners::new(), Corners::new());
+            face_of.iter().for_each(|(id, _)| upper.push(top(id)));
+            (face_of.iter().rev()).for_each(|(id, _)| lower.push(top(id) + 1));
+            face(upper, coat.top);
+            face(lower, coat.soffit);
         }
         for (from, to, rim) in rims {
             let (p, q) = (top(from), top(to));
@@ -337,33 +345,6 @@ pub(in crate::roof) fn find(root: &mut [usize], mut n: usize) -> usize {
         n = root[n];
     }
     n
-}
-
-/// Points in the order of each plan coordinate.
-pub(in crate::roof) struct Sorted([Vec<(f64, u32)>; 2]);
-
-impl Sorted {
-    pub(in crate::roof) fn of(points: &[DVec3]) -> Sorted {
-        Sorted([0, 1].map(|axis| {
-            let at = |(id, p): (usize, &DVec3)| (p[axis], id as u32);
-            let mut all: Vec<(f64, u32)> = points.iter().enumerate().map(at).collect();
-            all.sort_unstable_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)));
-            all
-        }))
-    }
-
-    /// Returns all points of a box in plan, and some beside it: the shorter of its two strips, since most edges run
-    /// along one axis.
-    pub(in crate::roof) fn near(&self, lo: DVec2, hi: DVec2) -> &[(f64, u32)] {
-        let strip = |axis: usize| {
-            let all = &self.0[axis];
-            let start = all.partition_point(|p| p.0 < lo[axis]);
-            let end = all.partition_point(|p| p.0 <= hi[axis]);
-            all.get(start..end).unwrap_or_default()
-        };
-        let (x, y) = (strip(0), strip(1));
-        if x.len() <= y.len() { x } else { y }
-    }
 }
 
 /// Numbers corners, equal ones alike.

@@ -131,7 +131,10 @@ impl Carpenter {
         let piece = |cell: &Cell| -> Piece {
             let corners = Rect::of(cell, self.unit).corners();
             let corners = corners.map(|at| Corner { at, rim: true });
-            (corners.to_vec(), Plane::level(self.floor - BELOW))
+            (
+                corners.into_iter().collect(),
+                Plane::level(self.floor - BELOW),
+            )
         };
         let pieces: Vec<Piece> = over.iter().map(piece).collect();
         let together = if pieces.len() > MANY { 1 } else { MANY };

@@ -78,12 +78,18 @@ fn bits(p: &DVec3) -> [u64; 3] {
 }
 
 impl Hash for MeshKey<'_> {
-    /// Points distinguish most roofs, except for their coverings; equality compares the faces.
+    /// The first and the last points distinguish most roofs, except for their coverings; equality compares all.
     fn hash<H: Hasher>(&self, state: &mut H) {
         state.write_usize(self.number);
         for solid in self.solids {
-            let points = solid.points.iter().flat_map(bits);
-            points.for_each(|word| state.write_u64(word));
+            for point in [solid.points.first(), solid.points.last()]
+                .into_iter()
+                .flatten()
+            {
+                bits(point)
+                    .into_iter()
+                    .for_each(|word| state.write_u64(word));
+            }
             state.write_usize(solid.faces.len());
         }
         state.write_usize(self.shown.len());

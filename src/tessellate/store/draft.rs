@@ -5,7 +5,7 @@ use crate::tessellate::bake::Picture;
 use crate::tessellate::mesh::Soup;
 use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::store::look::Look;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use twox_hash::XxHash3_128;
 
 /// A hash of some content. 128 bits: no two contents of a run have the same.
@@ -19,7 +19,7 @@ pub(in crate::tessellate) struct MeshDraft {
     pub(in crate::tessellate) soups: Vec<(Look, Soup)>,
     /// Upright rectangles that show baked images.
     pub(in crate::tessellate) images: Vec<ImageQuad>,
-    pub(in crate::tessellate) digest: Digest,
+    digest: OnceLock<Digest>,
 }
 
 /// An upright rectangle that shows a baked image.
@@ -48,13 +48,30 @@ impl MeshDraft {
         soups: Vec<(Look, Soup)>,
         images: Vec<ImageQuad>,
     ) -> MeshDraft {
-        let digest = digest(&name, &soups, &images);
-        MeshDraft {
+        let draft = MeshDraft {
             name,
             soups,
             images,
-            digest,
+            digest: OnceLock::new(),
+        };
+        // Here, since drafts are made on all threads and looked up on one.
+        draft.digest();
+        draft
+    }
+
+    /// A mesh that becomes a part of another: most such are never looked up by themselves.
+    pub(in crate::tessellate) fn part(name: String, soups: Vec<(Look, Soup)>) -> MeshDraft {
+        MeshDraft {
+            name,
+            soups,
+            images: vec![],
+            digest: OnceLock::new(),
         }
+    }
+
+    pub(in crate::tessellate) fn digest(&self) -> Digest {
+        let make = || digest(&self.name, &self.soups, &self.images);
+        *self.digest.get_or_init(make)
     }
 
     /// Returns true if it shows nothing.

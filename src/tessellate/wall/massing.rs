@@ -83,7 +83,7 @@ impl Walker<'_> {
             return None;
         }
         let name = format!("walls {}", level.storey.number);
-        Some(self.store.push(MeshDraft::new(name, soups, vec![])))
+        Some(self.store.push(MeshDraft::part(name, soups)))
     }
 
     fn walls(&mut self, level: Level<'_>, ring: &Ring, soups: &mut Vec<(Look, Soup)>) {

@@ -41,9 +41,9 @@ pub(super) fn bounded(points: &[DVec3], faces: Vec<Polygon>) -> Option<Vec<Solid
     let count = of.iter().max().map_or(0, |n| n + 1);
     let mut solids = vec![Solid::default(); count];
     let mut numbers = vec![(usize::MAX, 0); points.len()];
-    for ((corners, finish), n) in faces.into_iter().zip(of) {
+    for ((mut corners, finish), n) in faces.into_iter().zip(of) {
         let solid = &mut solids[n];
-        let number = |id: u32| {
+        let mut number = |id: u32| {
             let known = &mut numbers[id as usize];
             if known.0 != n {
                 let point = points[id as usize];
@@ -60,7 +60,7 @@ pub(super) fn bounded(points: &[DVec3], faces: Vec<Polygon>) -> Option<Vec<Solid
             }
             known.1
         };
-        let corners: Corners = corners.into_iter().map(number).collect();
+        corners.iter_mut().for_each(|c| *c = number(*c));
         solid.faces.push(Face { corners, finish });
     }
     // Cavities closed on all sides are filled, since they are never seen; what has no volume is not seen either.
@@ -75,22 +75,23 @@ const NOTHING: f64 = 6e-9;
 fn volume(solid: &Solid) -> f64 {
     let from = solid.points.first().copied().unwrap_or_default();
     let of = |face: &Face| -> f64 {
-        let at = |c: &u32| solid.points[*c as usize] - from;
-        let first = face.corners.first().map_or(DVec3::ZERO, at);
-        let pairs = face.corners.windows(2);
-        pairs.map(|w| first.dot(at(&w[0]).cross(at(&w[1])))).sum()
+        let at = |c: u32| solid.points[c as usize] - from;
+        let corners = &face.corners[..];
+        let first = corners.first().map_or(DVec3::ZERO, |c| at(*c));
+        let pairs = corners.windows(2);
+        pairs.fold(0.0_f64, |sum, w| sum + first.dot(at(w[0]).cross(at(w[1]))))
     };
-    solid.faces.iter().map(of).sum()
+    solid.faces.iter().fold(0.0_f64, |sum, face| sum + of(face))
 }
 
 /// Inserts used points into the vertical edges of a face.
-fn pass_through(corners: &mut Vec<u32>, used: &[bool], place: impl Fn(u32) -> usize) {
+fn pass_through(corners: &mut Corners, used: &[bool], place: impl Fn(u32) -> usize) {
     let n = corners.len();
     let upright = |i: usize| place(corners[i]) == place(corners[(i + 1) % n]);
     if !(0..n).any(upright) {
         return;
     }
-    let mut whole = Vec::with_capacity(n + 2);
+    let mut whole = Corners::with_capacity(n + 2);
     for i in 0..n {
         let (p, q) = (corners[i], corners[(i + 1) % n]);
         whole.push(p);
@@ -138,39 +139,79 @@ pub(super) fn flat(points: &[DVec3], face: Polygon) -> Vec<Polygon> {
         .collect();
     let mut triangles = Vec::with_capacity(plan.len());
     ears(&plan, |t| {
-        triangles.push((t.map(|k| corners[k as usize]).to_vec(), *finish));
+        let corners = t.map(|k| corners[k as usize]).into_iter().collect();
+        triangles.push((corners, *finish));
     });
     triangles
+}
+
+/// An edge of a face from the point with the lower number: the other point, true if the face runs from the lower one to
+/// it, and the face.
+type Edge = (u32, bool, u32);
+
+/// Returns the edges of all faces by their lower point, those of each sorted, and for each point where its edges end.
+fn edges(points: usize, faces: &[Polygon]) -> (Vec<Edge>, Vec<u32>) {
+    let mut ends = vec![0_u32; points + 1];
+    each_edge(faces, |p, q, _| ends[p.min(q) as usize + 1] += 1);
+    for n in 1..ends.len() {
+        ends[n] += ends[n - 1];
+    }
+    let mut edges = vec![(0, false, 0); ends[points] as usize];
+    each_edge(faces, |p, q, face| {
+        let place = &mut ends[p.min(q) as usize];
+        edges[*place as usize] = (p.max(q), p < q, face);
+        *place += 1;
+    });
+    ends.pop();
+    let mut first = 0;
+    for end in &ends {
+        edges[first..*end as usize].sort_unstable();
+        first = *end as usize;
+    }
+    (edges, ends)
+}
+
+/// Passes on all edges: from, to, face.
+fn each_edge(faces: &[Polygon], mut out: impl FnMut(u32, u32, u32)) {
+    for ((corners, _), face) in faces.iter().zip(0..) {
+        let corners = &corners[..];
+        let Some(mut p) = corners.last().copied() else {
+            continue;
+        };
+        for &q in corners {
+            out(p, q, face);
+            p = q;
+        }
+    }
 }
 
 /// Returns for each face the solid it belongs to, in the order of their first faces: faces are connected through edges
 /// that have two of them.
 fn components(points: usize, faces: &[Polygon]) -> Option<Vec<usize>> {
-    let mut edges: Vec<(u32, u32, bool, u32)> = Vec::with_capacity(points * 3);
-    for ((corners, _), f) in faces.iter().zip(0..) {
-        for (i, &p) in corners.iter().enumerate() {
-            let q = corners[(i + 1) % corners.len()];
-            edges.push((p.min(q), p.max(q), p < q, f));
-        }
-    }
-    edges.sort_unstable();
-    let same = |a: &(u32, u32, bool, u32), b: &(u32, u32, bool, u32)| (a.0, a.1) == (b.0, b.1);
+    let (edges, ends) = edges(points, faces);
+    let starts = || std::iter::once(&0).chain(&ends);
+    let over = || {
+        starts()
+            .zip(&ends)
+            .map(|(from, to)| &edges[*from as usize..*to as usize])
+    };
+    let stretches = || over().flat_map(|own| own.chunk_by(|a, b| a.0 == b.0));
     let mut root: Vec<usize> = (0..faces.len()).collect();
-    for edge in edges.chunk_by(same) {
+    for edge in stretches() {
         if let [one, other] = edge {
-            let [a, b] = [one.3, other.3].map(|f| find(&mut root, f as usize));
+            let [a, b] = [one.2, other.2].map(|f| find(&mut root, f as usize));
             root[a.max(b)] = a.min(b);
         }
     }
     let roots: Vec<usize> = (0..faces.len()).map(|f| find(&mut root, f)).collect();
     // If more faces share an edge, each solid may have two of them.
-    for edge in edges.chunk_by(same) {
+    for edge in stretches() {
         if let [one, other] = edge
-            && one.2 != other.2
+            && one.1 != other.1
         {
             continue;
         }
-        let mut of: Vec<(usize, bool)> = edge.iter().map(|e| (roots[e.3 as usize], e.2)).collect();
+        let mut of: Vec<(usize, bool)> = edge.iter().map(|e| (roots[e.2 as usize], e.1)).collect();
         of.sort_unstable();
         let pair = |c: &[(usize, bool)]| matches!(c, [(a, false), (b, true)] if a == b);
         if !of.chunks(2).all(pair) || of.windows(3).any(|w| w[0].0 == w[2].0) {
@@ -195,7 +236,7 @@ mod tests {
     use crate::building::Finish;
 
     fn faces(corners: &[[u32; 3]]) -> Vec<Polygon> {
-        let face = |c: &[u32; 3]| (c.to_vec(), Finish::Plaster);
+        let face = |c: &[u32; 3]| (Corners::from_slice(c), Finish::Plaster);
         corners.iter().map(face).collect()
     }
 

@@ -9,14 +9,15 @@
 //! way.
 
 mod faces;
+mod heights;
 mod lone;
 mod pieces;
 mod plan;
 mod settled;
 
 use crate::ast::RoofShape;
-use crate::building::{Face, Finish, Roof, Solid};
-use crate::check::{has_area, is_plane};
+use crate::building::{Finish, Roof, Solid};
+use crate::check;
 use crate::roof::solid::massive::closed;
 use crate::roof::solid::massive::lean::pieces::Piece;
 use crate::roof::solid::massive::merge::Polygon;
@@ -89,8 +90,7 @@ fn direct(roofs: &[&Roof], pieces: Vec<Piece>) -> Result<Vec<Solid>, Refused> {
 }
 
 fn is_sound(solid: &Solid) -> bool {
-    let sound = |f: &Face| has_area(solid, f) && is_plane(solid, f);
-    solid.faces.iter().all(sound)
+    solid.faces.iter().all(|face| check::is_sound(solid, face))
 }
 
 /// Returns the faces that bound some slopes, and their points.
@@ -102,7 +102,7 @@ fn bounds(pieces: Vec<Piece>) -> Option<(Vec<DVec3>, Vec<Polygon>)> {
         let raised = plan.raised(&pieces)?;
         if !plan.split(&raised) {
             let patches = plan.patches(&pieces, &raised)?;
-            let faces = faces::merged(&raised.points, patches)?;
+            let faces = faces::merged(&raised.points, &patches)?;
             return Some((raised.points, faces));
         }
     }

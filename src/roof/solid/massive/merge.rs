@@ -1,7 +1,7 @@
 //! Faces of one plane and finish that lie side by side are merged, as long as the result is convex, to save triangles
 //! in towns.
 
-use crate::building::Finish;
+use crate::building::{Corners, Finish};
 use crate::geometry::tolerance::PARALLEL;
 use glam::DVec3;
 
@@ -13,7 +13,7 @@ pub(super) const BENT: f64 = 4e-7;
 const ROUNDS: usize = 16;
 
 /// A face by the numbers of its points.
-pub(super) type Polygon = (Vec<u32>, Finish);
+pub(super) type Polygon = (Corners, Finish);
 
 /// Merges faces with their neighbours, within the maximum number of rounds.
 pub(super) fn merge(points: &[DVec3], faces: &mut Vec<Polygon>) {
@@ -83,7 +83,7 @@ fn joined(
     (one, normal): (&[u32], DVec3),
     other: &[u32],
     [from, to]: [u32; 2],
-) -> Option<Vec<u32>> {
+) -> Option<Corners> {
     let at = |id: u32| points[id as usize];
     let origin = at(one[0]);
     if other
@@ -94,13 +94,10 @@ fn joined(
     }
     let place = |ring: &[u32], of: u32| ring.iter().position(|id| *id == of);
     let (first, second) = (place(one, to)?, place(other, from)?);
-    let pieces = [
-        &one[first..],
-        &one[..first],
-        &other[second + 1..],
-        &other[..second],
-    ];
-    let mut ring = pieces.concat();
+    let mut ring = Corners::from_slice(&one[first..]);
+    ring.extend_from_slice(&one[..first]);
+    ring.extend_from_slice(&other[second + 1..]);
+    ring.extend_from_slice(&other[..second]);
     ring.pop();
     let whole = ring.len();
     without_spikes(&mut ring);
@@ -139,7 +136,7 @@ fn normal(points: &[DVec3], ring: &[u32]) -> DVec3 {
 }
 
 /// Removes paths that go to a corner and straight back.
-fn without_spikes(ring: &mut Vec<u32>) {
+fn without_spikes(ring: &mut Corners) {
     let mut i = 0;
     let mut kept = 0;
     while ring.len() > 2 && kept < ring.len() {

@@ -4,12 +4,13 @@
 use crate::ast::RoofKind;
 use crate::building::{Attic, Finish, Solid, Verge};
 use crate::geometry::tolerance::HEIGHT;
-use crate::roof::facet::{Corner, HalfPlane, Higher, area, edges, is_outside, split_off};
+use crate::roof::facet::{
+    Convex, Corner, HalfPlane, Higher, area, edges, is_outside, sides_of, split_off,
+};
 use crate::roof::frame::Plane;
 use crate::roof::solid::INFILL_THICKNESS;
 use crate::roof::solid::massive::union::{Column, Side};
 use glam::{DVec2, DVec3};
-use std::borrow::Cow;
 
 /// Parts with less area are left out, square metres.
 const SLIVER: f64 = 2e-6;
@@ -18,7 +19,7 @@ const HARDLY: f64 = 1e-7;
 /// A part of the surface of one roof.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
-    pub(super) outline: Vec<Corner>,
+    pub(super) outline: Convex,
     pub(super) top: Plane,
     /// Vertical thickness of the covering and its structure, metres; 0 for a wall.
     pub(super) drop: f64,
@@ -30,7 +31,7 @@ pub(super) struct Part {
 
 impl Part {
     /// Creates a slab with nothing under it.
-    pub(super) fn sheet(outline: Vec<Corner>, top: Plane, drop: f64, kind: RoofKind) -> Part {
+    pub(super) fn sheet(outline: Convex, top: Plane, drop: f64, kind: RoofKind) -> Part {
         Part {
             outline,
             top,
@@ -52,13 +53,12 @@ impl Part {
                 at: p.truncate(),
                 rim: false,
             };
-            let mut outline: Vec<Corner> = points.map(corner).collect();
+            let mut outline: Convex = points.map(corner).collect();
             match area(&outline) {
                 size if size > SLIVER => up.push((outline, plane)),
                 size if size < -SLIVER => {
                     outline.reverse();
-                    let plan: Vec<DVec2> = outline.iter().map(|c| c.at).collect();
-                    down.push((edges(&plan), plane));
+                    down.push((sides_of(&outline), plane));
                 }
                 _ => {}
             }
@@ -76,7 +76,7 @@ impl Part {
         }
     }
 
-    fn with(&self, outline: Vec<Corner>, bottom: Plane) -> Part {
+    fn with(&self, outline: Convex, bottom: Plane) -> Part {
         Part {
             outline,
             bottom,
@@ -124,10 +124,10 @@ impl Part {
     }
 
     /// Returns a piece of it, filled down to a plane where it is higher.
-    fn down_to(&self, piece: Vec<Corner>, plane: Plane, parts: &mut Vec<Part>) {
+    fn down_to(&self, piece: Convex, plane: Plane, parts: &mut Vec<Part>) {
         let [over, under] = match HalfPlane::where_higher(self.bottom, plane) {
-            Higher::Everywhere => [piece, vec![]],
-            Higher::Nowhere => [vec![], piece],
+            Higher::Everywhere => [piece, Convex::new()],
+            Higher::Nowhere => [Convex::new(), piece],
             Higher::Inside(side) => side.halves(&piece),
         };
         for (half, bottom) in [(over, plane), (under, self.bottom)] {
@@ -141,7 +141,7 @@ impl Part {
     /// one. None if they share none.
     pub(super) fn together(&self, other: &Part) -> Option<Vec<Part>> {
         let common = self.common(other)?;
-        let sides = edges(&common.iter().map(|c| c.at).collect::<Vec<_>>());
+        let sides = sides_of(&common);
         let mut parts = vec![];
         for part in [self, other] {
             let mut off = vec![];
@@ -169,9 +169,8 @@ impl Part {
     }
 
     /// Returns the plan outline of the space that two parts share.
-    fn common(&self, other: &Part) -> Option<Vec<Corner>> {
-        let outline: Vec<DVec2> = other.outline.iter().map(|c| c.at).collect();
-        let mut sides = edges(&outline);
+    fn common(&self, other: &Part) -> Option<Convex> {
+        let mut sides = sides_of(&other.outline);
         if is_outside(&self.outline, sides.iter()) {
             return None;
         }
@@ -257,13 +256,13 @@ fn around(outline: &[Corner]) -> [DVec2; 2] {
 
 /// Returns the part of a piece inside some sides; the rest goes to `off`. `None`, and no rest, if that part is a
 /// sliver.
-fn split(piece: &[Corner], sides: &[HalfPlane], off: &mut Vec<Vec<Corner>>) -> Option<Vec<Corner>> {
+fn split(piece: &[Corner], sides: &[HalfPlane], off: &mut Vec<Convex>) -> Option<Convex> {
     if is_outside(piece, sides.iter()) {
         return None;
     }
     let before = off.len();
-    let inside = split_off(Cow::Borrowed(piece), sides.iter(), off);
-    let inside = inside.map(Cow::into_owned).filter(|i| area(i) > HARDLY);
+    let inside = split_off(Convex::from_slice(piece), sides.iter(), off);
+    let inside = inside.filter(|i| area(i) > HARDLY);
     if inside.is_none() {
         off.truncate(before);
     }

@@ -4,7 +4,7 @@
 //! All of that happens on numbers of shared points: corners are welded first, put into the edges that they lie on, and
 //! edges of different height that cross get a corner there. So the sum is closed whatever the columns are.
 
-use crate::building::{Finish, Solid};
+use crate::building::{Corners, Finish, Solid};
 use crate::geometry::tolerance::JOINT;
 use crate::roof::frame::Plane;
 use crate::roof::solid::massive::closed;
@@ -343,7 +343,7 @@ impl Upright {
 fn upright_faces(
     (net, finish, low, high): (i32, Finish, [u32; 2], [u32; 2]),
 ) -> impl Iterator<Item = Polygon> {
-    let mut corners = vec![low[0], low[1]];
+    let mut corners = Corners::from_slice(&low);
     corners.extend((high[1] != low[1]).then_some(high[1]));
     corners.extend((high[0] != low[0]).then_some(high[0]));
     if net < 0 {

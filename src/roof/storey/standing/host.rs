@@ -1,6 +1,6 @@
 //! The slopes of a storey's roofs as seen by what stands on them: dormers and monitors.
 
-use crate::roof::facet::{HalfPlane, edges};
+use crate::roof::facet::{Sides, edges};
 use crate::roof::frame::Plane;
 use crate::roof::shape::form::RoofDraft;
 use glam::DVec2;
@@ -11,7 +11,7 @@ const ON: f64 = 1e-6;
 /// All facets of some roofs, before these meet.
 pub(in crate::roof) struct Slopes {
     /// The roof, the borders and the upper surface of each facet.
-    facets: Vec<(usize, Vec<HalfPlane>, Plane)>,
+    facets: Vec<(usize, Sides, Plane)>,
 }
 
 impl Slopes {

@@ -1,12 +1,13 @@
 //! Faces in one plane with one finish become one face where they lie side by side; corners at which no face turns are
 //! left out.
 
-use crate::building::Finish;
+use crate::building::{Corners, Finish};
 use crate::geometry::tolerance::STRAIGHT;
 use crate::geometry::triangulate::{bridged, ears};
 use crate::roof::solid::massive::closed::flat;
 use crate::roof::solid::massive::merge::Polygon;
 use glam::{DVec2, DVec3};
+use smallvec::SmallVec;
 
 /// Faces are in one plane if their normals differ by less.
 const TURNED: f64 = 1e-8;
@@ -25,29 +26,67 @@ struct Group {
     finish: Finish,
 }
 
-/// An edge on the border of a group: group, from, to.
-type Border = (u32, u32, u32);
-
 /// Faces whose edges add up to closed surfaces, each in the group of its plane and finish.
 #[derive(Default)]
 pub(super) struct Patches {
     groups: Vec<Group>,
     /// The edges of all faces: group, lower point, higher point, then 0 if it runs from the lower one.
     edges: Vec<u64>,
-    /// The floors one by one, with their groups, for those that have holes.
-    floors: Vec<(Vec<u32>, u32)>,
+    /// The floors one by one, for those that have holes.
+    floors: Loops,
+}
+
+/// Closed paths along points one after another, each in a group.
+#[derive(Default)]
+struct Loops {
+    corners: Vec<u32>,
+    /// For each where it ends in the list of corners, and its group.
+    ends: Vec<(u32, u32)>,
+}
+
+impl Loops {
+    fn corners(&self, n: usize) -> &[u32] {
+        let from = n.checked_sub(1).map_or(0, |before| self.ends[before].0);
+        &self.corners[from as usize..self.ends[n].0 as usize]
+    }
+
+    fn all(&self) -> impl Iterator<Item = (&[u32], u32)> {
+        (0..self.ends.len()).map(|n| (self.corners(n), self.ends[n].1))
+    }
+
+    /// Ends a path whose corners have been added.
+    fn end(&mut self, group: u32) {
+        self.ends.push((self.corners.len() as u32, group));
+    }
+
+    fn truncate(&mut self, count: usize) {
+        self.ends.truncate(count);
+        let end = self.ends.last().map_or(0, |last| last.0);
+        self.corners.truncate(end as usize);
+    }
 }
 
 const POINT_BITS: u32 = 23;
 const GROUP_BITS: u32 = 16;
 const POINT: u64 = (1 << POINT_BITS) - 1;
+const GROUP: u32 = 2 * POINT_BITS + 1;
 
 impl Patches {
+    pub(super) fn with_capacity(edges: usize) -> Patches {
+        Patches {
+            groups: Vec::with_capacity(32),
+            edges: Vec::with_capacity(edges),
+            floors: Loops::default(),
+        }
+    }
+
     /// Returns the number of a group; `at` is in its plane.
     pub(super) fn group(&mut self, normal: DVec3, at: DVec3, finish: Finish) -> u64 {
         let same = |g: &Group| {
             g.finish == finish
-                && (g.normal - normal).abs().max_element() < TURNED
+                && (g.normal.x - normal.x).abs() < TURNED
+                && (g.normal.y - normal.y).abs() < TURNED
+                && (g.normal.z - normal.z).abs() < TURNED
                 && (g.normal.dot(at) - g.at).abs() < APART
         };
         let known = self.groups.iter().position(same);
@@ -76,10 +115,16 @@ impl Patches {
     }
 
     /// Adds a convex face that is shown on its own where the whole of its group has holes.
-    pub(super) fn floor(&mut self, corners: Vec<u32>, normal: DVec3, at: DVec3) {
+    pub(super) fn floor(
+        &mut self,
+        corners: impl Iterator<Item = u32> + Clone,
+        normal: DVec3,
+        at: DVec3,
+    ) {
         let group = self.group(normal, at, Finish::Soffit);
-        self.add(corners.iter().copied(), group);
-        self.floors.push((corners, group as u32));
+        self.add(corners.clone(), group);
+        self.floors.corners.extend(corners);
+        self.floors.end(group as u32);
     }
 
     /// Adds a face in a plane.
@@ -94,58 +139,87 @@ impl Patches {
         self.add(corners, group);
     }
 
-    /// Returns the edges on the border of each group, sorted; none if one occurs twice.
-    fn borders(mut self) -> Option<(Vec<Group>, Vec<Border>)> {
-        self.edges.sort_unstable();
-        let mut borders = Vec::with_capacity(self.edges.len());
-        for same in self.edges.chunk_by(|p, q| p >> 1 == q >> 1) {
-            let turned = same.iter().filter(|e| **e & 1 == 1).count();
-            let [from, to] = match same.len() as i64 - 2 * turned as i64 {
-                0 => continue,
-                1 => [POINT_BITS + 1, 1],
-                -1 => [1, POINT_BITS + 1],
-                _ => return None,
-            };
-            let point = |shift: u32| (same[0] >> shift & POINT) as u32;
-            let group = (same[0] >> (2 * POINT_BITS + 1)) as u32;
-            borders.push((group, point(from), point(to)));
+    /// Returns the edges of each group together.
+    fn by_group(&self) -> Vec<u64> {
+        let mut next = vec![0_u32; self.groups.len() + 1];
+        for edge in &self.edges {
+            next[(edge >> GROUP) as usize + 1] += 1;
         }
-        borders.sort_unstable();
-        Some((self.groups, borders))
+        for n in 1..next.len() {
+            next[n] += next[n - 1];
+        }
+        let mut sorted = vec![0; self.edges.len()];
+        for edge in &self.edges {
+            let place = &mut next[(edge >> GROUP) as usize];
+            sorted[*place as usize] = *edge;
+            *place += 1;
+        }
+        sorted
     }
 }
 
+/// Replaces the border that some edges of one group have by its edges, each as from and to, sorted; none if one occurs
+/// twice.
+fn border(edges: &mut [u64], border: &mut Vec<(u32, u32)>) -> Option<()> {
+    border.clear();
+    edges.sort_unstable();
+    for same in edges.chunk_by(|p, q| p >> 1 == q >> 1) {
+        let turned = same.iter().filter(|e| **e & 1 == 1).count();
+        let [from, to] = match same.len() as i64 - 2 * turned as i64 {
+            0 => continue,
+            1 => [POINT_BITS + 1, 1],
+            -1 => [1, POINT_BITS + 1],
+            _ => return None,
+        };
+        let point = |shift: u32| (same[0] >> shift & POINT) as u32;
+        border.push((point(from), point(to)));
+    }
+    border.sort_unstable();
+    Some(())
+}
+
 /// Returns the faces that bound what the patches bound; none if they meet in a way that leaves the faces open.
-pub(super) fn merged(points: &[DVec3], mut patches: Patches) -> Option<Vec<Polygon>> {
-    if points.len() > POINT as usize || patches.groups.len() >= 1 << GROUP_BITS {
+pub(super) fn merged(points: &[DVec3], patches: &Patches) -> Option<Vec<Polygon>> {
+    let Patches { groups, floors, .. } = patches;
+    if points.len() > POINT as usize || groups.len() >= 1 << GROUP_BITS {
         return None;
     }
-    let floors = std::mem::take(&mut patches.floors);
-    let (groups, borders) = patches.borders()?;
-    let mut loops: Vec<(Vec<u32>, u32)> = Vec::with_capacity(groups.len() + 8);
-    for border in borders.chunk_by(|p, q| p.0 == q.0) {
-        let (number, first) = (border[0].0, loops.len());
+    let mut loops = Loops {
+        corners: Vec::with_capacity(patches.edges.len() / 2),
+        ends: Vec::with_capacity(groups.len() + 8),
+    };
+    let mut edges = patches.by_group();
+    let mut around = Vec::with_capacity(32);
+    for own in edges.chunk_by_mut(|p, q| p >> GROUP == q >> GROUP) {
+        let (number, first) = ((own[0] >> GROUP) as u32, loops.ends.len());
         let normal = groups[number as usize].normal;
-        traced(points, normal, border, &mut loops)?;
-        let mut own = floors.iter().filter(|f| f.1 == number).peekable();
-        if own.peek().is_some()
-            && loops[first..]
-                .iter()
-                .any(|l| facing(points, normal, &l.0) < 0.0)
-        {
+        border(own, &mut around)?;
+        traced(points, normal, (&around, number), &mut loops)?;
+        let turned = |n: usize| facing(points, normal, loops.corners(n)) < 0.0;
+        let is_floor = floors.ends.iter().any(|end| end.1 == number);
+        if is_floor && (first..loops.ends.len()).any(turned) {
             loops.truncate(first);
-            loops.extend(own.cloned());
+            for (corners, group) in floors.all().filter(|f| f.1 == number) {
+                loops.corners.extend_from_slice(corners);
+                loops.end(group);
+            }
         }
     }
     let turns = turns(points, &loops);
-    let mut faces = Vec::with_capacity(loops.len());
-    for own in loops.chunk_by_mut(|p, q| p.1 == q.1) {
-        for (corners, _) in own.iter_mut() {
-            corners.retain(|c| turns[*c as usize]);
+    let mut faces = Vec::with_capacity(loops.ends.len());
+    let mut own: Vec<Corners> = Vec::with_capacity(4);
+    let mut straight: Vec<u32> = Vec::with_capacity(32);
+    for (n, (corners, group)) in loops.all().enumerate() {
+        straight.clear();
+        straight.extend(corners.iter().filter(|c| turns[**c as usize]));
+        if straight.len() > 2 {
+            own.push(Corners::from_slice(&straight));
         }
-        polygons(points, &groups[own[0].1 as usize], own, &mut faces)?;
+        if loops.ends.get(n + 1).is_none_or(|next| next.1 != group) {
+            polygons(points, &groups[group as usize], &mut own, &mut faces)?;
+        }
     }
-    faces.iter().all(|f| is_simple(&f.0)).then_some(faces)
+    Some(faces)
 }
 
 /// Returns true if a face passes no point twice.
@@ -158,22 +232,22 @@ fn is_simple(corners: &[u32]) -> bool {
 fn traced(
     points: &[DVec3],
     normal: DVec3,
-    border: &[Border],
-    loops: &mut Vec<(Vec<u32>, u32)>,
+    (border, group): (&[(u32, u32)], u32),
+    loops: &mut Loops,
 ) -> Option<()> {
-    let mut used = vec![false; border.len()];
+    let mut used: SmallVec<[bool; 64]> = SmallVec::from_elem(false, border.len());
+    let used = &mut used[..];
     for first in 0..border.len() {
         if used[first] {
             continue;
         }
-        let mut corners = Vec::with_capacity(12);
         let mut at = first;
         while !used[at] {
             used[at] = true;
-            let (group, from, to) = border[at];
-            corners.push(from);
-            let start = border.partition_point(|e| e.1 < to);
-            let after = border[start..].iter().take_while(|e| e.1 == to).count();
+            let (from, to) = border[at];
+            loops.corners.push(from);
+            let start = border.partition_point(|e| e.0 < to);
+            let after = border[start..].iter().take_while(|e| e.0 == to).count();
             at = match after {
                 0 => return None,
                 1 => start,
@@ -182,7 +256,7 @@ fn traced(
                     let at = |c: u32| points[c as usize] - points[to as usize];
                     let back = at(from);
                     let turn = |n: &usize| {
-                        let way = at(border[*n].2);
+                        let way = at(border[*n].1);
                         libm::atan2(normal.dot(way.cross(back)), normal.length() * way.dot(back))
                     };
                     let inward = |n: &usize| match turn(n) {
@@ -192,37 +266,42 @@ fn traced(
                     (start..start + after).min_by(|m, n| inward(m).total_cmp(&inward(n)))?
                 }
             };
-            debug_assert_eq!(group, border[at].0);
         }
         if at != first {
             return None;
         }
-        loops.push((corners, border[first].0));
+        loops.end(group);
     }
     Some(())
 }
 
 /// Returns twice the area that a loop bounds seen against a normal, times the length of that.
 fn facing(points: &[DVec3], normal: DVec3, corners: &[u32]) -> f64 {
-    let at = |k: usize| points[corners[k] as usize] - points[corners[0] as usize];
-    let fan = 1..corners.len().max(2) - 1;
-    let sum: DVec3 = fan.map(|k| at(k).cross(at(k + 1))).sum();
+    let [first, rest @ ..] = corners else {
+        return 0.0;
+    };
+    let first = points[*first as usize];
+    let mut sum = DVec3::ZERO;
+    for pair in rest.windows(2) {
+        sum += (points[pair[0] as usize] - first).cross(points[pair[1] as usize] - first);
+    }
     sum.dot(normal)
 }
 
 /// Returns for each point whether a loop turns there.
-fn turns(points: &[DVec3], loops: &[(Vec<u32>, u32)]) -> Vec<bool> {
+fn turns(points: &[DVec3], loops: &Loops) -> Vec<bool> {
     let mut turns = vec![false; points.len()];
-    for (corners, _) in loops {
-        let at = |k: usize| points[corners[k % corners.len()] as usize];
-        let n = corners.len();
-        let mut before = at(0) - at(n - 1);
-        for k in 0..n {
-            let after = at(k + 1) - at(k);
+    for (corners, _) in loops.all() {
+        let at = |c: &u32| points[*c as usize];
+        let [.., last] = corners else { continue };
+        let (mut here, mut place) = (*last, at(last));
+        let mut before = place - at(&corners[corners.len().max(2) - 2]);
+        for next in corners {
+            let after = at(next) - place;
             let sine = before.cross(after).length_squared();
             let most = STRAIGHT * STRAIGHT * before.length_squared() * after.length_squared();
-            turns[corners[k] as usize] |= sine > most || before.dot(after) <= 0.0;
-            before = after;
+            turns[here as usize] |= sine > most || before.dot(after) <= 0.0;
+            (here, place, before) = (*next, at(next), after);
         }
     }
     turns
@@ -232,26 +311,39 @@ fn turns(points: &[DVec3], loops: &[(Vec<u32>, u32)]) -> Vec<bool> {
 fn polygons(
     points: &[DVec3],
     group: &Group,
-    loops: &[(Vec<u32>, u32)],
+    loops: &mut Vec<Corners>,
     faces: &mut Vec<Polygon>,
 ) -> Option<()> {
     let facing = |corners: &[u32]| facing(points, group.normal, corners);
-    let loops = || loops.iter().map(|l| &l.0).filter(|l| l.len() > 2);
-    if loops().any(|l| facing(l) <= 0.0) {
-        let mut outer = loops().filter(|l| facing(l) > 0.0);
+    if loops.iter().any(|l| facing(l) <= 0.0) {
+        let mut outer = loops.iter().filter(|l| facing(l) > 0.0);
         let (outline, None) = (outer.next()?, outer.next()) else {
             return None;
         };
-        let mut holes = loops().filter(|l| facing(l) <= 0.0);
+        let mut holes = loops.iter().filter(|l| facing(l) <= 0.0);
         let (hole, None) = (holes.next()?, holes.next()) else {
             return None;
         };
-        return around(points, group, outline, hole, faces);
+        around(points, group, outline, hole, faces)?;
+        loops.clear();
+        return Some(());
     }
     let off = |c: &u32| (group.normal.dot(points[*c as usize]) - group.at).abs();
-    for corners in loops() {
-        let face = (corners.clone(), group.finish);
-        if corners.iter().all(|c| off(c) < BENT) {
+    for corners in loops.drain(..) {
+        // Its border touches itself in a point.
+        if !is_simple(&corners) {
+            triangles(
+                points,
+                group,
+                &plan(points, group, &corners),
+                &corners,
+                faces,
+            )?;
+            continue;
+        }
+        let lies = corners.iter().all(|c| off(c) < BENT);
+        let face = (corners, group.finish);
+        if lies {
             faces.push(face);
             continue;
         }
@@ -272,16 +364,34 @@ fn around(
     hole: &[u32],
     faces: &mut Vec<Polygon>,
 ) -> Option<()> {
+    let (outer, inner) = (plan(points, group, outline), plan(points, group, hole));
+    let places = outer.iter().chain(&inner);
+    let known = || places.clone().zip(outline.iter().chain(hole));
+    let number = |p: &DVec2| known().find(|k| k.0 == p).map(|k| *k.1);
+    let ring = bridged(&outer, std::slice::from_ref(&inner));
+    let numbers: Vec<u32> = ring.iter().map(number).collect::<Option<_>>()?;
+    triangles(points, group, &ring, &numbers, faces)
+}
+
+/// Returns the places of corners in the plane of their group.
+fn plan(points: &[DVec3], group: &Group, corners: &[u32]) -> Vec<DVec2> {
     let (x, y) = group.normal.normalize_or_zero().any_orthonormal_pair();
     let place = |c: &u32| DVec2::new(x.dot(points[*c as usize]), y.dot(points[*c as usize]));
-    let plan = |l: &[u32]| -> Vec<DVec2> { l.iter().map(place).collect() };
-    let ring = bridged(&plan(outline), &[plan(hole)]);
-    let known = || outline.iter().chain(hole);
-    let number = |p: &DVec2| known().find(|c| place(c) == *p).copied();
-    let numbers: Vec<u32> = ring.iter().map(number).collect::<Option<_>>()?;
+    corners.iter().map(place).collect()
+}
+
+/// Adds the triangles of a ring that may pass a point twice; none if one is a sliver.
+fn triangles(
+    points: &[DVec3],
+    group: &Group,
+    ring: &[DVec2],
+    numbers: &[u32],
+    faces: &mut Vec<Polygon>,
+) -> Option<()> {
     let first = faces.len();
-    ears(&ring, |t| {
-        faces.push((t.map(|k| numbers[k as usize]).to_vec(), group.finish));
+    ears(ring, |t| {
+        let corners = t.map(|k| numbers[k as usize]).into_iter().collect();
+        faces.push((corners, group.finish));
     });
     let whole = |f: &Polygon| facing(points, group.normal, &f.0) > SLIVER;
     faces[first..].iter().all(whole).then_some(())

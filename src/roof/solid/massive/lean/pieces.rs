@@ -3,14 +3,15 @@
 use crate::ast::RoofKind;
 use crate::building::{Attic, Roof};
 use crate::geometry::tolerance::HEIGHT;
-use crate::roof::facet::{Corner, HalfPlane, Higher, area, edges, is_outside, split_off};
+use crate::roof::facet::{
+    Convex, Corner, HalfPlane, Higher, area, edges, is_outside, sides_of, split_off,
+};
 use crate::roof::frame::Plane;
 use crate::roof::solid::massive::is_gable;
 use crate::roof::solid::massive::parts::Part;
 use crate::roof::solid::sheet::surface;
 use crate::roof::solid::{INFILL_THICKNESS, SUNK};
 use glam::DVec2;
-use std::borrow::Cow;
 
 /// Outlines with less area are left out, square metres.
 pub(super) const SLIVER: f64 = 2e-6;
@@ -22,9 +23,9 @@ const OUT: f64 = 2e-5;
 /// A convex part of a slope.
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
-    pub(super) outline: Vec<Corner>,
+    pub(super) outline: Convex,
     /// The convex part of it over the attic; empty if there is none.
-    pub(super) filled: Vec<Corner>,
+    pub(super) filled: Convex,
     pub(super) top: Plane,
     /// Vertical thickness of the slab, metres.
     pub(super) drop: f64,
@@ -51,7 +52,7 @@ pub(super) fn pieces(roofs: &[&Roof]) -> Vec<Piece> {
                 for (outline, top) in slopes {
                     let piece = Piece {
                         outline,
-                        filled: vec![],
+                        filled: Convex::new(),
                         top,
                         drop,
                         kind: Some(roof.kind),
@@ -76,7 +77,7 @@ pub(super) fn pieces(roofs: &[&Roof]) -> Vec<Piece> {
 impl Piece {
     fn wall(part: Part) -> Piece {
         Piece {
-            filled: part.outline.clone(),
+            filled: Convex::from_slice(&part.outline),
             outline: part.outline,
             top: part.top,
             drop: 0.0,
@@ -96,9 +97,12 @@ impl Piece {
             self.top = self.top.raised(*by);
         }
         self.filled = match HalfPlane::where_higher(self.low(), self.bottom) {
-            Higher::Everywhere => self.outline.clone(),
-            Higher::Nowhere => vec![],
-            Higher::Inside(side) => kept(side.halves(&self.outline)[0].clone()),
+            Higher::Everywhere => Convex::from_slice(&self.outline),
+            Higher::Nowhere => Convex::new(),
+            Higher::Inside(side) => {
+                let [inside, _] = side.halves(&self.outline);
+                kept(inside)
+            }
         };
         let top = self.top;
         let mut own = vec![self];
@@ -129,8 +133,8 @@ impl Piece {
             return parts.push(self);
         }
         let mut off = vec![];
-        let covered = split_off(Cow::Borrowed(&self.outline), verge.iter(), &mut off);
-        let Some(covered) = covered.map(Cow::into_owned).filter(|c| area(c) > HARDLY) else {
+        let covered = split_off(Convex::from_slice(&self.outline), verge.iter(), &mut off);
+        let Some(covered) = covered.filter(|c| area(c) > HARDLY) else {
             return parts.push(self);
         };
         parts.extend(off.into_iter().map(|outline| self.part(outline)));
@@ -141,9 +145,8 @@ impl Piece {
     }
 
     /// Returns the part of it over a part of its outline.
-    pub(super) fn part(&self, outline: Vec<Corner>) -> Piece {
-        let plan: Vec<DVec2> = outline.iter().map(|c| c.at).collect();
-        let filled = inside(&self.filled, &edges(&plan));
+    pub(super) fn part(&self, outline: Convex) -> Piece {
+        let filled = inside(&self.filled, &sides_of(&outline));
         Piece {
             outline,
             filled: kept(filled),
@@ -153,18 +156,17 @@ impl Piece {
 }
 
 /// Returns the part of a convex outline inside some sides.
-pub(super) fn inside(outline: &[Corner], sides: &[HalfPlane]) -> Vec<Corner> {
+pub(super) fn inside(outline: &[Corner], sides: &[HalfPlane]) -> Convex {
     if is_outside(outline, sides.iter()) {
-        return vec![];
+        return Convex::new();
     }
-    let inside = split_off(Cow::Borrowed(outline), sides.iter(), &mut vec![]);
-    inside.map_or(vec![], Cow::into_owned)
+    split_off(Convex::from_slice(outline), sides.iter(), &mut vec![]).unwrap_or_default()
 }
 
 /// Returns an outline, or nothing if it is a sliver.
-fn kept(outline: Vec<Corner>) -> Vec<Corner> {
+fn kept(outline: Convex) -> Convex {
     match area(&outline) > SLIVER {
         true => outline,
-        false => vec![],
+        false => Convex::new(),
     }
 }

@@ -1,32 +1,64 @@
 //! The corners that slabs and fillings share, in plan and above each other, and the faces between them.
 
 use crate::building::Finish;
-use crate::geometry::tolerance::JOINT;
 use crate::roof::frame::Plane;
 use crate::roof::solid::massive::lean::faces::Patches;
+use crate::roof::solid::massive::lean::heights::Heights;
 use crate::roof::solid::massive::lean::pieces::Piece;
 use glam::{DVec2, DVec3, dvec3};
+use smallvec::SmallVec;
+use std::ops::Range;
 
 /// Corners nearer in plan are one, metres.
 pub(super) const WELD: f64 = 2e-5;
 
-/// An outline by the numbers of its corners, each with true if the edge that starts there is a rim.
-type Ring = Vec<(u32, bool)>;
+/// A corner of an outline by its number, with true if the edge that starts there is a rim.
+type Start = (u32, bool);
+
+/// The outlines of all pieces one after another: for each piece its slab and its filling.
+#[derive(Default)]
+struct Rings {
+    starts: Vec<Start>,
+    /// The end of each outline in the list of corners.
+    ends: Vec<u32>,
+}
+
+impl Rings {
+    fn with_capacity(starts: usize, rings: usize) -> Rings {
+        Rings {
+            starts: Vec::with_capacity(starts),
+            ends: Vec::with_capacity(rings),
+        }
+    }
+
+    /// Returns where an outline lies in the list of corners.
+    fn range(&self, ring: usize) -> Range<usize> {
+        let from = ring.checked_sub(1).map_or(0, |before| self.ends[before]);
+        from as usize..self.ends[ring] as usize
+    }
+
+    /// Ends an outline that starts at a place of the list; without corners if it is flat.
+    fn end(&mut self, from: usize) {
+        if is_flat(&self.starts[from..]) {
+            self.starts.truncate(from);
+        }
+        self.ends.push(self.starts.len() as u32);
+    }
+}
 
 /// The outlines of all pieces on shared corners.
 pub(super) struct Plan {
     corners: Vec<DVec2>,
     /// The number of corners in ascending order of x; those that edges crossing at different heights need follow.
     sorted: usize,
-    /// For each piece its slab and its filling.
-    rings: Vec<[Ring; 2]>,
+    rings: Rings,
 }
 
 /// The points over all corners.
 pub(super) struct Raised {
     pub(super) points: Vec<DVec3>,
-    /// For each piece the points over its slab's corners and its filling's: upper and lower.
-    rings: Vec<[Vec<[u32; 2]>; 2]>,
+    /// The points over each corner of each outline: upper and lower.
+    pairs: Vec<[u32; 2]>,
     /// The vertical sides of slabs and fillings, those over one stretch of the plan together.
     sides: Vec<Side>,
 }
@@ -71,25 +103,23 @@ impl Plan {
             };
             number[n as usize] = id as u32;
         }
+        let mut rings = Rings::with_capacity(place.len(), 2 * pieces.len());
         let mut numbers = place.into_iter().map(|place| number[place as usize]);
-        let mut ring = |outline: &[crate::roof::facet::Corner]| {
-            let mut ring: Ring = Vec::with_capacity(outline.len() + 4);
+        let starts = &mut rings.starts;
+        for outline in outlines() {
+            let first = starts.len();
             for (corner, id) in outline.iter().zip(&mut numbers) {
                 // The later of two equal corners starts the edge.
-                if ring.last().is_some_and(|l| l.0 == id) {
-                    ring.pop();
+                if starts[first..].last().is_some_and(|l| l.0 == id) {
+                    starts.pop();
                 }
-                ring.push((id, corner.rim));
+                starts.push((id, corner.rim));
             }
-            if ring.len() > 1 && ring[0].0 == ring[ring.len() - 1].0 {
-                ring.pop();
+            if starts.len() > first + 1 && starts[first].0 == starts[starts.len() - 1].0 {
+                starts.pop();
             }
-            ring
-        };
-        let rings = pieces
-            .iter()
-            .map(|p| [ring(&p.outline), ring(&p.filled)])
-            .collect();
+            rings.ends.push(starts.len() as u32);
+        }
         let sorted = corners.len();
         Plan {
             corners,
@@ -98,79 +128,77 @@ impl Plan {
         }
     }
 
-    /// Inserts corners into the edges that they lie on.
+    /// Inserts corners into the edges that they lie on. Outlines that welding has collapsed to a line vanish.
     pub(super) fn conform(&mut self) {
+        let before = std::mem::take(&mut self.rings);
+        let count = before.starts.len();
+        let mut whole = Rings::with_capacity(count + count / 2, before.ends.len());
         let corners = self.corners.split_at(self.sorted);
-        let mut found: Vec<(f64, u32)> = vec![];
-        for [slab, filling] in &mut self.rings {
+        let mut found: Vec<(f64, u32)> = Vec::with_capacity(8);
+        for n in (0..before.ends.len()).step_by(2) {
+            let [slab, filling] = [n, n + 1].map(|ring| &before.starts[before.range(ring)]);
+            let first = whole.starts.len();
+            insert(slab, corners, &mut found, &mut whole.starts);
+            whole.end(first);
+            let second = whole.starts.len();
             // Most slopes are filled as a whole, or not at all.
-            let same = slab == filling;
-            insert(slab, corners, &mut found);
-            match same {
-                true => filling.clone_from(slab),
-                false => insert(filling, corners, &mut found),
+            match slab == filling {
+                true => whole.starts.extend_from_within(first..second),
+                false if second == first => {}
+                false => insert(filling, corners, &mut found, &mut whole.starts),
             }
+            whole.end(second);
         }
-        for rings in &mut self.rings {
-            // Welding may collapse an outline to a line.
-            rings.iter_mut().filter(|r| is_flat(r)).for_each(Vec::clear);
-            if rings[0].is_empty() {
-                rings[1].clear();
-            }
-        }
+        self.rings = whole;
+    }
+
+    /// Returns each piece with the places of its slab and of its filling in the list of corners.
+    fn placed<'p>(
+        &self,
+        pieces: &'p [Piece],
+    ) -> impl Iterator<Item = (&'p Piece, [Range<usize>; 2])> {
+        let both = |n: usize| [2 * n, 2 * n + 1].map(|ring| self.rings.range(ring));
+        pieces.iter().enumerate().map(move |(n, p)| (p, both(n)))
     }
 
     /// Returns the points over all corners.
     pub(super) fn raised(&self, pieces: &[Piece]) -> Option<Raised> {
-        let count: usize = self.rings.iter().flatten().map(Vec::len).sum();
-        let mut heights: Vec<(u32, f64)> = Vec::with_capacity(2 * count);
-        for ([slab, filling], piece) in self.rings.iter().zip(pieces) {
-            for (ring, filled) in [(slab, false), (filling, true)] {
-                for (id, _) in ring {
-                    let top = piece.top.at(self.corners[*id as usize]);
-                    let low = top - piece.drop;
-                    let both = match filled {
-                        true => [low, piece.bottom.at(self.corners[*id as usize])],
-                        false => [top, low],
-                    };
-                    heights.extend(both.map(|z| (*id, z)));
-                }
+        let starts = &self.rings.starts;
+        let mut heights = Heights::over(self.corners.len(), starts.len());
+        let mut pairs: Vec<[u32; 2]> = Vec::with_capacity(starts.len());
+        for (piece, [slab, filling]) in self.placed(pieces) {
+            for &(id, _) in &starts[slab] {
+                let top = piece.top.at(self.corners[id as usize]);
+                pairs.push([
+                    heights.number(id, top),
+                    heights.number(id, top - piece.drop),
+                ]);
+            }
+            for &(id, _) in &starts[filling] {
+                let at = self.corners[id as usize];
+                let low = heights.number(id, piece.top.at(at) - piece.drop);
+                pairs.push([low, heights.number(id, piece.bottom.at(at))]);
             }
         }
-        let z = |place: &u32| heights[*place as usize].1;
-        let mut order = by_number(&heights, self.corners.len(), |h| h.0);
-        let mut points: Vec<DVec3> = Vec::with_capacity(heights.len() / 2);
-        let mut number = vec![0; heights.len()];
-        for over in order.chunk_by_mut(|p, q| heights[*p as usize].0 == heights[*q as usize].0) {
-            over.sort_by(|p, q| z(p).total_cmp(&z(q)));
-            let corner = self.corners[heights[over[0] as usize].0 as usize];
-            let mut last: Option<f64> = None;
-            for place in over.iter() {
-                let z = z(place);
-                if last.is_none_or(|last| z - last > JOINT) {
-                    points.push(corner.extend(z));
-                    last = Some(z);
-                }
-                number[*place as usize] = points.len() as u32 - 1;
-            }
+        let (points, number) = heights.points(&self.corners);
+        for pair in &mut pairs {
+            *pair = [number[pair[0] as usize], number[pair[1] as usize]];
         }
-        let mut pairs = number.chunks_exact(2).map(|p| [p[0], p[1]]);
-        let mut of = |ring: &Ring| -> Vec<[u32; 2]> { pairs.by_ref().take(ring.len()).collect() };
-        let rings: Vec<_> = self.rings.iter().map(|[s, f]| [of(s), of(f)]).collect();
-        let sides = self.sides(pieces, &rings, count);
+        let sides = self.sides(pieces, &pairs);
         Some(Raised {
             points,
-            rings,
+            pairs,
             sides,
         })
     }
 
-    fn sides(&self, pieces: &[Piece], raised: &[[Vec<[u32; 2]>; 2]], count: usize) -> Vec<Side> {
-        let mut sides: Vec<Side> = Vec::with_capacity(count);
-        for ((rings, points), piece) in self.rings.iter().zip(raised).zip(pieces) {
-            for ((ring, points), filled) in rings.iter().zip(points).zip([false, true]) {
+    fn sides(&self, pieces: &[Piece], pairs: &[[u32; 2]]) -> Vec<Side> {
+        let mut sides: Vec<Side> = Vec::with_capacity(pairs.len());
+        for (piece, both) in self.placed(pieces) {
+            for (range, filled) in both.into_iter().zip([false, true]) {
+                let (ring, points) = (&self.rings.starts[range.clone()], &pairs[range]);
                 for (i, &(p, rim)) in ring.iter().enumerate() {
-                    let j = (i + 1) % ring.len();
+                    let j = if i + 1 == ring.len() { 0 } else { i + 1 };
                     let q = ring[j].0;
                     let (left, right) = (points[i], points[j]);
                     let (a, b) = if p < q { (left, right) } else { (right, left) };
@@ -199,6 +227,7 @@ impl Plan {
     /// Adds corners where edges over one stretch cross; returns whether there were any.
     pub(super) fn split(&mut self, raised: &Raised) -> bool {
         let before = self.corners.len();
+        let mut edges: Vec<[u32; 2]> = Vec::with_capacity(16);
         for same in raised.sides.chunk_by(|s, t| s.over == t.over) {
             let [first, rest @ ..] = same else { continue };
             if rest
@@ -207,10 +236,12 @@ impl Plan {
             {
                 continue;
             }
-            let [p, q] = [first.over.0, first.over.1].map(|c| self.corners[c as usize]);
-            let edges = || same.iter().flat_map(|s| [s.top, s.bottom]);
-            for (n, e) in edges().enumerate() {
-                for f in edges().skip(n + 1) {
+            let p = self.corners[first.over.0 as usize];
+            let q = self.corners[first.over.1 as usize];
+            edges.clear();
+            edges.extend(same.iter().flat_map(|s| [s.top, s.bottom]));
+            for (n, e) in edges.iter().enumerate() {
+                for f in &edges[n + 1..] {
                     if (e[0] < f[0]) == (e[1] < f[1]) || e[0] == f[0] || e[1] == f[1] {
                         continue;
                     }
@@ -231,21 +262,25 @@ impl Plan {
     /// Returns the faces of all slabs and fillings that bound the volume they have together; none if that cannot be
     /// told.
     pub(super) fn patches(&self, pieces: &[Piece], raised: &Raised) -> Option<Patches> {
-        let mut patches = Patches::default();
-        for ([slab, filling], piece) in raised.rings.iter().zip(pieces) {
-            if slab.is_empty() {
-                continue;
-            }
+        let mut patches = Patches::with_capacity(3 * raised.pairs.len());
+        for (piece, [slab, filling]) in self.placed(pieces) {
+            let (slab, filling) = (&raised.pairs[slab], &raised.pairs[filling]);
+            let Some(corner) = slab.first() else { continue };
             let up = upward(piece.top);
-            let at = |ring: &[[u32; 2]], k: usize| raised.points[ring[0][k] as usize];
+            let at = |k: usize| raised.points[corner[k] as usize];
             let covering = piece.kind.map_or(Finish::Gable, Finish::Covering);
-            patches.face(slab.iter().map(|p| p[0]), up, at(slab, 0), covering);
-            let soffit = patches.group(-up, at(slab, 1), Finish::Soffit);
-            patches.add(slab.iter().rev().map(|p| p[1]), soffit);
-            if !filling.is_empty() {
+            patches.face(slab.iter().map(|p| p[0]), up, at(0), covering);
+            let soffit = patches.group(-up, at(1), Finish::Soffit);
+            // A slab that is filled as a whole has no soffit.
+            let whole = slab.iter().map(|p| p[1]).eq(filling.iter().map(|p| p[0]));
+            if !whole {
+                patches.add(slab.iter().rev().map(|p| p[1]), soffit);
                 patches.add(filling.iter().map(|p| p[0]), soffit);
-                let floor = filling.iter().rev().map(|p| p[1]).collect();
-                patches.floor(floor, -upward(piece.bottom), at(filling, 1));
+            }
+            if let Some(corner) = filling.first() {
+                let at = raised.points[corner[1] as usize];
+                let floor = filling.iter().rev().map(|p| p[1]);
+                patches.floor(floor, -upward(piece.bottom), at);
             }
         }
         for same in raised.sides.chunk_by(|s, t| s.over == t.over) {
@@ -256,26 +291,32 @@ impl Plan {
 
     /// Adds the vertical faces over a stretch: the heights filled on one side only.
     fn upright(&self, same: &[Side], raised: &Raised, patches: &mut Patches) -> Option<()> {
-        if let [a, b] = same
-            && a.sign + b.sign == 0
-            && a.top == b.top
-            && a.bottom == b.bottom
-        {
+        if cancel(same) {
             return Some(());
         }
-        let mut edges: Vec<[u32; 2]> = same.iter().flat_map(|s| [s.top, s.bottom]).collect();
+        // Both points of an edge in one number, by which they are sorted.
+        let mut edges: SmallVec<[u64; 16]> = SmallVec::new();
+        let both = |[a, b]: [u32; 2]| u64::from(a) << 32 | u64::from(b);
+        for side in same {
+            edges.push(both(side.top));
+            edges.push(both(side.bottom));
+        }
         edges.sort_unstable();
         edges.dedup();
         let over = same[0].over;
-        let [p, q] = [over.0, over.1].map(|c| self.corners[c as usize]);
+        let (p, q) = (self.corners[over.0 as usize], self.corners[over.1 as usize]);
         let right = (q - p).normalize_or_zero().perp() * -1.0;
+        let mut ring: SmallVec<[u32; 16]> = SmallVec::new();
         for pair in edges.windows(2) {
-            let (low, high) = (pair[0], pair[1]);
+            let [low, high] = [
+                [(pair[0] >> 32) as u32, pair[0] as u32],
+                [(pair[1] >> 32) as u32, pair[1] as u32],
+            ];
             if low[1] > high[1] {
                 return None;
             }
             let here = |s: &&Side| s.covers(low, high);
-            let net: i32 = same.iter().filter(here).map(|s| s.sign).sum();
+            let net = same.iter().filter(here).fold(0_i32, |sum, s| sum + s.sign);
             let Some(own) = same.iter().filter(here).rfind(|s| s.sign * net > 0) else {
                 continue;
             };
@@ -283,13 +324,10 @@ impl Plan {
                 return None;
             }
             // Along the foot, up, back, down, through every point over both ends.
-            let (up, down) = (low[1]..high[1], (low[0]..high[0]).rev());
-            let ring = [low[0]].into_iter().chain(up).chain([high[1]]);
-            let ring = ring.chain([high[0]]).chain(down);
-            let outward = (right * f64::from(net)).extend(0.0);
-            let at = raised.points[low[0] as usize];
-            let group = patches.group(outward, at, own.finish);
-            let mut ring: Vec<u32> = ring.collect();
+            ring.clear();
+            ring.push(low[0]);
+            (low[1]..=high[1]).for_each(|p| ring.push(p));
+            (low[0]..=high[0]).rev().for_each(|p| ring.push(p));
             ring.dedup();
             if ring.last() == ring.first() {
                 ring.pop();
@@ -297,12 +335,26 @@ impl Plan {
             if net < 0 {
                 ring.reverse();
             }
+            let outward = (right * f64::from(net)).extend(0.0);
+            let at = raised.points[low[0] as usize];
+            let group = patches.group(outward, at, own.finish);
             if ring.len() > 2 {
-                patches.add(ring.into_iter(), group);
+                patches.add(ring.iter().copied(), group);
             }
         }
         Some(())
     }
+}
+
+/// Returns true if the sides over a stretch cancel each other: inside a roof slabs lie beside slabs, and fillings beside
+/// fillings.
+fn cancel(same: &[Side]) -> bool {
+    let net = |s: &Side| {
+        let alike = same.iter();
+        let alike = alike.filter(|t| t.top == s.top && t.bottom == s.bottom);
+        alike.fold(0_i32, |sum, t| sum + t.sign)
+    };
+    same.len() < 8 && same.iter().all(|s| net(s) == 0)
 }
 
 /// Returns for each corner the number of its place, and the places in the order of their first corners. Slabs, fillings
@@ -333,19 +385,22 @@ fn distinct(corners: impl Iterator<Item = DVec2> + Clone) -> (Vec<u32>, Vec<DVec
     (numbers, places)
 }
 
-/// Inserts corners into the edges of an outline that they lie on. The corners are those in ascending order of x, then
+/// Adds an outline with the corners that its edges pass through. The corners are those in ascending order of x, then
 /// others; `found` is room to work in.
-fn insert(ring: &mut Ring, (known, more): (&[DVec2], &[DVec2]), found: &mut Vec<(f64, u32)>) {
+fn insert(
+    ring: &[Start],
+    (known, more): (&[DVec2], &[DVec2]),
+    found: &mut Vec<(f64, u32)>,
+    into: &mut Vec<Start>,
+) {
     let at = |c: u32| match known.get(c as usize) {
         Some(at) => *at,
         None => more[c as usize - known.len()],
     };
-    let mut n = 0;
-    while n < ring.len() {
-        let (from, rim) = ring[n];
-        let to = ring[(n + 1) % ring.len()].0;
-        n += 1;
-        let [p, q] = [from, to].map(at);
+    for (n, &(from, rim)) in ring.iter().enumerate() {
+        let to = ring.get(n + 1).unwrap_or(&ring[0]).0;
+        into.push((from, rim));
+        let (p, q) = (at(from), at(to));
         let (lo, hi) = (p.min(q) - WELD, p.max(q) + WELD);
         let way = q - p;
         let most = WELD * WELD * way.length_squared();
@@ -353,19 +408,18 @@ fn insert(ring: &mut Ring, (known, more): (&[DVec2], &[DVec2]), found: &mut Vec<
         let near = known[start..].iter().take_while(|c| c.x <= hi.x);
         let more = more.iter().zip(known.len() as u32..);
         for (c, id) in near.zip(start as u32..).chain(more) {
+            if c.y < lo.y || c.y > hi.y || c.x < lo.x || c.x > hi.x || id == from || id == to {
+                continue;
+            }
             let (at, off) = (way.dot(c - p), way.perp_dot(c - p));
-            if off * off < most && c.cmpge(lo).all() && c.cmple(hi).all() && id != from && id != to
-            {
+            if off * off < most {
                 found.push((at, id));
             }
         }
-        if found.is_empty() {
-            continue;
+        if found.len() > 1 {
+            found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         }
-        found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let count = found.len();
-        ring.splice(n..n, found.drain(..).map(|(_, id)| (id, rim)));
-        n += count;
+        into.extend(found.drain(..).map(|(_, id)| (id, rim)));
     }
 }
 
@@ -392,7 +446,7 @@ fn upward(plane: Plane) -> DVec3 {
 }
 
 /// Returns true if an outline has fewer than three corners, or one of them twice.
-fn is_flat(ring: &Ring) -> bool {
+fn is_flat(ring: &[Start]) -> bool {
     let twice = |n: usize| ring[..n].iter().any(|c| c.0 == ring[n].0);
     ring.len() < 3 || (1..ring.len()).any(twice)
 }

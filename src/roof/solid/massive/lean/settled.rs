@@ -1,17 +1,18 @@
 //! Pieces that share no space: where two do, the higher one takes it all, down to the lower end of both.
 
 use crate::geometry::tolerance::HEIGHT;
-use crate::roof::facet::{Corner, HalfPlane, Higher, area, edges, is_outside, split_off};
+use crate::roof::facet::{
+    Convex, Corner, HalfPlane, Higher, Sides, area, is_outside, sides_of, split_off,
+};
 use crate::roof::frame::Plane;
 use crate::roof::solid::massive::lean::pieces::{HARDLY, Piece, SLIVER, inside};
 use glam::DVec2;
-use std::borrow::Cow;
 
 /// A piece with its bounds and its sides in plan.
 struct Placed {
     piece: Piece,
     around: [DVec2; 2],
-    sides: Vec<HalfPlane>,
+    sides: Sides,
 }
 
 /// Returns pieces that share no space and fill the same volume together; none if that takes too long.
@@ -44,7 +45,7 @@ impl Placed {
         let around = corners.fold([DVec2::MAX, DVec2::MIN], |[lo, hi], p| {
             [lo.min(p), hi.max(p)]
         });
-        let sides = sides(&piece.outline);
+        let sides = sides_of(&piece.outline);
         Placed {
             piece,
             around,
@@ -64,8 +65,8 @@ impl Placed {
         let common = inside(&self.piece.outline, &other.sides);
         let (one, two) = (&self.piece, &other.piece);
         let halves = match HalfPlane::where_higher(two.top, one.top) {
-            Higher::Everywhere => [vec![], common],
-            Higher::Nowhere => [common, vec![]],
+            Higher::Everywhere => [Convex::new(), common],
+            Higher::Nowhere => [common, Convex::new()],
             Higher::Inside(side) => {
                 let [under, over] = side.halves(&common);
                 [over, under]
@@ -96,7 +97,7 @@ fn over(high: &Piece, low: &Piece, common: &[Corner]) -> Option<Vec<Piece>> {
     let mut open = vec![];
     let filled = match low.filled.is_empty() {
         true => None,
-        false => split(&shared, &sides(&low.filled), &mut open),
+        false => split(&shared, &sides_of(&low.filled), &mut open),
     };
     if filled.is_none() {
         open = vec![shared];
@@ -104,14 +105,14 @@ fn over(high: &Piece, low: &Piece, common: &[Corner]) -> Option<Vec<Piece>> {
     let open = open.into_iter().map(|o| (o, low.low()));
     for (part, own) in filled.map(|f| (f, low.bottom)).into_iter().chain(open) {
         let [under, above] = match HalfPlane::where_higher(bottom, own) {
-            Higher::Everywhere => [part, vec![]],
-            Higher::Nowhere => [vec![], part],
+            Higher::Everywhere => [part, Convex::new()],
+            Higher::Nowhere => [Convex::new(), part],
             Higher::Inside(side) => side.halves(&part),
         };
         for (outline, bottom) in [(under, own), (above, bottom)] {
             if area(&outline) > SLIVER {
                 parts.push(Piece {
-                    filled: outline.clone(),
+                    filled: Convex::from_slice(&outline),
                     outline,
                     bottom,
                     ..*high
@@ -123,8 +124,8 @@ fn over(high: &Piece, low: &Piece, common: &[Corner]) -> Option<Vec<Piece>> {
 }
 
 /// Returns a part of a common outline over which two pieces share space, and the lower end of the higher one there.
-fn shared(high: &Piece, low: &Piece, common: &[Corner]) -> Option<(Vec<Corner>, Plane)> {
-    let met = |outline: Vec<Corner>, bottom: Plane| {
+fn shared(high: &Piece, low: &Piece, common: &[Corner]) -> Option<(Convex, Plane)> {
+    let met = |outline: Convex, bottom: Plane| {
         let met = match HalfPlane::where_higher(low.top, bottom) {
             Higher::Everywhere => outline,
             Higher::Nowhere => return None,
@@ -139,10 +140,10 @@ fn shared(high: &Piece, low: &Piece, common: &[Corner]) -> Option<(Vec<Corner>, 
     let mut open = vec![];
     let wall = match high.filled.is_empty() {
         true => None,
-        false => split(common, &sides(&high.filled), &mut open),
+        false => split(common, &sides_of(&high.filled), &mut open),
     };
     let Some(wall) = wall else {
-        return met(common.to_vec(), high.low());
+        return met(Convex::from_slice(common), high.low());
     };
     let free = || open.into_iter().find_map(|o| met(o, high.low()));
     met(wall, high.bottom).or_else(free)
@@ -151,21 +152,17 @@ fn shared(high: &Piece, low: &Piece, common: &[Corner]) -> Option<(Vec<Corner>, 
 /// Returns a piece without a convex part of its outline.
 fn without(piece: &Piece, part: &[Corner]) -> Vec<Piece> {
     let mut off = vec![];
-    split(&piece.outline, &sides(part), &mut off);
+    split(&piece.outline, &sides_of(part), &mut off);
     off.into_iter().map(|o| piece.part(o)).collect()
 }
 
 /// Returns the part of a convex outline inside some sides; the rest goes to `off`, nothing if that part is a sliver.
-fn split(
-    outline: &[Corner],
-    sides: &[HalfPlane],
-    off: &mut Vec<Vec<Corner>>,
-) -> Option<Vec<Corner>> {
+fn split(outline: &[Corner], sides: &[HalfPlane], off: &mut Vec<Convex>) -> Option<Convex> {
     if is_outside(outline, sides.iter()) {
         return None;
     }
-    let inside = split_off(Cow::Borrowed(outline), sides.iter(), off);
-    let inside = inside.map(Cow::into_owned).filter(|i| area(i) > HARDLY);
+    let inside = split_off(Convex::from_slice(outline), sides.iter(), off);
+    let inside = inside.filter(|i| area(i) > HARDLY);
     if inside.is_none() {
         off.clear();
     }
@@ -176,10 +173,4 @@ fn split(
 fn is_beneath(plane: Plane, other: Plane, outline: &[Corner]) -> bool {
     let off = |c: &Corner| plane.at(c.at) - other.at(c.at);
     outline.iter().all(|c| off(c) < HEIGHT)
-}
-
-/// Returns the sides of a convex outline.
-fn sides(outline: &[Corner]) -> Vec<HalfPlane> {
-    let plan: Vec<DVec2> = outline.iter().map(|c| c.at).collect();
-    edges(&plan)
 }
