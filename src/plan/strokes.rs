@@ -1,7 +1,7 @@
 //! What the strokes on each unit of the grid stand for: the ink round it beside the symbols of a legend.
 
 use super::grid::{Grid, dark_at};
-use super::legend::{Legend, Role};
+use super::legend::{Legend, Role, Symbol};
 use super::sheet::Ink;
 use alike::Walls;
 use glam::DVec2;
@@ -26,6 +26,9 @@ mod stamp;
 const SAMPLES: usize = 8;
 /// Nibs that are tried, by the first guess.
 const NIBS: [f64; 4] = [0.8, 1.0, 1.2, 1.5];
+
+/// How far beside their place strokes may lie that belong to a symbol, units.
+const BESIDE: f64 = 0.03;
 
 /// What a unit was read as.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -206,15 +209,24 @@ impl Lines {
         all.get(all.len() / 4).copied().unwrap_or(0.0)
     }
 
-    fn strips(&self, is_by_hand: bool) -> [Vec<Strip>; 2] {
+    fn strips(&self, legend: &Legend) -> [Vec<Strip>; 2] {
+        let reach = legend.is_by_hand.then(|| reach(legend));
         self.sides.each_ref().map(|side| {
             let strip = |raw: &RawStrip| Strip {
-                patches: raw.units.iter().map(|r| Patch::of(r, is_by_hand)).collect(),
+                patches: raw.units.iter().map(|r| Patch::of(r, reach)).collect(),
                 posts: raw.posts.clone(),
             };
             side.iter().map(strip).collect()
         })
     }
+}
+
+/// How far from the lines of the grid the strokes of panes and leaves lie: with one of them left out, the middle of the others would
+/// be beside the line.
+fn reach(legend: &Legend) -> f64 {
+    let is_lines = |s: &&Symbol| matches!(s.role, Role::Window | Role::Slide);
+    let spreads = legend.symbols.iter().filter(is_lines).map(|s| s.spread[1]);
+    spreads.fold(0.0, f64::max) + BESIDE
 }
 
 /// The nib under which the symbols of a legend agree best with the fullest lines of a sheet.
@@ -260,7 +272,7 @@ pub struct Look {
 impl Look {
     /// Looks at the units of a grid by a legend; `nib` is about what it is drawn with.
     pub fn of(lines: &Lines, legend: &Legend, nib: Nib) -> Look {
-        let strips = lines.strips(legend.is_by_hand);
+        let strips = lines.strips(legend);
         let nib = fitting(&strips, legend, nib);
         let stamps = stamp::stamps(legend, nib);
         let rows = strips[0].len();

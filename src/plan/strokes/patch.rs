@@ -124,12 +124,12 @@ impl Raw {
 }
 
 impl Patch {
-    /// `is_by_hand` tells of strokes that sway about the lines of the grid.
-    pub(super) fn of(raw: &Raw, is_by_hand: bool) -> Patch {
+    /// `reach` is how far from the lines of the grid strokes lie that are drawn by hand and sway about them.
+    pub(super) fn of(raw: &Raw, reach: Option<f64>) -> Patch {
         let (mut black, mut red) = (raw.black.clone(), raw.red.clone());
         let (arc, leaf) = (raw.arc, raw.leaf);
-        if is_by_hand {
-            straighten(&mut black, &mut red);
+        if let Some(reach) = reach {
+            straighten(&mut black, &mut red, reach);
         }
         let skip = skip();
         let middle = |ink: &[f32]| {
@@ -240,13 +240,14 @@ pub(super) fn across(j: usize) -> f64 {
     ((j as f64 + 0.5) / ACROSS as f64 * 2.0 - 1.0) * REACH
 }
 
-/// Moves the columns of a patch so that the middle of its strokes lies on the line of the grid.
-fn straighten(black: &mut [f32], red: &mut [f32]) {
-    let reach = |j: usize| across(j).abs() < SWAY + 0.06;
+/// Moves the columns of a patch so that the middle of its strokes lies on the line of the grid; strokes farther than `reach` from
+/// it are others.
+fn straighten(black: &mut [f32], red: &mut [f32], reach: f64) {
+    let is_near = |j: usize| across(j).abs() < reach;
     // For each column its ink, and its ink by place.
     let sums: Vec<[f64; 2]> = (0..ALONG)
         .map(|i| {
-            let near = (0..ACROSS).filter(|j| reach(*j)).map(|j| {
+            let near = (0..ACROSS).filter(|j| is_near(*j)).map(|j| {
                 (
                     j as f64,
                     f64::from(black[j * ALONG + i] + red[j * ALONG + i]),

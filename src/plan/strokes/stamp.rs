@@ -10,7 +10,7 @@ const SPREADS: usize = 7;
 /// How many pens strokes lie apart at least, from middle to middle.
 const APART: f64 = 1.6;
 /// What it costs, at most, that the strokes of a symbol are so near each other that they cannot be told apart.
-const VAGUE: f64 = 0.2;
+const VAGUE: f64 = 0.3;
 /// How many times as far apart as they are wide blurred strokes are still told apart.
 const BLURRED_APART: f64 = 1.2;
 /// How wide a bell curve is at half its height, in spreads.
