@@ -70,6 +70,8 @@ struct Lines<'a> {
     /// The share of corners of walls on which posts are drawn.
     posted: f64,
     joined: BTreeMap<UnitSide, Gap>,
+    /// Sides of the house that lie elsewhere if an outline is right that is hardly worse.
+    unsure: BTreeSet<UnitSide>,
 }
 
 impl Lines<'_> {
@@ -134,6 +136,7 @@ impl Lines<'_> {
                 units: self.units,
                 posted: self.posted,
                 joined: BTreeMap::new(),
+                unsure: BTreeSet::new(),
             };
             let open: Vec<BTreeSet<(i32, i32)>> = rooms(&cells, &drawn)
                 .into_iter()
@@ -228,6 +231,7 @@ impl Shape {
             units,
             posted: posted(units),
             joined: BTreeMap::new(),
+            unsure: BTreeSet::new(),
         };
         lines.joined = gaps(&lines);
         if !is_drawn {
@@ -239,7 +243,9 @@ impl Shape {
         let cells = if is_drawn {
             lines.closed()
         } else {
-            settle::settled(&lines)
+            let (cells, unsure) = settle::settled(&lines);
+            lines.unsure = unsure;
+            cells
         };
         let cells = largest(cells);
         lines.keep_outer(&cells, !is_drawn);
@@ -269,13 +275,16 @@ impl Shape {
                     (false, (u, v - 1), (u + 1, v)),
                 ] {
                     let (a, b) = (is((u, v)), is(other));
-                    let wall = Wall {
+                    let mut wall = Wall {
                         from: (u, v),
                         to,
                         read: lines.read((u, v), upright),
                         is_joined: lines.joined.contains_key(&((u, v), upright)),
                     };
                     if a != b {
+                        if lines.unsure.contains(&((u, v), upright)) {
+                            wall.read.lead = 0.0;
+                        }
                         outer.push(wall);
                     } else if a && lines.parts((u, v), upright) {
                         inner.push(wall);

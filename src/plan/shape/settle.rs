@@ -34,6 +34,8 @@ const APART: f64 = 0.1;
 /// ink of doors and windows from which on it may be a wall.
 const UNREAD: f64 = 0.4;
 const MUCH: f64 = 0.6;
+/// How much worse another outline has to be so that there is no doubt of the one that is best: two corners and a way.
+const HARDLY: f64 = 0.45;
 /// The lead over another reading from which on there is no doubt of a wall.
 const CLEAR: f64 = 0.2;
 
@@ -67,33 +69,47 @@ impl Border {
 }
 
 /// The cells of the house: of those that walls and gaps enclose, the regions with which the outline is best.
-pub(super) fn settled(lines: &Lines<'_>) -> BTreeSet<(i32, i32)> {
+///
+/// The sides of the house that would lie elsewhere in an outline that is hardly worse are returned with them.
+pub(super) fn settled(lines: &Lines<'_>) -> (BTreeSet<(i32, i32)>, BTreeSet<Side>) {
     let (regions, number) = regions(lines);
     // The first is what lies round the drawing.
     let mut is_in: Vec<bool> = (0..regions.len()).map(|k| k > 0).collect();
     let groups = groups(lines, &number, regions.len());
+    // By how much the outline gets worse if a group changes sides, where it may.
+    let worse = |is_in: &[bool], group: &[usize]| {
+        let is_mixed = group.iter().any(|k| is_in[*k] != is_in[group[0]]);
+        let is_met = || {
+            let mut all = group.iter();
+            all.any(|k| touches(&regions[*k], is_in, !is_in[*k]))
+        };
+        (!is_mixed && is_met()).then(|| {
+            change(&regions, is_in, group)
+                + CORNER * f64::from(corners(&regions, &number, is_in, group))
+        })
+    };
     loop {
         let mut best = (-1e-9, None);
         for group in &groups {
-            let is_mixed = group.iter().any(|k| is_in[*k] != is_in[group[0]]);
-            if is_mixed
-                || !group
-                    .iter()
-                    .any(|k| touches(&regions[*k], &is_in, !is_in[*k]))
-            {
-                continue;
-            }
-            let change = change(&regions, &is_in, group)
-                + CORNER * f64::from(corners(&regions, &number, &is_in, group));
-            if change < best.0 {
+            if let Some(change) = worse(&is_in, group).filter(|change| *change < best.0) {
                 best = (change, Some(group));
             }
         }
         let Some(group) = best.1 else { break };
         group.iter().for_each(|k| is_in[*k] = !is_in[*k]);
     }
+    let mut unsure = BTreeSet::new();
+    let hardly = |group: &&Vec<usize>| worse(&is_in, group).is_some_and(|change| change < HARDLY);
+    for group in groups.iter().filter(hardly) {
+        let cells = group.iter().flat_map(|k| &regions[*k].cells);
+        let sides = cells.flat_map(|cell| Lines::sides(*cell));
+        let is_beyond = |cell| is_in[number.get(&cell).copied().unwrap_or(0)] != is_in[group[0]];
+        let outer = sides.filter(|side| is_beyond(side.2));
+        unsure.extend(outer.map(|(at, upright, _)| (at, upright)));
+    }
     let kept = regions.into_iter().zip(is_in).filter(|r| r.1);
-    kept.flat_map(|(region, _)| region.cells).collect()
+    let cells = kept.flat_map(|(region, _)| region.cells).collect();
+    (cells, unsure)
 }
 
 /// The sets of regions that are tried together: each region alone, and regions that are separated by wide gaps only, as several
