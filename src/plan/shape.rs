@@ -10,8 +10,16 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// The widest gap without strokes that may be a way between two walls of one line, units: two ken.
 const GAP: i32 = 4;
+/// The same where posts are seen at both of its ends: three ken.
+const BETWEEN_POSTS: i32 = 6;
+/// How clearly a post has to be seen to be one.
+const CLEAR_POST: f64 = 0.5;
 /// The widest gap within a house that is a way and no corner of a room, units.
 const DOOR: i32 = 2;
+
+/// The share of corners with posts from which on a drawing shows all of its posts, and how clear the least of these is.
+const POSTED: f64 = 0.8;
+const BARE: f64 = 0.2;
 
 /// A unit of a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,10 +67,19 @@ struct Gap {
 #[derive(Clone)]
 struct Lines<'a> {
     units: &'a Units,
+    /// The share of corners of walls on which posts are drawn.
+    posted: f64,
     joined: BTreeMap<UnitSide, Gap>,
+    /// Sides of the house that lie elsewhere if an outline is right that is hardly worse.
+    unsure: BTreeSet<UnitSide>,
 }
 
 impl Lines<'_> {
+    /// Whether a post may stand at a crossing: one is seen, or the drawing shows none.
+    fn may_have_post(&self, at: (i32, i32)) -> bool {
+        self.posted < POSTED || self.units.post(at) > BARE
+    }
+
     fn read(&self, at: (i32, i32), upright: bool) -> Read {
         if upright {
             self.units.upright(at.0, at.1)
@@ -117,7 +134,9 @@ impl Lines<'_> {
             // Ways between rooms part nothing where all strokes are known.
             let drawn = Lines {
                 units: self.units,
+                posted: self.posted,
                 joined: BTreeMap::new(),
+                unsure: BTreeSet::new(),
             };
             let open: Vec<BTreeSet<(i32, i32)>> = rooms(&cells, &drawn)
                 .into_iter()
@@ -210,7 +229,9 @@ impl Shape {
     fn found(units: &Units, is_drawn: bool) -> Shape {
         let mut lines = Lines {
             units,
+            posted: posted(units),
             joined: BTreeMap::new(),
+            unsure: BTreeSet::new(),
         };
         lines.joined = gaps(&lines);
         if !is_drawn {
@@ -222,7 +243,9 @@ impl Shape {
         let cells = if is_drawn {
             lines.closed()
         } else {
-            settle::settled(&lines)
+            let (cells, unsure) = settle::settled(&lines);
+            lines.unsure = unsure;
+            cells
         };
         let cells = largest(cells);
         lines.keep_outer(&cells, !is_drawn);
@@ -252,13 +275,16 @@ impl Shape {
                     (false, (u, v - 1), (u + 1, v)),
                 ] {
                     let (a, b) = (is((u, v)), is(other));
-                    let wall = Wall {
+                    let mut wall = Wall {
                         from: (u, v),
                         to,
                         read: lines.read((u, v), upright),
                         is_joined: lines.joined.contains_key(&((u, v), upright)),
                     };
                     if a != b {
+                        if lines.unsure.contains(&((u, v), upright)) {
+                            wall.read.lead = 0.0;
+                        }
                         outer.push(wall);
                     } else if a && lines.parts((u, v), upright) {
                         inner.push(wall);
@@ -269,6 +295,18 @@ impl Shape {
         self.outer = outer;
         self.inner = inner;
     }
+}
+
+/// The share of corners of walls on which posts are drawn.
+fn posted(units: &Units) -> f64 {
+    let ((u0, u1), (v0, v1)) = (units.across, units.down);
+    let level = |u: i32, v: i32| units.level(u, v).role.parts();
+    let upright = |u: i32, v: i32| units.upright(u, v).role.parts();
+    let turns =
+        |&(u, v): &(i32, i32)| level(u, v) != level(u - 1, v) && upright(u, v) != upright(u, v - 1);
+    let all = (v0..=v1).flat_map(|v| (u0..=u1).map(move |u| (u, v)));
+    let posts: Vec<f64> = all.filter(turns).map(|at| units.post(at)).collect();
+    posts.iter().sum::<f64>() / posts.len().max(1) as f64
 }
 
 /// Units without strokes between walls of one line, or between such a wall and a corner.
@@ -303,7 +341,11 @@ fn gaps(lines: &Lines<'_>) -> BTreeMap<UnitSide, Gap> {
                 while end < lengthwise.1 && !stands(end) && !crosses(end) {
                     end += 1;
                 }
-                if end - k <= GAP && (stands(end) || crosses(end)) {
+                let is_held = stands(end) || crosses(end);
+                let between_posts =
+                    lines.units.post(at(k)).min(lines.units.post(at(end))) > CLEAR_POST;
+                let most = if between_posts { BETWEEN_POSTS } else { GAP };
+                if end - k <= most && is_held {
                     let is_door = stands(k - 1) && stands(end) && end - k <= DOOR;
                     let gap = Gap {
                         is_door,
@@ -325,7 +367,9 @@ type UnitSide = ((i32, i32), bool);
 fn corners(lines: &Lines<'_>) -> Vec<(UnitSide, Gap)> {
     let ((u0, u1), (v0, v1)) = (lines.units.across, lines.units.down);
     let mut out = Vec::new();
-    for corner in (v0..=v1).flat_map(|v| (u0..=u1).map(move |u| (u, v))) {
+    let all = (v0..=v1).flat_map(|v| (u0..=u1).map(move |u| (u, v)));
+    // The corner of a house stands on a post.
+    for corner in all.filter(|at| lines.may_have_post(*at)) {
         // The units from the corner to where a wall begins that goes on from there.
         let arm = |upright: bool, step: i32| {
             let unit = |k: i32| {

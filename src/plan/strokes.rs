@@ -71,6 +71,8 @@ pub struct Units {
     pub likeness: f64,
     /// Cells with ink in their middle: writing, mats, what is built in.
     inked: BTreeSet<(i32, i32)>,
+    /// How clearly posts stand at the crossings, 0 to 1, line by line from above.
+    posts: Vec<Vec<f64>>,
 }
 
 impl Units {
@@ -89,6 +91,7 @@ impl Units {
             upright,
             likeness: 1.0,
             inked,
+            posts: Vec::new(),
         }
     }
 
@@ -128,6 +131,14 @@ impl Units {
     /// Whether there is ink in the middle of the cell below and to the right of a crossing.
     pub fn is_inked(&self, cell: (i32, i32)) -> bool {
         self.inked.contains(&cell)
+    }
+
+    /// How clearly a post stands at a crossing, 0 to 1.
+    pub fn post(&self, (u, v): (i32, i32)) -> f64 {
+        let line = usize::try_from(v - self.down.0).ok();
+        let line = line.and_then(|line| self.posts.get(line));
+        let post = line.and_then(|l| l.get(usize::try_from(u - self.across.0).ok()?));
+        post.copied().unwrap_or(0.0)
     }
 
     /// The unit that begins at a crossing and runs to the right.
@@ -357,6 +368,7 @@ impl Look {
             upright,
             likeness: self.likeness,
             inked: BTreeSet::new(),
+            posts,
         }
     }
 }

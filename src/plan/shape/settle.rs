@@ -3,13 +3,21 @@
 
 use super::super::legend::Role;
 use super::super::strokes::Read;
-use super::{Lines, flood};
+use super::{CLEAR_POST, Lines, flood};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The cost of a unit of the outline where nothing is drawn.
+/// The cost of a unit of the outline that does not close it at all, though something is read there.
 const UNDRAWN: f64 = 0.25;
+/// The cost of a way in the outline where nothing is drawn: once, since a long one is one symbol too; for each of its units; and for
+/// each of its ends where no wall goes on in its line. How far its ends are looked for, units.
+const ONCE: f64 = 0.2;
+const PER_UNIT: f64 = 0.15;
+const TURNS: f64 = 0.1;
+const FARTHEST: i32 = 12;
 /// The cost of a unit of wall that stands outside of the outline.
 const STRAY: f64 = 0.9;
+/// The cost of a unit of window or lattice between rooms: they look outside.
+const WITHIN: f64 = 0.1;
 /// The cost of a cell outside of the outline that has ink in it: mats, writing.
 const LEFT_OUT: f64 = 0.2;
 /// The cost of a corner of the outline.
@@ -26,47 +34,82 @@ const APART: f64 = 0.1;
 /// ink of doors and windows from which on it may be a wall.
 const UNREAD: f64 = 0.4;
 const MUCH: f64 = 0.6;
+/// How much worse another outline has to be so that there is no doubt of the one that is best: two corners and a way.
+const HARDLY: f64 = 0.45;
 /// The lead over another reading from which on there is no doubt of a wall.
 const CLEAR: f64 = 0.2;
 
 /// Cells that no wall and no gap part.
 struct Region {
     cells: BTreeSet<(i32, i32)>,
-    /// For each of its sides the region beyond it, the cost of the side where nothing is drawn, and the cost of its wall. A wall
-    /// inside the region has two sides there, each at half the cost.
-    sides: Vec<(usize, f64, f64)>,
+    /// Its sides. A wall inside the region has two sides there, each at half the cost.
+    sides: Vec<Border>,
     /// How many of its cells have ink in them.
     inked: f64,
 }
 
+/// A side of a region: what lies beyond it, and what it costs as a part of the outline, outside of it and within it.
+struct Border {
+    beyond: usize,
+    undrawn: f64,
+    stray: f64,
+    within: f64,
+}
+
+impl Border {
+    /// The same before a region, at a share of the cost.
+    fn to(self, beyond: usize, share: f64) -> Border {
+        Border {
+            beyond,
+            undrawn: self.undrawn * share,
+            stray: self.stray * share,
+            within: self.within * share,
+        }
+    }
+}
+
 /// The cells of the house: of those that walls and gaps enclose, the regions with which the outline is best.
-pub(super) fn settled(lines: &Lines<'_>) -> BTreeSet<(i32, i32)> {
+///
+/// The sides of the house that would lie elsewhere in an outline that is hardly worse are returned with them.
+pub(super) fn settled(lines: &Lines<'_>) -> (BTreeSet<(i32, i32)>, BTreeSet<Side>) {
     let (regions, number) = regions(lines);
     // The first is what lies round the drawing.
     let mut is_in: Vec<bool> = (0..regions.len()).map(|k| k > 0).collect();
     let groups = groups(lines, &number, regions.len());
+    // By how much the outline gets worse if a group changes sides, where it may.
+    let worse = |is_in: &[bool], group: &[usize]| {
+        let is_mixed = group.iter().any(|k| is_in[*k] != is_in[group[0]]);
+        let is_met = || {
+            let mut all = group.iter();
+            all.any(|k| touches(&regions[*k], is_in, !is_in[*k]))
+        };
+        (!is_mixed && is_met()).then(|| {
+            change(&regions, is_in, group)
+                + CORNER * f64::from(corners(&regions, &number, is_in, group))
+        })
+    };
     loop {
         let mut best = (-1e-9, None);
         for group in &groups {
-            let is_mixed = group.iter().any(|k| is_in[*k] != is_in[group[0]]);
-            if is_mixed
-                || !group
-                    .iter()
-                    .any(|k| touches(&regions[*k], &is_in, !is_in[*k]))
-            {
-                continue;
-            }
-            let change = change(&regions, &is_in, group)
-                + CORNER * f64::from(corners(&regions, &number, &is_in, group));
-            if change < best.0 {
+            if let Some(change) = worse(&is_in, group).filter(|change| *change < best.0) {
                 best = (change, Some(group));
             }
         }
         let Some(group) = best.1 else { break };
         group.iter().for_each(|k| is_in[*k] = !is_in[*k]);
     }
+    let mut unsure = BTreeSet::new();
+    let hardly = |group: &&Vec<usize>| worse(&is_in, group).is_some_and(|change| change < HARDLY);
+    for group in groups.iter().filter(hardly) {
+        let cells = group.iter().flat_map(|k| &regions[*k].cells);
+        let sides = cells.flat_map(|cell| Lines::sides(*cell));
+        let is_beyond = |cell| is_in[number.get(&cell).copied().unwrap_or(0)] != is_in[group[0]];
+        let outer = sides.filter(|side| is_beyond(side.2));
+        unsure.extend(outer.map(|(at, upright, _)| (at, upright)));
+    }
     let kept = regions.into_iter().zip(is_in).filter(|r| r.1);
-    kept.flat_map(|(region, _)| region.cells).collect()
+    let cells = kept.flat_map(|(region, _)| region.cells).collect();
+    (cells, unsure)
 }
 
 /// The sets of regions that are tried together: each region alone, and regions that are separated by wide gaps only, as several
@@ -99,24 +142,25 @@ fn groups(
 
 /// Whether a region lies beside one that is in, or out.
 fn touches(region: &Region, is_in: &[bool], wanted: bool) -> bool {
-    region.sides.iter().any(|s| is_in[s.0] == wanted)
+    region.sides.iter().any(|s| is_in[s.beyond] == wanted)
 }
 
 /// By how much the whole gets worse if some regions, all on one side, change it.
 fn change(regions: &[Region], is_in: &[bool], group: &[usize]) -> f64 {
     let cost = |k: usize, mine: bool| {
-        let side = |(other, undrawn, stray): &(usize, f64, f64)| {
+        let side = |side: &Border| {
             // What lies between two of the group is met from both.
-            let (theirs, share) = match group.contains(other) {
-                true if *other != k => (mine, 0.5),
+            let (theirs, share) = match group.contains(&side.beyond) {
+                true if side.beyond != k => (mine, 0.5),
                 true => (mine, 1.0),
-                false => (is_in[*other], 1.0),
+                false => (is_in[side.beyond], 1.0),
             };
-            match (mine, theirs) {
-                (true, true) => 0.0,
-                (false, false) => *stray * share,
-                _ => *undrawn * share,
-            }
+            share
+                * match (mine, theirs) {
+                    (true, true) => side.within,
+                    (false, false) => side.stray,
+                    _ => side.undrawn,
+                }
         };
         regions[k].sides.iter().map(side).sum::<f64>()
     };
@@ -198,12 +242,11 @@ fn regions(lines: &Lines<'_>) -> (Vec<Region>, BTreeMap<(i32, i32), usize>) {
             let meets = || ends(at, upright).iter().any(|c| crossings.contains(c));
             let is_main = main.contains(&(at, upright)) || is_unread && meets();
             let share = if is_main { 1.0 } else { APART };
-            let strength = share * strength;
             // What lies within is met from both of its sides.
             let times = if other == k { 0.5 } else { 1.0 };
-            let undrawn = UNDRAWN * (1.0 - closes);
             if other != k || strength > 0.0 {
-                sides.push((other, undrawn * times, STRAY * strength * times));
+                let border = border(lines, (at, upright), share * strength, closes);
+                sides.push(border.to(other, times));
             }
         }
         let inked = cells.iter().filter(|c| lines.units.is_inked(**c)).count();
@@ -215,6 +258,41 @@ fn regions(lines: &Lines<'_>) -> (Vec<Region>, BTreeMap<(i32, i32), usize>) {
     };
     let regions = groups.into_iter().enumerate().map(region).collect();
     (regions, number)
+}
+
+/// What a unit costs as a side of a region.
+fn border(lines: &Lines<'_>, (at, upright): Side, strength: f64, closes: f64) -> Border {
+    let is_pane = matches!(lines.read(at, upright).role, Role::Window | Role::Lattice);
+    Border {
+        beyond: 0,
+        undrawn: match closes > 0.0 {
+            true => UNDRAWN * (1.0 - closes),
+            false => undrawn(lines, at, upright),
+        },
+        stray: STRAY * strength,
+        within: if is_pane { WITHIN * strength } else { 0.0 },
+    }
+}
+
+/// The cost of a unit of the outline where nothing is drawn: its share in that of its way, which ends at the next wall or post.
+fn undrawn(lines: &Lines<'_>, at: (i32, i32), upright: bool) -> f64 {
+    let along = |k: i32| match upright {
+        true => (at.0, at.1 + k),
+        false => (at.0 + k, at.1),
+    };
+    let stands = |at: (i32, i32), upright: bool| lines.read(at, upright).role.parts();
+    let goes_on = |k: i32| stands(along(k), upright);
+    let is_met = |k: i32| {
+        let (u, v) = along(k);
+        let before = if upright { (u - 1, v) } else { (u, v - 1) };
+        let crosses = stands((u, v), !upright) || stands(before, !upright);
+        crosses || lines.units.post((u, v)) > CLEAR_POST
+    };
+    let back = (0..FARTHEST).find(|k| is_met(-k) || goes_on(-k - 1));
+    let ahead = (1..FARTHEST).find(|k| is_met(*k) || goes_on(*k));
+    let [back, ahead] = [back, ahead].map(|k| k.unwrap_or(FARTHEST));
+    let turns = [-back - 1, ahead].into_iter().filter(|k| !goes_on(*k));
+    PER_UNIT + (ONCE + TURNS * turns.count() as f64) / f64::from(back + ahead)
 }
 
 /// How thick ink has to be that may be a wall though it was not read as one: units.
@@ -340,7 +418,8 @@ fn ways(lines: &Lines<'_>) -> Vec<Way> {
 fn closes(role: Role) -> f64 {
     match role {
         Role::Empty | Role::Mat => 0.0,
-        Role::Hinged | Role::Open => 0.6,
+        Role::Hinged => 0.8,
+        Role::Open => 0.6,
         Role::Wall | Role::Slide | Role::Window | Role::Lattice => 1.0,
     }
 }
