@@ -227,7 +227,7 @@ fn survey_drawings_are_read() {
     holds(
         Convention::Survey,
         Degradation::Clean,
-        [80, 90, 97, 8, 30, 8],
+        [80, 95, 97, 3, 20, 8],
     );
 }
 
@@ -236,7 +236,7 @@ fn scans_of_survey_drawings_are_read() {
     holds(
         Convention::Survey,
         Degradation::Scanned,
-        [80, 70, 95, 20, 40, 20],
+        [80, 85, 95, 5, 45, 12],
     );
 }
 
@@ -245,7 +245,7 @@ fn sashizu_are_read() {
     holds(
         Convention::Sashizu,
         Degradation::Clean,
-        [80, 92, 97, 3, 30, 6],
+        [80, 95, 97, 3, 20, 6],
     );
 }
 
@@ -263,7 +263,7 @@ fn itazu_are_read() {
     holds(
         Convention::Itazu,
         Degradation::Clean,
-        [80, 90, 97, 3, 30, 5],
+        [80, 94, 97, 3, 20, 5],
     );
 }
 
@@ -272,7 +272,7 @@ fn scans_of_itazu_are_read() {
     holds(
         Convention::Itazu,
         Degradation::Scanned,
-        [50, 80, 90, 3, 50, 5],
+        [50, 90, 90, 3, 50, 5],
     );
 }
 
