@@ -23,8 +23,6 @@ const DARK: f64 = 0.95;
 /// The power of its share of full ink that a stroke counts: by the share itself faint strokes would be nothing beside walls, and
 /// if all ink counted alike, blurred strokes beside each other would be a bar.
 const POWER: f64 = 0.7;
-/// What counts less than this is the grain of the paper.
-const GRAIN: f32 = 0.15;
 /// Samples to each side over which ink is spread, so that strokes a hair beside each other still agree.
 const SOFT: usize = 1;
 /// How far from the line of the grid a stroke may lie whose sway is measured, units.
@@ -137,8 +135,9 @@ impl Patch {
         let middle = |ink: &[f32]| {
             (0..ACROSS)
                 .map(|j| {
-                    let row = &ink[j * ALONG + skip..(j + 1) * ALONG - skip];
-                    row.iter().filter(|v| **v > GRAIN).sum::<f32>()
+                    ink[j * ALONG + skip..(j + 1) * ALONG - skip]
+                        .iter()
+                        .sum::<f32>()
                 })
                 .sum::<f32>()
         };
