@@ -81,7 +81,8 @@ fn blur(ink: &Ink) -> f64 {
     (0.3 * full / steepest - 0.3).max(0.0)
 }
 
-fn quantile(counts: &[u32], share: f64) -> f64 {
+/// The tone that a share of all are no darker than, of so many of each tone.
+pub(super) fn quantile(counts: &[u32], share: f64) -> f64 {
     let stop = f64::from(counts.iter().sum::<u32>()) * share;
     let mut below = 0.0;
     let at = counts.iter().position(|n| {

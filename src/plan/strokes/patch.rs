@@ -2,6 +2,7 @@
 
 use super::super::grid::{Grid, dark_at, level_at};
 use super::super::sheet::Ink;
+use super::nib::quantile;
 use glam::DVec2;
 
 /// Samples along a unit.
@@ -68,13 +69,7 @@ pub(super) fn full(ink: &Ink) -> f64 {
     for pixel in ink.dark.pixels().filter(|p| p[0] > ink.threshold) {
         counts[usize::from(pixel[0])] += 1;
     }
-    let stop = f64::from(counts.iter().sum::<u32>()) * DARK;
-    let mut below = 0.0;
-    let at = counts.iter().position(|n| {
-        below += f64::from(*n);
-        below >= stop
-    });
-    (at.unwrap_or(0) as f64).max(f64::from(ink.threshold) * FULL)
+    quantile(&counts, DARK).max(f64::from(ink.threshold) * FULL)
 }
 
 /// What a share of full ink counts.
