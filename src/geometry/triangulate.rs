@@ -47,7 +47,8 @@ struct Left {
     corners: [Known; MANY],
 }
 
-/// What is known of a corner: how round its triangle is, whether that has area and lies inside, and what it holds.
+/// A corner and the triangle it makes with its neighbours: how round the triangle is, whether it turns inwards with an area, and
+/// which other corner lies inside it.
 #[derive(Clone, Copy, Default)]
 struct Known {
     number: u32,

@@ -260,7 +260,7 @@ fn regions(lines: &Lines<'_>) -> (Vec<Region>, BTreeMap<(i32, i32), usize>) {
     (regions, number)
 }
 
-/// What a unit costs as a side of a region.
+/// The costs of one unit of wall or gap that bounds a region.
 fn border(lines: &Lines<'_>, (at, upright): Side, strength: f64, closes: f64) -> Border {
     let is_pane = matches!(lines.read(at, upright).role, Role::Window | Role::Lattice);
     Border {

@@ -99,7 +99,7 @@ impl Walls {
         [0, 1].map(|k| f64::from((halves[0][k] + halves[1][k]) / 2.0))
     }
 
-    /// The same of half a unit, if it lies so many samples to the side.
+    /// The same two differences for half a unit, after moving its profile sideways by `shift` samples.
     fn differences(&self, profile: &[f32; ACROSS], shift: i64) -> [f32; 2] {
         let at = |j: usize| {
             let k = usize::try_from(j as i64 + shift).ok();

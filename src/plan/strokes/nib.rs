@@ -81,7 +81,7 @@ fn blur(ink: &Ink) -> f64 {
     (0.3 * full / steepest - 0.3).max(0.0)
 }
 
-/// The tone that a share of all are no darker than, of so many of each tone.
+/// The tone below or at which the given share of the pixels lies; `counts` has the number of pixels of each tone.
 pub(super) fn quantile(counts: &[u32], share: f64) -> f64 {
     let stop = f64::from(counts.iter().sum::<u32>()) * share;
     let mut below = 0.0;

@@ -16,7 +16,7 @@ pub(super) const END: f64 = 0.14;
 /// How far from the end of a unit leaves may hang, and the shortest leaf that is looked for there, units: they hang at posts.
 const HINGES: [f64; 4] = [0.0, 0.04, 0.08, 0.12];
 const LEAVES: [f64; 4] = [0.82, 0.82, 0.82, 0.7];
-/// What is fainter than so many thresholds of ink is paper, and the least that is full ink.
+/// Darkness below which a sample is paper, and the least darkness of full ink, both in multiples of the threshold of the sheet.
 const FAINT: f64 = 0.35;
 const FULL: f64 = 2.05;
 /// The share of the ink of a sheet that is no darker than full ink.
@@ -72,7 +72,7 @@ pub(super) fn full(ink: &Ink) -> f64 {
     quantile(&counts, DARK).max(f64::from(ink.threshold) * FULL)
 }
 
-/// What a share of full ink counts.
+/// The weight of a sample that has this share of the darkness of full ink; both are 0 to 1.
 pub(super) fn weight(share: f64) -> f64 {
     libm::pow(share, POWER)
 }

@@ -9,7 +9,7 @@ use super::proof::{Proof, opposites};
 const SPREADS: usize = 7;
 /// How many pens strokes lie apart at least, from middle to middle.
 const APART: f64 = 1.6;
-/// What it costs, at most, that the strokes of a symbol are so near each other that they cannot be told apart.
+/// The most that is taken off the score of a symbol whose strokes run into each other when blurred.
 const VAGUE: f64 = 0.3;
 /// How many times as far apart as they are wide blurred strokes are still told apart.
 const BLURRED_APART: f64 = 1.2;
@@ -23,7 +23,7 @@ pub(super) struct Stamp {
     pub(super) units: usize,
     /// The symbol's place in its legend, and which of its spreads this is.
     pub(super) kind: (usize, usize),
-    /// What it costs that its strokes cannot be told apart.
+    /// What is taken off its score because its strokes run into each other when blurred.
     pub(super) cost: f64,
     /// Whether it has red marks.
     is_red: bool,
