@@ -23,6 +23,7 @@ pub mod again;
 pub mod drawing;
 pub mod flatten;
 pub mod grid;
+mod ground;
 pub mod house;
 pub mod legend;
 pub mod marks;
@@ -87,6 +88,8 @@ const SWAYS: f64 = 0.0006;
 /// Blur makes all legends agree alike.
 const RULED: f64 = 0.1;
 const BY_HAND: f64 = 0.03;
+/// The same for legends of wood on paper, and the others on wood.
+const GROUND: f64 = 0.05;
 /// The ink of a wall beside that of the walls of the outline: edges of mats reach 0.57 on blurred sheets, walls have 0.6 and more.
 const THIN: f64 = 0.58;
 /// The same for windows and lattices between rooms: on scans of survey drawings most such edges have less, and hardly any true
@@ -217,7 +220,8 @@ pub fn find(
     }
     let straight = seen.ink.without_slanting();
     let inks = (&seen.ink, &straight);
-    let Some((units, legend)) = by_best_legend(inks, &grid, legends) else {
+    let wood = ground::wood(&seen.flat.sheet);
+    let Some((units, legend)) = by_best_legend(inks, &grid, legends, wood) else {
         return Err(seen.at(Refused::NoSymbols(0.0)));
     };
     if units.likeness < LEAST_LIKENESS {
@@ -245,11 +249,13 @@ pub fn find(
     })
 }
 
-/// Reads the units of a grid by each legend, from all ink and from that which does not run aslant; returns those that agree best, of two that agree equally the first.
+/// Reads the units of a grid by each legend, from all ink and from that which does not run aslant; returns those that agree best, of
+/// two that agree equally the first. `wood` is how surely the sheet is of wood.
 fn by_best_legend<'l>(
     (ink, straight): (&Ink, &Ink),
     grid: &Grid,
     legends: &'l [Legend],
+    wood: f64,
 ) -> Option<(Units, &'l Legend)> {
     let pen = strokes::pen(ink, grid);
     let walls = straight.without_writing(WRITING * grid.unit, |middle, size| {
@@ -265,12 +271,20 @@ fn by_best_legend<'l>(
     let along_ruler = STRAIGHT + STRAIGHT_PIXELS / grid.unit;
     // 0 along a ruler, 1 as soon as strokes surely sway, 2 twice as far beyond.
     let sways = ((lines.sway() - along_ruler) / SWAYS).clamp(0.0, 2.0);
+    // What a legend with red strokes reads as such is unexplained by those without. Faint lines and grain have a red rim too.
+    let reds = looks.iter().map(|look| look.0.red());
+    let red = reds.fold(0.0, f64::max);
     let agreement = |(look, legend): &(strokes::Look, &Legend)| {
+        let unexplained = if legend.has_red() { 0.0 } else { red };
+        let ground = match legend.is_on_wood {
+            true => GROUND * (1.0 - wood),
+            false => GROUND * wood,
+        };
         let doubt = match legend.is_by_hand {
             true => RULED * (1.0 - sways).max(0.0),
             false => BY_HAND * (sways - 1.0).max(0.0),
         };
-        look.likeness * (1.0 - doubt)
+        look.likeness * (1.0 - doubt) * (1.0 - unexplained) * (1.0 - ground)
     };
     let better = |a: (strokes::Look, &'l Legend), b: (strokes::Look, &'l Legend)| {
         if agreement(&b) > agreement(&a) { b } else { a }

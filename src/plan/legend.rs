@@ -102,6 +102,8 @@ pub struct Legend {
     pub name: String,
     /// Whether its strokes are drawn by hand and sway about the lines of the grid.
     pub is_by_hand: bool,
+    /// Whether it is drawn on boards, not on paper.
+    pub is_on_wood: bool,
     /// Its symbols on walls.
     pub symbols: Vec<Symbol>,
     /// Its symbols in rooms.
@@ -127,6 +129,7 @@ impl Legend {
         let mut legend = Legend {
             name: String::new(),
             is_by_hand: false,
+            is_on_wood: false,
             symbols: Vec::new(),
             things: Vec::new(),
         };
@@ -153,6 +156,12 @@ impl Legend {
         }
     }
 
+    /// Whether some of its symbols have red marks.
+    pub fn has_red(&self) -> bool {
+        let marks = self.symbols.iter().flat_map(|s| &s.marks);
+        marks.into_iter().any(|(_, pen)| pen.is_red)
+    }
+
     /// Takes an element; `holder` is what the marks that follow belong to.
     fn take(
         &mut self,
@@ -164,6 +173,7 @@ impl Legend {
             "Legend" => {
                 self.name = values.text("name").unwrap_or_default().to_owned();
                 self.is_by_hand = values.text("hand") == Some("free");
+                self.is_on_wood = values.text("ground") == Some("wood");
             }
             "Symbol" => {
                 self.symbols.push(symbol(values)?);

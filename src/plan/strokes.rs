@@ -294,14 +294,8 @@ impl Look {
         for line in &lines {
             line.reads(&line.best(&stamps, &habits), &mut sum);
         }
-        let has_red = legend
-            .symbols
-            .iter()
-            .flat_map(|s| &s.marks)
-            .any(|m| m.1.is_red);
-        let unexplained = if has_red { 0.0 } else { red(&strips) };
         Look {
-            likeness: sum.mean() * (1.0 - unexplained),
+            likeness: sum.mean(),
             rows,
             strips,
             stamps,
@@ -309,6 +303,28 @@ impl Look {
             habits,
             nib,
         }
+    }
+
+    /// The share of ink on lines of the grid that is red in walls and openings with red strokes.
+    pub fn red(&self) -> f64 {
+        let (mut red, mut all) = (0.0, 0.0);
+        let of_red = |p: &Patch| f64::from(p.reds[3]);
+        for (strip, line) in self.strips.iter().zip(&self.lines) {
+            let inked = strip.patches.iter().filter(|p| p.is_inked);
+            all += inked
+                .map(|p| of_red(p) + f64::from(p.blacks[3]))
+                .sum::<f64>();
+            for run in line.best(&self.stamps, &self.habits) {
+                let is_red = |k: usize| self.stamps[k].is_red && self.stamps[k].role.parts();
+                let units = run
+                    .stamp()
+                    .filter(|(k, _)| is_red(*k))
+                    .map(|(_, units)| units);
+                let patches = units.map_or(&[][..], |units| &strip.patches[units]);
+                red += patches.iter().map(of_red).sum::<f64>();
+            }
+        }
+        if all > 0.0 { red / all } else { 0.0 }
     }
 
     /// Compares all units with the walls of the sheet, those of each direction for themselves: lines lie otherwise between its
@@ -382,20 +398,6 @@ fn habits(lines: &[Line], stamps: &[Stamp]) -> Habits {
     }
     habits.settle(stamps);
     habits
-}
-
-/// The share of ink on lines of the grid that is in red strokes. Ink on wood has a red rim, which is none.
-fn red(strips: &[Strip]) -> f64 {
-    let inked = strips
-        .iter()
-        .flat_map(|s| &s.patches)
-        .filter(|p| p.is_inked);
-    let (red, all) = inked.fold((0.0, 0.0), |(red, all), p| {
-        let (own, black) = (f64::from(p.reds[3]), f64::from(p.blacks[3]));
-        let is_red = own > black;
-        (red + if is_red { own } else { 0.0 }, all + own + black)
-    });
-    if all > 0.0 { red / all } else { 0.0 }
 }
 
 /// A plan has more walls than ways without doors: where the two are drawn alike, what was read as ways are walls.

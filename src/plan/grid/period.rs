@@ -163,6 +163,9 @@ fn nearly(multiple: u32) -> f64 {
     }
 }
 
+/// How well a multiple has to fit each of both directions beside what fits best.
+const ONE_WAY: f64 = 0.7;
+
 /// The units to the right and down that the strokes keep to best; the two differ by at most a share.
 ///
 /// Parts of a unit fit as well as the unit where mats and boards are drawn: of what fits best the greatest multiple is
@@ -198,7 +201,15 @@ pub(super) fn period(strokes: &Strokes, aspect: f64) -> Option<[f64; 2]> {
         let middle = best + (libm::log(f64::from(n)) / libm::log(STEP)).round() as usize;
         (middle.saturating_sub(6)..(middle + 7).min(pairs.len())).max_by(better)
     };
-    let fits = |n: &u32| multiple(*n).filter(|k| pairs[*k].0 >= nearly(*n) * pairs[best].0);
+    let along = |k: usize| [across[k], down[pairs[k].1]];
+    // A narrow house has so few lines of one direction that every multiple may fit there: it has to fit both ways.
+    let fits_both = |k: usize| {
+        let both = along(k).into_iter().zip(along(best));
+        both.into_iter().all(|(a, b)| a >= ONE_WAY * b)
+    };
+    let fits = |n: &u32| {
+        multiple(*n).filter(|k| pairs[*k].0 >= nearly(*n) * pairs[best].0 && fits_both(*k))
+    };
     let peak = (2..=4).rev().find_map(|n| fits(&n)).unwrap_or(best);
     Some([periods[peak], periods[pairs[peak].1]])
 }

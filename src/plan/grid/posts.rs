@@ -103,7 +103,12 @@ fn posts(ink: &Ink, grid: &Grid) -> Vec<Post> {
     let outlines = outlines.max_by_key(Vec::len).unwrap_or_default();
     let widest = filled.into_iter().rev().find(|f| f.len() * 3 > most * 2);
     let filled = widest.unwrap_or_default();
-    if outlines.len() > filled.len() {
+    // Along thick walls a filled square fits everywhere, so only what is sure counts.
+    let sure = |posts: &[Post]| {
+        let sure = posts.iter().flat_map(|p| p.is_sure);
+        sure.filter(|s| *s).count()
+    };
+    if sure(&outlines) > sure(&filled) {
         outlines
     } else {
         filled

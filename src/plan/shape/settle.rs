@@ -357,11 +357,14 @@ fn connected(lines: &Lines<'_>) -> BTreeSet<((i32, i32), bool)> {
                 stands(at, upright) && some.contains(&at)
             };
             let is_within = is_within(group);
+            // A way that begins at a post of one and goes on as a wall of the other joins them at a corner.
+            let is_posted = |c: &(i32, i32)| group.contains(c) && lines.units.post(*c) > CLEAR_POST;
             ways.iter().any(|way| {
                 let [before, after] = [way.before, way.after].map(|s| (of(s, group), of(s, &most)));
                 let meets = way.crossings.iter().any(|c| most.contains(c));
                 let continues = before.0 && after.1 || before.1 && after.0;
-                continues || is_within && meets && (before.0 || after.0)
+                let turns = (before.1 || after.1) && way.crossings.iter().any(is_posted);
+                continues || turns || is_within && meets && (before.0 || after.0)
             })
         };
         let (more, rest): (Vec<_>, Vec<_>) = others.into_iter().partition(joins);

@@ -62,12 +62,15 @@ pub(super) struct Run {
 }
 
 impl Run {
-    /// The stamp that it was read by, and its units, if there is no doubt of it.
+    /// The stamp that it was read by, and its units.
+    pub(super) fn stamp(&self) -> Option<(usize, std::ops::Range<usize>)> {
+        self.stamp.map(|k| (k, self.from..self.end))
+    }
+
+    /// The same, if there is no doubt of it.
     pub(super) fn clear(&self) -> Option<(usize, std::ops::Range<usize>)> {
         let is_clear = self.value > LEARNT && self.lead > LEARNT_LEAD;
-        self.stamp
-            .filter(|_| is_clear)
-            .map(|k| (k, self.from..self.end))
+        self.stamp().filter(|_| is_clear)
     }
 
     /// How much better than clutter it agrees with the ink.

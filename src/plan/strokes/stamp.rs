@@ -26,7 +26,7 @@ pub(super) struct Stamp {
     /// What is taken off its score because its strokes run into each other when blurred.
     pub(super) cost: f64,
     /// Whether it has red marks.
-    is_red: bool,
+    pub(super) is_red: bool,
     /// The way of a leaf, or the leaf.
     way: Option<Mark>,
     /// Whether nothing stands in the way of its leaf.
