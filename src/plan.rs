@@ -23,7 +23,6 @@ pub mod again;
 pub mod drawing;
 pub mod flatten;
 pub mod grid;
-mod ground;
 pub mod house;
 pub mod legend;
 pub mod marks;
@@ -42,6 +41,7 @@ pub use picture::{Picture, Unreadable};
 use flatten::{Flat, Given};
 use glam::{DMat3, DVec2};
 use grid::Grid;
+use image::RgbImage;
 use legend::Legend;
 use rayon::prelude::*;
 use shape::Shape;
@@ -219,9 +219,8 @@ pub fn find(
         return Err(seen.at(Refused::NoGrid(grid.fit)));
     }
     let straight = seen.ink.without_slanting();
-    let inks = (&seen.ink, &straight);
-    let wood = ground::wood(&seen.flat.sheet);
-    let Some((units, legend)) = by_best_legend(inks, &grid, legends, wood) else {
+    let (inks, sheet) = ((&seen.ink, &straight), &seen.flat.sheet);
+    let Some((units, legend)) = by_best_legend(inks, &grid, legends, sheet) else {
         return Err(seen.at(Refused::NoSymbols(0.0)));
     };
     if units.likeness < LEAST_LIKENESS {
@@ -250,12 +249,12 @@ pub fn find(
 }
 
 /// Reads the units of a grid by each legend, from all ink and from that which does not run aslant; returns those that agree best, of
-/// two that agree equally the first. `wood` is how surely the sheet is of wood.
+/// two that agree equally the first. The sheet tells what it is of.
 fn by_best_legend<'l>(
     (ink, straight): (&Ink, &Ink),
     grid: &Grid,
     legends: &'l [Legend],
-    wood: f64,
+    sheet: &RgbImage,
 ) -> Option<(Units, &'l Legend)> {
     let pen = strokes::pen(ink, grid);
     let walls = straight.without_writing(WRITING * grid.unit, |middle, size| {
@@ -274,6 +273,7 @@ fn by_best_legend<'l>(
     // What a legend with red strokes reads as such is unexplained by those without. Faint lines and grain have a red rim too.
     let reds = looks.iter().map(|look| look.0.red());
     let red = reds.fold(0.0, f64::max);
+    let wood = sheet::ground::wood(sheet);
     let agreement = |(look, legend): &(strokes::Look, &Legend)| {
         let unexplained = if legend.has_red() { 0.0 } else { red };
         let ground = match legend.is_on_wood {

@@ -1,5 +1,7 @@
 //! A sheet: the picture of a plan as it came, turned upright, and the ink on it.
 
+pub(super) mod ground;
+
 use glam::{DVec2, dvec2};
 use image::{GrayImage, Luma, RgbImage};
 use imageproc::region_labelling::{Connectivity, connected_components};

@@ -16,6 +16,8 @@ type Side = (Point, Point);
 #[derive(Clone, Copy, Debug, Default)]
 struct Score {
     plans: usize,
+    /// Plans that were read by the legend of their convention.
+    legend: usize,
     /// Plans whose outline is exact.
     exact: usize,
     /// Of those: outer units, those of the right class, the wrong ones, and how many of these are in doubt.
@@ -33,6 +35,7 @@ struct Score {
 impl AddAssign for Score {
     fn add_assign(&mut self, other: Score) {
         self.plans += other.plans;
+        self.legend += other.legend;
         self.exact += other.exact;
         self.outer += other.outer;
         self.right += other.right;
@@ -101,6 +104,13 @@ fn judge(seed: u64, convention: Convention, way: Degradation, px: f32) -> (Score
         Ok(found) => found,
         Err(why) => return (score, vec![format!("seed {seed}: {why:?}")]),
     };
+    let mut mistakes = vec![];
+    let legend = format!("{convention:?}").to_lowercase();
+    if found.legend == legend {
+        score.legend = 1;
+    } else {
+        mistakes.push(format!("seed {seed} read as {}", found.legend));
+    }
     let right = found.shape.cells.iter().map(|c| c.0).max().unwrap() + 1;
     let front = found.shape.cells.iter().map(|c| c.1).max().unwrap() + 1;
     let place = |p: Point| (right - p.0, front - p.1);
@@ -116,10 +126,11 @@ fn judge(seed: u64, convention: Convention, way: Degradation, px: f32) -> (Score
     let exact = outer.keys().all(|k| truth.contains(k))
         && outline(&plan).iter().all(|k| outer.contains_key(k));
     if !exact {
-        return (score, vec![format!("seed {seed}: another outline")]);
+        mistakes.push(format!("seed {seed}: another outline"));
+        return (score, mistakes);
     }
     score.exact = 1;
-    let mistakes = units(&plan, &outer, &inner, &mut score);
+    mistakes.extend(units(&plan, &outer, &inner, &mut score));
     let known: BTreeSet<Side> = plan.inner.iter().map(|u| side(u.from, u.to)).collect();
     let invented = inner
         .keys()
@@ -202,6 +213,7 @@ fn holds(
     [exact, right, found, untold, needless, invented]: [usize; 6],
 ) {
     let score = trial(convention, way);
+    at_least("legends", score.legend, score.plans, 75);
     at_least("outlines", score.exact, score.plans, exact);
     at_least("right outer units", score.right, score.outer, right);
     at_least("walls inside", score.found, score.inner, found);
@@ -220,6 +232,23 @@ fn holds(
         invented <= most,
         "{invented} false walls inside beside {inner}"
     );
+}
+
+/// A narrow house whose few lines of one direction fit many grids; posts that are squares beside thick walls, with mats on one
+/// side of most lines; a row of rooms that only an open front joins to the house; dashes on a board, which are no lattice.
+#[test]
+fn outlines_that_were_misread_stay_exact() {
+    for (convention, seed) in [
+        (Convention::Survey, 7123),
+        (Convention::Survey, 7113),
+        (Convention::Sashizu, 7124),
+        (Convention::Itazu, 7113),
+    ] {
+        let px = 60.0 + (seed * 7919 % 35) as f32;
+        let (score, mistakes) = judge(seed, convention, Degradation::Clean, px);
+        let all_right = score.exact == 1 && score.legend == 1 && score.right + 1 >= score.outer;
+        assert!(all_right, "{convention:?} {seed}: {score:?} {mistakes:?}");
+    }
 }
 
 #[test]

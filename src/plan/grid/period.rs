@@ -165,6 +165,10 @@ fn nearly(multiple: u32) -> f64 {
 
 /// How well a multiple has to fit each of both directions beside what fits best.
 const ONE_WAY: f64 = 0.7;
+/// How well half of what fits best has to fit, and how much better in one direction, to be the unit: all walls of the other may stand
+/// on every second line.
+const HALF: f64 = 0.9;
+const CLEARLY: f64 = 1.1;
 
 /// The units to the right and down that the strokes keep to best; the two differ by at most a share.
 ///
@@ -197,20 +201,24 @@ pub(super) fn period(strokes: &Strokes, aspect: f64) -> Option<[f64; 2]> {
     let pairs: Vec<(f64, usize)> = (0..periods.len()).map(pair).collect::<Option<_>>()?;
     let better = |a: &usize, b: &usize| pairs[*a].0.total_cmp(&pairs[*b].0);
     let best = (0..pairs.len()).max_by(better)?;
-    let multiple = |n: u32| {
-        let middle = best + (libm::log(f64::from(n)) / libm::log(STEP)).round() as usize;
+    let near = |times: f64| {
+        let middle =
+            best.checked_add_signed((libm::log(times) / libm::log(STEP)).round() as isize)?;
         (middle.saturating_sub(6)..(middle + 7).min(pairs.len())).max_by(better)
     };
-    let along = |k: usize| [across[k], down[pairs[k].1]];
-    // A narrow house has so few lines of one direction that every multiple may fit there: it has to fit both ways.
-    let fits_both = |k: usize| {
-        let both = along(k).into_iter().zip(along(best));
-        both.into_iter().all(|(a, b)| a >= ONE_WAY * b)
+    // A narrow house has so few lines of one direction that every multiple may fit there, so both count.
+    let shares = |k: usize| {
+        let (other, best_other) = (pairs[k].1, pairs[best].1);
+        [across[k] / across[best], down[other] / down[best_other]]
     };
-    let fits = |n: &u32| {
-        multiple(*n).filter(|k| pairs[*k].0 >= nearly(*n) * pairs[best].0 && fits_both(*k))
+    let fits = |k: &usize, share: f64| {
+        pairs[*k].0 >= share * pairs[best].0 && shares(*k).iter().all(|s| *s >= ONE_WAY)
     };
-    let peak = (2..=4).rev().find_map(|n| fits(&n)).unwrap_or(best);
+    let multiple = |n: u32| near(f64::from(n)).filter(|k| fits(k, nearly(n)));
+    let is_better_one_way = |k: &usize| shares(*k).iter().any(|s| *s >= CLEARLY);
+    let half = || near(0.5).filter(|k| fits(k, HALF) && is_better_one_way(k));
+    let peak = (2..=4).rev().find_map(multiple).or_else(half);
+    let peak = peak.unwrap_or(best);
     Some([periods[peak], periods[pairs[peak].1]])
 }
 

@@ -20,6 +20,8 @@ const BOUNDS: [f64; 2] = [0.25, 0.5];
 
 /// From which share of the darkest on a place is the core of a wall.
 const CORE: f32 = 0.85;
+/// The share of it at each edge that does not count: a brush is not equally wide everywhere.
+const CORE_EDGE: f64 = 0.2;
 /// How much paler its core may be, in the same way.
 const CORE_TIMES: f64 = 2.0;
 const CORE_BESIDES: f64 = 0.08;
@@ -63,7 +65,11 @@ impl Walls {
             (last? + BESIDE + 1).min(ACROSS),
         );
         let sum = profile[first..last].iter().sum();
-        let core = (first..last).filter(|j| profile[*j] >= CORE * most);
+        let core: Vec<usize> = (first..last)
+            .filter(|j| profile[*j] >= CORE * most)
+            .collect();
+        let cut = (core.len() as f64 * CORE_EDGE) as usize;
+        let core = core[cut..core.len() - cut].iter().copied();
         let mut walls = Walls {
             profile,
             core: core.collect(),

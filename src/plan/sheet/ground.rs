@@ -15,7 +15,7 @@ const EVEN: f64 = 0.8;
 const GRAIN: f64 = 1.2;
 
 /// How surely a flat sheet is of wood, 0 to 1.
-pub(super) fn wood(sheet: &RgbImage) -> f64 {
+pub(in crate::plan) fn wood(sheet: &RgbImage) -> f64 {
     let (width, height) = sheet.dimensions();
     let (x, y) = (width / MARGIN, height / MARGIN);
     let middle = imageops::crop_imm(sheet, x, y, width - 2 * x, height - 2 * y);
@@ -53,4 +53,37 @@ fn stripes(sheet: &RgbImage) -> f64 {
 fn middle(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A sheet of a colour whose lightness changes with what `of` says, -1 to 1.
+    fn sheet(colour: [f64; 3], of: impl Fn(f64, f64) -> f64) -> RgbImage {
+        RgbImage::from_fn(600, 400, |x, y| {
+            let by = 12.0 * of(f64::from(x), f64::from(y));
+            Rgb(colour.map(|c| (c + by).clamp(0.0, 255.0) as u8))
+        })
+    }
+
+    #[test]
+    fn boards_are_brown_with_a_grain_in_one_direction() {
+        const BROWN: [f64; 3] = [190.0, 150.0, 105.0];
+        let grain = |x: f64, y: f64| libm::sin(y / 9.0 + libm::sin(x / 80.0));
+        assert!(wood(&sheet(BROWN, grain)) > 0.9);
+        assert!(wood(&sheet(BROWN, |x, y| grain(y, x))) > 0.9);
+        // Yellowed paper, clouded alike both ways, and a grey picture of boards: nobody can say.
+        let clouds = |x: f64, y: f64| libm::sin(y / 9.0) * libm::sin(x / 9.0);
+        assert!(wood(&sheet(BROWN, clouds)) < 0.1);
+        assert!(wood(&sheet([170.0; 3], grain)) < 0.1);
+        assert!(wood(&sheet([250.0, 245.0, 225.0], grain)) < 0.1);
+    }
+
+    #[test]
+    fn the_smallest_sheets_have_a_ground() {
+        for (width, height) in [(1, 1), (1, 300), (2, 3), (300, 1)] {
+            assert!(wood(&RgbImage::new(width, height)) < 0.1);
+        }
+    }
 }
