@@ -68,7 +68,7 @@ pub fn inspect(
     let (mut houses, mut uses) = (0, ImageUses::default());
     let mut grounds = SpilledGrounds::new(feed.sources.len() == 1, new);
     let mut expansion = Expansion::new(documents, &catalog, feed, world, options);
-    expansion.each(&catalog, options, &mut |built, found, images| {
+    expansion.each(&catalog, &|| options.all_roofs(), &mut |built, found, images| {
         out.append(found);
         let Some(built) = built else {
             return Ok(());

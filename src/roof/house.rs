@@ -39,8 +39,8 @@ const MOST_TAKEN_OUT: usize = 16;
 /// Roofs are not narrower where another division avoids it, metres.
 const NARROW: f64 = 0.5;
 
-/// Roofs a house, without a cache.
-pub(super) fn roofs(house: &House, out: &mut Diagnostics) -> HouseRoofs {
+/// Roofs a house, without a cache; for what is seen of it from afar if asked.
+pub(super) fn roofs(house: &House, afar: bool, out: &mut Diagnostics) -> HouseRoofs {
     let budget = &SearchBudget::default();
     let levels = levels(house);
     let mut done = HouseRoofs::default();
@@ -66,6 +66,7 @@ pub(super) fn roofs(house: &House, out: &mut Diagnostics) -> HouseRoofs {
             top,
             lines,
             pent,
+            afar,
             budget,
             headroom,
         }
@@ -110,6 +111,8 @@ struct Storey<'a, 'h> {
     lines: Vec<&'a PlacedLine<'a>>,
     /// The street pent roof.
     pent: Option<Cell>,
+    /// True if only what is seen from afar is asked for.
+    afar: bool,
     /// The budget for the best cuts.
     budget: &'a SearchBudget,
     headroom: Headroom,
@@ -168,7 +171,8 @@ impl Storey<'_, '_> {
         let standing = standing::planned(&self.lines, &planned, &context, out);
         planned.extend(standing);
         let walls = upper.map_or(vec![], |u| polygonal::walls(self.house, u));
-        if !assemble(planned, &walls, &mut done.roofs) {
+        let afar = self.afar && self.lines.is_empty();
+        if !assemble(planned, &walls, afar, &mut done.roofs) {
             let place = self
                 .lines
                 .first()

@@ -441,7 +441,7 @@ fn by_number<T>(items: &[T], count: usize, number: impl Fn(&T) -> u32) -> Vec<u3
     order
 }
 
-fn upward(plane: Plane) -> DVec3 {
+pub(super) fn upward(plane: Plane) -> DVec3 {
     dvec3(-plane.slope.x, -plane.slope.y, 1.0)
 }
 
