@@ -104,7 +104,10 @@ impl Options {
 impl Options {
     /// Returns a cache for roofs with all that they have.
     fn all_roofs(&self) -> RoofCache {
-        self.roofs.as_ref().map(KeptRoofs::cache).unwrap_or_default()
+        self.roofs
+            .as_ref()
+            .map(KeptRoofs::cache)
+            .unwrap_or_default()
     }
 
     /// Returns a cache for roofs with what the level of detail shows of them.

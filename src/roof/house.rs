@@ -59,6 +59,7 @@ pub(super) fn roofs(house: &House, afar: bool, out: &mut Diagnostics) -> HouseRo
         let lines = lines.clone();
         let headroom = Headroom::of(house, &levels, k, &on_level);
         let pent = pent.filter(|_| k == 0);
+        let afar = afar && lines.is_empty();
         Storey {
             house,
             levels: &levels,
@@ -171,8 +172,7 @@ impl Storey<'_, '_> {
         let standing = standing::planned(&self.lines, &planned, &context, out);
         planned.extend(standing);
         let walls = upper.map_or(vec![], |u| polygonal::walls(self.house, u));
-        let afar = self.afar && self.lines.is_empty();
-        if !assemble(planned, &walls, afar, &mut done.roofs) {
+        if !assemble(planned, &walls, self.afar, &mut done.roofs) {
             let place = self
                 .lines
                 .first()

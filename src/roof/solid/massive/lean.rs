@@ -10,6 +10,7 @@
 //! way.
 
 mod areas;
+mod corners;
 mod faces;
 mod heights;
 mod lone;
@@ -25,6 +26,7 @@ use crate::roof::solid::massive::closed;
 use crate::roof::solid::massive::lean::pieces::Piece;
 use crate::roof::solid::massive::merge::Polygon;
 use glam::{DVec2, DVec3};
+
 pub(in crate::roof) use slopes::{Plate, Slope, united};
 
 /// Roofs whose bounds are farther apart do not touch, metres.
@@ -36,9 +38,6 @@ const ROUNDS: usize = 4;
 /// Returns the solids of one of the groups of roofs without timber under them; none if it has no attic.
 pub fn lean(roofs: &[Roof]) -> Option<Vec<Solid>> {
     roofs.iter().find(|r| r.attic.filled)?;
-    if let Some(whole) = roofs.iter().find_map(|r| r.whole.as_ref()) {
-        return Some(whole.clone());
-    }
     let mut solids = vec![];
     for part in apart(roofs) {
         solids.extend(made(&part).into_iter().filter(is_seen));

@@ -5,8 +5,8 @@
 //! convex, so that the answer for the whole edge is one span of it, whose ends are exact crossings of lines.
 
 use crate::geometry::tolerance::SLIVER;
-use crate::roof::facet::{Corner, Sides, area, sides_of};
-use crate::roof::solid::massive::lean::plan::WELD;
+use crate::roof::facet::{Convex, Corner, HalfPlane, Sides, area};
+use crate::roof::solid::massive::lean::corners::WELD;
 use glam::DVec2;
 use smallvec::SmallVec;
 
@@ -14,7 +14,9 @@ use smallvec::SmallVec;
 const BESIDE: f64 = WELD;
 
 /// A convex part of a plan.
+#[derive(Clone)]
 pub(super) struct Area {
+    /// The start of each side, in their order.
     corners: SmallVec<[DVec2; 6]>,
     sides: Sides,
     lo: DVec2,
@@ -22,11 +24,13 @@ pub(super) struct Area {
 }
 
 /// An area: some convex ones less others.
-#[derive(Default)]
 pub(super) struct Region<'a> {
-    pub(super) with: SmallVec<[&'a Area; 4]>,
-    pub(super) without: SmallVec<[&'a Area; 8]>,
+    pub(super) with: &'a [&'a Area],
+    pub(super) without: &'a [Area],
 }
+
+/// From and to.
+pub(super) type Line = (DVec2, DVec2);
 
 /// Parts of an edge, from 0 at its start to 1 at its end, in order.
 type Spans = SmallVec<[[f64; 2]; 4]>;
@@ -45,22 +49,35 @@ impl Area {
         if area(outline) < SLIVER {
             return None;
         }
-        let corners: SmallVec<[DVec2; 6]> = outline.iter().map(|c| c.at).collect();
-        let none = (DVec2::MAX, DVec2::MIN);
-        let (lo, hi) = corners
-            .iter()
-            .fold(none, |(lo, hi), c| (lo.min(*c), hi.max(*c)));
-        Some(Area {
-            corners,
-            sides: sides_of(outline),
-            lo,
-            hi,
-        })
+        let mut area = Area {
+            corners: SmallVec::new(),
+            sides: Sides::new(),
+            lo: DVec2::MAX,
+            hi: DVec2::MIN,
+        };
+        for (n, corner) in outline.iter().enumerate() {
+            let (at, next) = (corner.at, outline.get(n + 1).unwrap_or(&outline[0]).at);
+            if let Some(side) = HalfPlane::left_of(at, next) {
+                area.corners.push(at);
+                area.sides.push(side);
+                (area.lo, area.hi) = (area.lo.min(at), area.hi.max(at));
+            }
+        }
+        Some(area)
     }
 
-    /// Returns true if the bounds of two areas touch.
+    /// Returns true if the bounds of two areas overlap or touch.
     pub(super) fn is_near(&self, other: &Area) -> bool {
         self.spans_to(other.lo, other.hi)
+    }
+
+    /// Returns what two areas have in common.
+    pub(super) fn common(&self, other: &[Corner]) -> Convex {
+        let whole = Convex::from_slice(other);
+        self.sides.iter().fold(whole, |rest, side| {
+            let [inside, _] = side.halves(&rest);
+            inside
+        })
     }
 
     fn spans_to(&self, lo: DVec2, hi: DVec2) -> bool {
@@ -76,13 +93,14 @@ impl Area {
         let by = if left { edge.left } else { -edge.left };
         let mut span = [0.0_f64, 1.0];
         for side in &self.sides {
-            let [p, q] = [from, to].map(|end| side.depth(end + by) > 0.0);
+            let (a, b) = (side.depth(from), side.depth(to));
+            let beside = side.inward().dot(by);
+            let (p, q) = (a + beside > 0.0, b + beside > 0.0);
             if !p && !q {
                 return None;
             }
             if p != q {
                 // Whether it crosses is seen beside the edge, where it does so on the edge itself.
-                let (a, b) = (side.depth(from), side.depth(to));
                 let at = (a / (a - b)).clamp(0.0, 1.0);
                 match p {
                     true => span[1] = span[1].min(at),
@@ -93,19 +111,35 @@ impl Area {
         (span[0] < span[1]).then_some(span)
     }
 
+    /// Takes away the parts of an edge whose left side, or right side, lies in this area.
+    fn take(&self, edge: &Edge, left: bool, spans: &mut Spans) {
+        if spans.is_empty() {
+            return;
+        }
+        if let Some(part) = self.beside(edge, left) {
+            take(spans, part);
+        }
+    }
+
     fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
-        let next = self.corners.iter().cycle().skip(1);
-        self.corners.iter().zip(next).map(|(from, to)| Edge {
-            from: *from,
-            to: *to,
-            left: (to - from).perp().normalize_or_zero() * BESIDE,
+        let corners = &self.corners[..];
+        let sides = self.sides.iter().enumerate();
+        sides.map(move |(n, side)| Edge {
+            from: corners[n],
+            to: *corners.get(n + 1).unwrap_or(&corners[0]),
+            left: side.inward() * BESIDE,
         })
     }
 }
 
 impl Edge {
-    /// Passes on some parts of the edge with length, backwards if asked.
-    fn pass(&self, spans: &Spans, backwards: bool, out: &mut impl FnMut(DVec2, DVec2)) {
+    fn new(from: DVec2, to: DVec2) -> Edge {
+        let left = (to - from).perp().normalize_or_zero() * BESIDE;
+        Edge { from, to, left }
+    }
+
+    /// Adds some parts of the edge with length, backwards if asked.
+    fn pass(&self, spans: &Spans, backwards: bool, lines: &mut Vec<Line>) {
         let at = |t: f64| match t {
             0.0 => self.from,
             1.0 => self.to,
@@ -115,80 +149,121 @@ impl Edge {
             let (p, q) = (at(*p), at(*q));
             match (p.distance(q) < BESIDE, backwards) {
                 (true, _) => {}
-                (false, false) => out(p, q),
-                (false, true) => out(q, p),
+                (false, false) => lines.push((p, q)),
+                (false, true) => lines.push((q, p)),
             }
         }
     }
 }
 
 impl Region<'_> {
-    /// Passes on the border, from and to, with the area on the left.
-    pub(super) fn border(&self, mut out: impl FnMut(DVec2, DVec2)) {
+    /// Adds the border, from and to, with the area on the left.
+    pub(super) fn border(&self, lines: &mut Vec<Line>) {
         for (n, part) in self.with.iter().enumerate() {
             for edge in part.edges() {
-                let mut spans: Spans = SmallVec::from_slice(&[[0.0, 1.0]]);
+                let mut spans = whole();
                 for (k, other) in self.with.iter().enumerate().filter(|(k, _)| *k != n) {
-                    take(&mut spans, other.beside(&edge, false));
+                    other.take(&edge, false, &mut spans);
                     // Of edges upon each other the first counts.
                     if k < n {
-                        take(&mut spans, other.beside(&edge, true));
+                        other.take(&edge, true, &mut spans);
                     }
                 }
-                for other in &self.without {
-                    take(&mut spans, other.beside(&edge, true));
+                for other in self.without {
+                    other.take(&edge, true, &mut spans);
                 }
-                edge.pass(&spans, false, &mut out);
+                edge.pass(&spans, false, lines);
             }
         }
-        for (n, part) in self.without.iter().enumerate() {
+        self.inner(
+            &self.without.iter().collect::<SmallVec<[&Area; 16]>>(),
+            0,
+            lines,
+        );
+    }
+
+    /// Adds the border of what more areas leave of it, which has this border without them.
+    pub(super) fn less(&self, border: &[Line], more: &[&Area], lines: &mut Vec<Line>) {
+        for (from, to) in border {
+            let edge = Edge::new(*from, *to);
+            let mut spans = whole();
+            for other in more {
+                other.take(&edge, true, &mut spans);
+            }
+            edge.pass(&spans, false, lines);
+        }
+        let without = self.without.iter().chain(more.iter().copied());
+        let without: SmallVec<[&Area; 16]> = without.collect();
+        self.inner(&without, self.without.len(), lines);
+    }
+
+    /// Adds the border along the areas that are taken away, from one of them on.
+    fn inner(&self, without: &[&Area], from: usize, lines: &mut Vec<Line>) {
+        for (n, part) in without.iter().enumerate().skip(from) {
             for edge in part.edges() {
                 // Its own part ends here where the others go on to both sides.
-                let mut spans = both(&self.beside(&edge, false), &self.beside(&edge, true));
-                for (k, other) in self.without.iter().enumerate().filter(|(k, _)| *k != n) {
-                    take(&mut spans, other.beside(&edge, false));
+                let mut spans = self.beside(&edge, false);
+                if !spans.is_empty() {
+                    spans = both(&spans, &self.beside(&edge, true));
+                }
+                for (k, other) in without.iter().enumerate().filter(|(k, _)| *k != n) {
+                    if spans.is_empty() {
+                        break;
+                    }
+                    other.take(&edge, false, &mut spans);
                     if k < n {
-                        take(&mut spans, other.beside(&edge, true));
+                        other.take(&edge, true, &mut spans);
                     }
                 }
-                edge.pass(&spans, true, &mut out);
+                edge.pass(&spans, true, lines);
             }
         }
     }
 
     /// Returns the parts of an edge whose left side, or right side, lies in one of the parts that are added.
     fn beside(&self, edge: &Edge, left: bool) -> Spans {
-        let found = self.with.iter().filter_map(|w| w.beside(edge, left));
-        let mut found: Spans = found.collect();
-        found.sort_unstable_by(|p, q| p[0].total_cmp(&q[0]));
         let mut spans = Spans::new();
-        for span in found {
-            match spans.last_mut().filter(|last| span[0] <= last[1]) {
-                Some(last) => last[1] = last[1].max(span[1]),
-                None => spans.push(span),
-            }
+        for span in self.with.iter().filter_map(|w| w.beside(edge, left)) {
+            let at = spans.iter().position(|s| span[0] < s[0]);
+            spans.insert(at.unwrap_or(spans.len()), span);
         }
+        spans.dedup_by(|next, last| {
+            let meet = next[0] <= last[1];
+            if meet {
+                last[1] = last[1].max(next[1]);
+            }
+            meet
+        });
         spans
     }
 }
 
+fn whole() -> Spans {
+    let mut spans = Spans::new();
+    spans.push([0.0, 1.0]);
+    spans
+}
+
 /// Takes a part away from some.
-fn take(spans: &mut Spans, part: Option<[f64; 2]>) {
-    let Some([from, to]) = part else { return };
+fn take(spans: &mut Spans, [from, to]: [f64; 2]) {
     let mut n = 0;
     while n < spans.len() {
         let [p, q] = spans[n];
-        if q <= from || p >= to {
-            n += 1;
-            continue;
-        }
-        spans.remove(n);
-        for rest in [[to, q], [p, from]] {
-            if rest[0] < rest[1] {
-                spans.insert(n, rest);
+        match (p < from, q > to) {
+            _ if q <= from || p >= to => {}
+            (true, true) => {
+                spans[n] = [p, from];
+                spans.insert(n + 1, [to, q]);
+                return;
+            }
+            (true, false) => spans[n] = [p, from],
+            (false, true) => spans[n] = [to, q],
+            (false, false) => {
+                spans.remove(n);
+                continue;
             }
         }
-        n += usize::from(p < from);
+        n += 1;
     }
 }
 
@@ -214,16 +289,20 @@ mod tests {
 
     /// Twice the area that a border goes round, and its length.
     fn round(with: &[&Area], without: &[&Area]) -> (f64, f64) {
-        let region = Region {
-            with: SmallVec::from_slice(with),
-            without: SmallVec::from_slice(without),
-        };
-        let (mut twice, mut length) = (0.0, 0.0);
-        region.border(|p, q| {
-            twice += p.perp_dot(q);
-            length += p.distance(q);
-        });
-        (twice, length)
+        let all: Vec<Area> = without.iter().map(|a| (*a).clone()).collect();
+        let twice = |lines: &[Line]| lines.iter().map(|(p, q)| p.perp_dot(*q)).sum::<f64>();
+        let length = |lines: &[Line]| lines.iter().map(|(p, q)| p.distance(*q)).sum::<f64>();
+        let region = |without| Region { with, without };
+        let (mut lines, mut base, mut less) = (vec![], vec![], vec![]);
+        region(&all).border(&mut lines);
+        // The same in two steps.
+        region(&[]).border(&mut base);
+        region(&[]).less(&base, without, &mut less);
+        assert_eq!(
+            (twice(&lines), length(&lines)),
+            (twice(&less), length(&less))
+        );
+        (twice(&lines), length(&lines))
     }
 
     #[test]

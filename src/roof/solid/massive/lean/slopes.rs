@@ -10,13 +10,14 @@
 use crate::ast::RoofKind;
 use crate::building::{Finish, Solid};
 use crate::geometry::tolerance::{JOINT, SLIVER};
-use crate::roof::facet::{Convex, Corner, HalfPlane, Higher, area, sides_of};
+use crate::roof::facet::{Convex, Corner, HalfPlane, Higher, area};
 use crate::roof::frame::Plane;
 use crate::roof::solid::massive::closed;
-use crate::roof::solid::massive::lean::areas::{Area, Region};
+use crate::roof::solid::massive::lean::areas::{Area, Line, Region};
+use crate::roof::solid::massive::lean::corners::{self, WELD};
 use crate::roof::solid::massive::lean::faces::{self, Patches};
 use crate::roof::solid::massive::lean::heights::Heights;
-use crate::roof::solid::massive::lean::plan::{WELD, upward};
+use crate::roof::solid::massive::lean::plan::upward;
 use crate::roof::solid::massive::lean::{is_seen, is_sound};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
@@ -40,8 +41,8 @@ pub(in crate::roof) struct Slope {
 pub(in crate::roof) struct Plate {
     /// Their vertical thickness, metres.
     pub(in crate::roof) drop: f64,
-    /// The floor of the attic, metres.
-    pub(in crate::roof) floor: f64,
+    /// The floor of the attic, metres; `None` if there is none below.
+    pub(in crate::roof) floor: Option<f64>,
     /// Their covering.
     pub(in crate::roof) kind: RoofKind,
 }
@@ -79,100 +80,193 @@ enum Kind {
 #[derive(Default)]
 struct Borders {
     surfaces: Vec<Surface>,
-    /// From and to, with the surface on the left.
-    lines: Vec<(DVec2, DVec2, u32)>,
+    /// With the surface on the left, those of each surface together.
+    lines: Vec<Line>,
+    /// Where those of each surface end in the list of lines.
+    ends: Vec<u32>,
 }
 
 /// The areas of a slope.
-struct Areas {
-    /// The number of its plane.
+struct Areas<'s> {
+    slope: &'s Slope,
+    /// The number of its plane, and that plane.
     plane: usize,
     top: Plane,
     outline: Area,
+    /// Its body; none if that is its outline.
+    body: Option<Area>,
     filled: Option<Area>,
+    verges: SmallVec<[Area; 2]>,
+}
+
+impl Areas<'_> {
+    fn body(&self) -> &Area {
+        self.body.as_ref().unwrap_or(&self.outline)
+    }
+
+    /// Adds the part of its body that lies above a plane and may lie over some slopes.
+    fn above(&self, plane: Plane, own: &[&Area], areas: &mut Vec<Area>) {
+        let near = |area: &Area| own.iter().any(|o| o.is_near(area));
+        match HalfPlane::where_higher(self.top, plane) {
+            _ if !near(self.body()) => {}
+            Higher::Nowhere => {}
+            Higher::Everywhere => areas.push(self.body().clone()),
+            Higher::Inside(side) => {
+                let [inside, _] = side.halves(&self.slope.body);
+                areas.extend(Area::of(&inside).filter(near));
+            }
+        }
+    }
+}
+
+/// Where slopes in one plane are not seen.
+#[derive(Default)]
+struct Hidden {
+    /// Where another takes their place.
+    covered: Vec<Area>,
+    /// Where they would lie in the thickness of a verge above them.
+    within: Vec<Area>,
+    /// Where their own verges lie upon another.
+    upon: Vec<Area>,
 }
 
 impl Borders {
     fn of(slopes: &[Slope], plate: &Plate) -> Borders {
-        let floor = Plane::level(plate.floor);
-        let mut planes: Vec<Plane> = Vec::with_capacity(8);
-        let of = |slope: &Slope| {
-            let known = planes.iter().position(|p| is_same(*p, slope.top));
-            let plane = known.unwrap_or(planes.len());
-            if known.is_none() {
-                planes.push(slope.top);
-            }
-            let filled = higher(&slope.body, slope.top.raised(-plate.drop), floor);
-            Some(Areas {
-                plane,
-                top: planes[plane],
-                outline: Area::of(&slope.outline)?,
-                filled: Area::of(&filled),
-            })
+        let mut planes: Vec<Plane> = Vec::with_capacity(slopes.len());
+        let of = |slope| Borders::areas(slope, plate, &mut planes);
+        let areas: Vec<Areas<'_>> = slopes.iter().filter_map(of).collect();
+        let mut borders = Borders {
+            surfaces: Vec::with_capacity(2 * planes.len() + 1),
+            lines: Vec::with_capacity(24 * slopes.len()),
+            ends: Vec::with_capacity(2 * planes.len() + 1),
         };
-        let areas: Vec<Option<Areas>> = slopes.iter().map(of).collect();
-        let mut borders = Borders::default();
+        let (mut hidden, mut upper) = (Hidden::default(), vec![]);
         for (number, plane) in planes.iter().enumerate() {
-            borders.slope((number, *plane), slopes, &areas, plate.drop);
+            borders.slope(
+                (number, *plane),
+                &areas,
+                plate.drop,
+                &mut hidden,
+                &mut upper,
+            );
         }
-        let all = areas.iter().flatten().filter_map(|a| a.filled.as_ref());
+        let attic: SmallVec<[&Area; 16]> = areas.iter().filter_map(|a| a.filled.as_ref()).collect();
         let attic = Region {
-            with: all.collect(),
-            ..Region::default()
+            with: &attic,
+            without: &[],
         };
-        borders.add(floor, Kind::Floor, &attic);
+        attic.border(&mut borders.lines);
+        borders.end(Plane::level(plate.floor.unwrap_or_default()), Kind::Floor);
         borders
+    }
+
+    /// Returns the areas of a slope; none of a sliver.
+    fn areas<'s>(slope: &'s Slope, plate: &Plate, planes: &mut Vec<Plane>) -> Option<Areas<'s>> {
+        let known = planes.iter().position(|p| is_same(*p, slope.top));
+        let plane = known.unwrap_or(planes.len());
+        if known.is_none() {
+            planes.push(slope.top);
+        }
+        let low = slope.top.raised(-plate.drop);
+        let filled = (plate.floor).map(|floor| higher(&slope.body, low, Plane::level(floor)));
+        let verges = !slope.verges.is_empty();
+        Some(Areas {
+            slope,
+            plane,
+            top: planes[plane],
+            outline: Area::of(&slope.outline)?,
+            body: verges.then(|| Area::of(&slope.body)).flatten(),
+            filled: filled.and_then(|filled| Area::of(&filled)),
+            verges: slope.verges.iter().filter_map(|v| Area::of(v)).collect(),
+        })
     }
 
     /// Adds the upper and the lower surface of all slopes in one plane.
     fn slope(
         &mut self,
         (number, top): (usize, Plane),
-        slopes: &[Slope],
-        areas: &[Option<Areas>],
+        areas: &[Areas<'_>],
         drop: f64,
+        hidden: &mut Hidden,
+        upper: &mut Vec<Line>,
     ) {
-        let all = || slopes.iter().zip(areas);
-        let all = || all().filter_map(|(s, a)| Some((s, a.as_ref()?)));
-        let own = || all().filter(|(_, a)| a.plane == number);
-        let near = |a: &Areas| own().any(|(_, o)| o.outline.is_near(&a.outline));
-        let others = || all().filter(|(_, a)| a.plane != number && near(a));
-        // Where another takes its place.
-        let covered = others().filter_map(|(s, a)| Area::of(&higher(&s.body, a.top, top)));
-        let covered: SmallVec<[Area; 8]> = covered.collect();
-        // Where it would lie in the thickness of a verge above it.
-        let within = others().flat_map(|(s, a)| {
-            let verges = s.verges.iter();
-            verges.filter_map(|v| Area::of(&between(v, top, a.top, drop)))
-        });
-        let within: SmallVec<[Area; 4]> = within.collect();
-        // Where its own verges lie upon another.
-        let upon = own().flat_map(|(s, _)| s.verges.iter()).flat_map(|v| {
-            let touched = others().filter_map(|(s, a)| {
-                let both = common(v, &s.outline)?;
-                Area::of(&between(&both, a.top, top, drop))
-            });
-            touched.collect::<SmallVec<[Area; 4]>>()
-        });
-        let upon: SmallVec<[Area; 4]> = upon.collect();
-        let outlines = || own().map(|(_, a)| &a.outline).collect();
-        let upper = Region {
-            with: outlines(),
-            without: covered.iter().chain(&within).collect(),
+        let own = || areas.iter().filter(|a| a.plane == number);
+        let outlines: SmallVec<[&Area; 8]> = own().map(|a| &a.outline).collect();
+        hidden.find((number, top), areas, &outlines, drop);
+        let region = Region {
+            with: &outlines,
+            without: &hidden.covered,
         };
-        self.add(top, Kind::Top, &upper);
-        let filled = own().filter_map(|(_, a)| a.filled.as_ref());
-        let lower = Region {
-            with: outlines(),
-            without: covered.iter().chain(&upon).chain(filled).collect(),
-        };
-        self.add(top.raised(-drop), Kind::Low, &lower);
+        upper.clear();
+        region.border(upper);
+        match hidden.within.is_empty() {
+            true => self.lines.extend_from_slice(upper),
+            false => {
+                let within: SmallVec<[&Area; 8]> = hidden.within.iter().collect();
+                region.less(upper, &within, &mut self.lines);
+            }
+        }
+        self.end(top, Kind::Top);
+        let filled = own().filter_map(|a| a.filled.as_ref());
+        let below: SmallVec<[&Area; 8]> = hidden.upon.iter().chain(filled).collect();
+        region.less(upper, &below, &mut self.lines);
+        self.end(top.raised(-drop), Kind::Low);
     }
 
-    fn add(&mut self, plane: Plane, kind: Kind, region: &Region<'_>) {
-        let number = self.surfaces.len() as u32;
-        region.border(|from, to| self.lines.push((from, to, number)));
+    /// Ends the border of a surface, whose lines have been added.
+    fn end(&mut self, plane: Plane, kind: Kind) {
+        self.ends.push(self.lines.len() as u32);
         self.surfaces.push(Surface { plane, kind });
+    }
+
+    /// Returns the lines with the numbers of their surfaces.
+    fn numbered(&self) -> impl Iterator<Item = (&Line, u32)> {
+        let numbers = self.ends.iter().scan(0, |from, end| {
+            let count = end - std::mem::replace(from, *end);
+            Some(count as usize)
+        });
+        let numbers = numbers.zip(0..);
+        let numbers = numbers.flat_map(|(count, number)| std::iter::repeat_n(number, count));
+        self.lines.iter().zip(numbers)
+    }
+}
+
+impl Hidden {
+    /// Finds where the slopes in one plane, with these outlines, are not seen.
+    fn find(
+        &mut self,
+        (number, top): (usize, Plane),
+        areas: &[Areas<'_>],
+        outlines: &[&Area],
+        drop: f64,
+    ) {
+        let Hidden {
+            covered,
+            within,
+            upon,
+        } = self;
+        covered.clear();
+        within.clear();
+        upon.clear();
+        let own = || areas.iter().filter(|a| a.plane == number);
+        let verges = || own().flat_map(|a| a.slope.verges.iter().zip(&a.verges));
+        for other in areas.iter().filter(|a| a.plane != number) {
+            if !outlines.iter().any(|o| o.is_near(&other.outline)) {
+                continue;
+            }
+            other.above(top, outlines, covered);
+            let near = |v: &Area| outlines.iter().any(|o| o.is_near(v));
+            let above = other.slope.verges.iter().zip(&other.verges);
+            for (verge, _) in above.filter(|v| near(v.1)) {
+                within.extend(Area::of(&between(verge, top, other.top, drop)));
+            }
+            for (verge, _) in verges().filter(|v| other.outline.is_near(v.1)) {
+                let upper = between(verge, other.top, top, drop);
+                if area(&upper) > SLIVER {
+                    upon.extend(Area::of(&other.outline.common(&upper)));
+                }
+            }
+        }
     }
 }
 
@@ -198,17 +292,6 @@ fn between(outline: &[Corner], plane: Plane, top: Plane, drop: f64) -> Convex {
     higher(&higher(outline, top, plane), plane, top.raised(-drop))
 }
 
-/// Returns what two convex outlines have in common; none if that is a sliver.
-fn common(one: &[Corner], other: &[Corner]) -> Option<Convex> {
-    let inside = sides_of(other)
-        .iter()
-        .fold(Convex::from_slice(one), |rest, side| {
-            let [inside, _] = side.halves(&rest);
-            inside
-        });
-    (area(&inside) > SLIVER).then_some(inside)
-}
-
 /// The borders on shared corners and points.
 struct Edges {
     corners: Vec<DVec2>,
@@ -232,14 +315,16 @@ struct Edge {
 impl Edges {
     fn of(borders: &Borders) -> Edges {
         let (corners, ends) = welded(&borders.lines);
+        let ends = ends.chunks_exact(2);
         let mut heights = Heights::over(corners.len(), 3 * borders.lines.len());
         let mut all: Vec<Edge> = Vec::with_capacity(2 * borders.lines.len());
         let mut way: Vec<(f64, u32)> = Vec::with_capacity(8);
-        for ((_, _, surface), [from, to]) in borders.lines.iter().zip(ends) {
+        for ((_, surface), ends) in borders.numbered().zip(ends) {
+            let (from, to) = (ends[0], ends[1]);
             if from == to {
                 continue;
             }
-            let plane = borders.surfaces[*surface as usize].plane;
+            let plane = borders.surfaces[surface as usize].plane;
             stops(&corners, from, to, &mut way);
             for pair in way.windows(2) {
                 let (p, q) = (pair[0].1, pair[1].1);
@@ -252,7 +337,7 @@ impl Edges {
                         heights.number(over.1, z(over.1)),
                     ],
                     left: p < q,
-                    surface: *surface,
+                    surface,
                 });
             }
         }
@@ -314,7 +399,9 @@ impl Edges {
         for level in same.chunk_by(|e, f| e.ends == f.ends) {
             let high = level[0].ends;
             if let Some(low) = below.filter(|_| net != 0) {
-                let slab = level.iter().any(|e| kind(e) == Kind::Top && more(e) == -net);
+                let slab = level
+                    .iter()
+                    .any(|e| kind(e) == Kind::Top && more(e) == -net);
                 self.stand([low, high], net, same[0].over, (slab, plate), patches)?;
             }
             net += level.iter().map(more).sum::<i32>();
@@ -366,26 +453,9 @@ impl Edges {
     }
 }
 
-/// Returns the corners of all lines in ascending order of x, and the numbers of the ends of each line.
-fn welded(lines: &[(DVec2, DVec2, u32)]) -> (Vec<DVec2>, Vec<[u32; 2]>) {
-    let ends = lines.iter().flat_map(|(from, to, _)| [*from, *to]);
-    let mut order: Vec<(DVec2, u32)> = ends.zip(0..).collect();
-    order.sort_unstable_by(|p, q| p.0.x.total_cmp(&q.0.x).then(p.0.y.total_cmp(&q.0.y)));
-    let mut numbers = vec![[0; 2]; lines.len()];
-    let mut corners: Vec<DVec2> = Vec::with_capacity(lines.len());
-    for (at, n) in order {
-        let near = corners.iter().rev().take_while(|c| at.x - c.x < WELD);
-        let same = near.enumerate().find(|(_, c)| (c.y - at.y).abs() < WELD);
-        let number = match same.map(|s| s.0) {
-            Some(back) => corners.len() - 1 - back,
-            None => {
-                corners.push(at);
-                corners.len() - 1
-            }
-        };
-        numbers[n as usize / 2][n as usize % 2] = number as u32;
-    }
-    (corners, numbers)
+/// Returns the corners of all lines in ascending order of x, and for each line the numbers of its ends.
+fn welded(lines: &[Line]) -> (Vec<DVec2>, Vec<u32>) {
+    corners::welded(lines.iter().flat_map(|(from, to)| [*from, *to]))
 }
 
 /// Replaces a list by the corners that a line passes through, its ends included, in their order with their places on it.
