@@ -16,8 +16,13 @@ use hsd::source::{FileId, NoFiles, Source};
 
 /// Plain houses of each shape of roof.
 const HOUSES: usize = 1_000;
-/// The most by which volumes may differ, cubic metres: under verges that lie upon a lower roof, joined roofs have a cavity.
-const CAVITY: f64 = 0.05;
+/// How much larger and smaller volumes may be, cubic metres: under verges that lie upon a lower roof, joined roofs have a
+/// cavity, and walls over lean-tos lap other roofs a little.
+const CAVITY: f64 = 0.15;
+const LAP: f64 = 0.005;
+/// The most by which a house may have more triangles: those of a wall over a lean-to, which stands by itself. All houses
+/// together have fewer.
+const WALL: usize = 12;
 /// The most by which upper surfaces may differ, metres.
 const OFF: f64 = 2e-4;
 /// Points of the upper surface along each side of a house.
@@ -79,14 +84,14 @@ fn differences(once: &[Solid], joined: &[Solid]) -> Option<String> {
         sum(once) - sum(joined),
         joined.iter().flat_map(|s| &s.points),
     );
-    if !(-1e-4..CAVITY).contains(&more) {
+    if !(-LAP..CAVITY).contains(&more) {
         return Some(format!("{more} cubic metres more"));
     }
     if let Some(flaw) = once.iter().flat_map(|solid| solid_flaws(solid)).next() {
         return Some(format!("{flaw:?}"));
     }
     let (now, before) = (triangles(once), triangles(joined));
-    if now > before {
+    if now > before + WALL {
         return Some(format!("{before} triangles became {now}"));
     }
     let bounds = (DVec2::MAX, DVec2::MIN);
@@ -114,6 +119,14 @@ fn plain_roofs_made_at_once_are_those_that_are_joined() {
             made as f64 > least * HOUSES as f64,
             "{shape}: only {made} at once"
         );
+        let all = |houses: &[Built]| {
+            houses
+                .iter()
+                .map(|h| triangles(&solids(h).0))
+                .sum::<usize>()
+        };
+        let (now, before) = (all(&once), all(&joined));
+        assert!(now < before, "{shape}: {before} triangles became {now}");
         let found = on_all_processors(HOUSES, |n| {
             let found = differences(&solids(&once[n]).0, &solids(&joined[n]).0);
             found

@@ -9,7 +9,7 @@
 
 use crate::ast::RoofKind;
 use crate::building::{Finish, Solid};
-use crate::geometry::tolerance::{JOINT, SLIVER};
+use crate::geometry::tolerance::SLIVER;
 use crate::roof::facet::{Convex, Corner, HalfPlane, Higher, area};
 use crate::roof::frame::Plane;
 use crate::roof::solid::massive::closed;
@@ -395,17 +395,26 @@ impl Edges {
             false => 1,
         };
         let mut net = 0_i32;
-        let mut below: Option<[u32; 2]> = None;
+        let mut below: Option<&[Edge]> = None;
         for level in same.chunk_by(|e, f| e.ends == f.ends) {
             let high = level[0].ends;
-            if let Some(low) = below.filter(|_| net != 0) {
+            if let Some(below) = below.filter(|_| net != 0) {
+                let low = below[0].ends;
                 let slab = level
                     .iter()
                     .any(|e| kind(e) == Kind::Top && more(e) == -net);
-                self.stand([low, high], net, same[0].over, (slab, plate), patches)?;
+                if slab && below.iter().any(|e| kind(e) == Kind::Floor) {
+                    // A wall without a verge over it.
+                    return None;
+                }
+                let finish = match slab {
+                    true => Finish::Edge(plate.kind),
+                    false => Finish::Gable,
+                };
+                self.stand([low, high], net, same[0].over, finish, patches)?;
             }
             net += level.iter().map(more).sum::<i32>();
-            below = Some(high);
+            below = Some(level);
         }
         (net == 0).then_some(())
     }
@@ -416,19 +425,12 @@ impl Edges {
         [low, high]: [[u32; 2]; 2],
         net: i32,
         over: (u32, u32),
-        (slab, plate): (bool, &Plate),
+        finish: Finish,
         patches: &mut Patches,
     ) -> Option<()> {
         if net.abs() > 1 || low[1] > high[1] {
             return None;
         }
-        let tall = |k: usize| self.points[high[k] as usize].z - self.points[low[k] as usize].z;
-        let finish = match slab {
-            // A wall without a verge over it.
-            true if tall(0).max(tall(1)) > plate.drop + JOINT => return None,
-            true => Finish::Edge(plate.kind),
-            false => Finish::Gable,
-        };
         // Along the foot, up, back, down, through every point over both ends.
         let mut ring: SmallVec<[u32; 16]> = SmallVec::new();
         ring.push(low[0]);
