@@ -13,10 +13,12 @@ use crate::roof::solid::massive::{Plate, Slope, is_gable, of_slopes};
 use crate::roof::solid::{INFILL_THICKNESS, SUNK};
 use smallvec::SmallVec;
 
-/// Adds some roofs, the first with the solids of all, each with its walls as they are before roofs meet. Returns false,
+/// Adds several roofs, the first with the solids of all, each with its walls as they are before roofs meet. Returns false,
 /// and leaves them, if they are not plain.
 pub(in crate::roof) fn join(planned: &mut Vec<RoofDraft>, roofs: &mut Vec<Roof>) -> bool {
-    let Some(mut whole) = whole(planned) else {
+    // One that meets no other has a closed form.
+    let several = planned.len() > 1;
+    let Some(mut whole) = several.then(|| whole(planned)).flatten() else {
         return false;
     };
     let made = planned.drain(..).map(|draft| Roof {
