@@ -101,10 +101,12 @@ fn differences(once: &[Solid], joined: &[Solid]) -> Option<String> {
     let share = |k: usize| (k as f64 + 0.437) / POINTS as f64;
     let places = (0..POINTS * POINTS).map(|k| dvec2(share(k % POINTS), share(k / POINTS)));
     let mut places = places.map(|share| lo + (hi - lo) * share);
-    let off = |at: &DVec2| match (top(once, *at), top(joined, *at)) {
+    let differ = |at: DVec2| match (top(once, at), top(joined, at)) {
         (Some(one), Some(other)) => (one - other).abs() > OFF,
         (one, other) => one.is_some() != other.is_some(),
     };
+    // Where a place lies on an edge, one beside it counts.
+    let off = |at: &DVec2| differ(*at) && differ(*at + dvec2(1.3e-3, 0.7e-3));
     let off = places.find(off)?;
     Some(format!("another height over {off}"))
 }
