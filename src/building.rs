@@ -319,8 +319,19 @@ pub struct Roof {
     /// The space between its sheets and the walls.
     #[serde(skip)]
     pub attic: Attic,
+    /// What it shows from afar together with the roofs of its storey, instead of their solids, if it was made for that: then
+    /// these are only gable walls, which tell where each wall ends.
+    #[serde(skip)]
+    pub whole: Option<Vec<Solid>>,
     /// Closed solids in the house frame, metres.
     pub solids: Vec<Solid>,
+}
+
+impl Roof {
+    /// Returns all closed solids that it has, whatever they are for.
+    pub fn bodies(&self) -> impl Iterator<Item = &Solid> {
+        self.solids.iter().chain(self.whole.iter().flatten())
+    }
 }
 
 /// Boards, beams and brackets under the part of a storey that projects over the one below.

@@ -80,6 +80,8 @@ pub struct Options {
     pub variants: Option<NonZeroU32>,
     /// Roofs of earlier runs, where houses come back. They change nothing but the time.
     pub roofs: Option<KeptRoofs>,
+    /// True if roofs have all that they can have even where the level of detail shows less: drawings have their edges.
+    pub all_roofs: bool,
     /// True if a streamed run gives each house its own meshes, also those that houses before it had.
     pub own_meshes: bool,
     /// True if [`check`] records the values of expressions and names.
@@ -96,6 +98,25 @@ impl Options {
             triangles: self.expand.limits.triangles,
             town: false,
         }
+    }
+}
+
+impl Options {
+    /// Returns a cache for roofs with all that they have.
+    fn all_roofs(&self) -> RoofCache {
+        self.roofs
+            .as_ref()
+            .map(KeptRoofs::cache)
+            .unwrap_or_default()
+    }
+
+    /// Returns a cache for roofs with what the level of detail shows of them.
+    fn shown_roofs(&self) -> RoofCache {
+        #[cfg(feature = "models")]
+        let afar = self.detail == Detail::Body && !self.all_roofs;
+        #[cfg(not(feature = "models"))]
+        let afar = false;
+        self.all_roofs().from_afar(afar)
     }
 }
 

@@ -62,15 +62,18 @@ pub fn roof(shell: Shell, out: &mut Diagnostics) -> Building {
     }
 }
 
-/// Roofs one house. The cache only saves time.
+/// Roofs one house. The cache only saves time, except that one for what is seen [from afar](RoofCache::from_afar) leaves out the rest.
 pub fn house(house: &House, cache: &mut RoofCache, out: &mut Diagnostics) -> Arc<HouseRoofs> {
-    let key = Key::of(house);
+    // Brackets end under slopes, and finials stand on them.
+    let bears = house.storeys.iter().any(|s| s.order.brackets.is_some());
+    let afar = cache.is_from_afar() && !bears && house.finials.is_empty();
+    let key = Key::of(house, afar);
     if let Some((roofs, diagnostics)) = cache.find(house, &key) {
         diagnostics.into_iter().for_each(|d| out.push(d));
         return roofs;
     }
     let mut found = Diagnostics::new();
-    let roofs = Arc::new(house::roofs(house, &mut found));
+    let roofs = Arc::new(house::roofs(house, afar, &mut found));
     let diagnostics: Vec<Diagnostic> = found.iter().cloned().collect();
     cache.keep(key, house, &roofs, &diagnostics);
     out.append(found);

@@ -64,6 +64,7 @@ mod pieces;
 mod places;
 mod plan_drawings;
 mod plan_round;
+mod plain_roofs;
 mod plan_vectors;
 mod plans;
 mod published;

@@ -1,7 +1,7 @@
 //! Places variants in rows from left to right as seen from the front, in an area about as deep as wide. The houses of one
 //! variant keep their places relative to each other.
 
-use crate::building::{Building, Built};
+use crate::building::{Building, Built, Roof};
 use crate::geometry::Heading;
 use glam::{DVec2, dvec2};
 
@@ -94,7 +94,7 @@ fn bounds(built: &Built) -> (DVec2, DVec2) {
         .flat_map(|r| &r.walls);
     let plan = |p: DVec2| dvec2(-p.x, p.y) * house.unit;
     let corners = walls.flat_map(|w| [w.from, w.to]).map(plan);
-    let solids = built.roofs.roofs.iter().flat_map(|r| &r.solids);
+    let solids = built.roofs.roofs.iter().flat_map(Roof::bodies);
     let eaves = solids.flat_map(|s| &s.points).map(|p| p.truncate());
     let turn = Heading::new(180.0 - house.azimuth).vector();
     let [x, y, _] = house.origin;

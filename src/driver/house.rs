@@ -13,7 +13,7 @@ use crate::expand::{self, Expander, HouseContext, HouseId};
 use crate::fit;
 use crate::lower;
 use crate::program::{self, Picture};
-use crate::roof::{self, KeptRoofs, RoofCache};
+use crate::roof::{self, RoofCache};
 use crate::source::{Source, World};
 use rayon::prelude::*;
 use std::io;
@@ -118,6 +118,9 @@ type Houses<'a> = dyn Iterator<Item = io::Result<NextHouse<'a>>> + Send + 'a;
 
 /// Receives houses.
 pub(super) type Each<'e> = dyn FnMut(Option<Built>, Diagnostics, usize) -> io::Result<()> + 'e;
+
+/// Makes the cache of roofs for some houses.
+pub(super) type NewCache<'c> = dyn Fn() -> RoofCache + Sync + 'c;
 
 /// A house to be expanded; with the feature that it stands on, in a town.
 struct NextHouse<'a> {
@@ -336,14 +339,14 @@ impl<'a> Expansion<'a> {
     pub(super) fn each(
         &mut self,
         catalog: &Catalog,
-        options: &Options,
+        cache: &NewCache<'_>,
         each: &mut Each<'_>,
     ) -> io::Result<()> {
         let mut next = self.batch(BATCH);
         while let Some(batch) = next {
             let images = self.expander.images().len();
             let (finished, ahead) = rayon::join(
-                || batch.finish(catalog, options.roofs.as_ref(), |_, houses| houses),
+                || batch.finish(catalog, cache, |_, houses| houses),
                 || self.batch(BATCH),
             );
             for (built, found) in finished.into_iter().flatten() {
@@ -390,12 +393,12 @@ impl Batch {
     pub(super) fn finish<T: Send>(
         self,
         catalog: &Catalog,
-        roofs: Option<&KeptRoofs>,
+        cache: &NewCache<'_>,
         then: impl Fn(usize, Vec<(Option<Built>, Diagnostics)>) -> T + Sync,
     ) -> Vec<T> {
         let chunks = self.houses.into_par_iter().chunks(CHUNK).enumerate();
         let chunks = chunks.map(|(number, chunk)| {
-            let mut cache = roofs.map(KeptRoofs::cache).unwrap_or_default();
+            let mut cache = cache();
             let finished = chunk.into_iter().map(|(house, mut found, origin)| {
                 let placed = house
                     .as_ref()
@@ -431,7 +434,11 @@ pub(super) fn houses(
     let mut expansion = Expansion::new(documents, &read.catalog, feed, world, options);
     let mut grounds = Grounds::new(together || sources.len() == 1);
     let mut houses = vec![];
-    let made = expansion.each(&read.catalog, options, &mut |built, found, _| {
+    let cache = || match together {
+        true => options.shown_roofs(),
+        false => options.all_roofs(),
+    };
+    let made = expansion.each(&read.catalog, &cache, &mut |built, found, _| {
         if let Some(built) = built {
             // Variants are placed in rows later.
             let ground = Some(&built.house).filter(|house| house.variant.is_none());

@@ -68,15 +68,19 @@ pub fn inspect(
     let (mut houses, mut uses) = (0, ImageUses::default());
     let mut grounds = SpilledGrounds::new(feed.sources.len() == 1, new);
     let mut expansion = Expansion::new(documents, &catalog, feed, world, options);
-    expansion.each(&catalog, options, &mut |built, found, images| {
-        out.append(found);
-        let Some(built) = built else {
-            return Ok(());
-        };
-        houses += 1;
-        uses.note(&built, images);
-        grounds.add(Ground::of(&built.house, &catalog))
-    })?;
+    expansion.each(
+        &catalog,
+        &|| options.all_roofs(),
+        &mut |built, found, images| {
+            out.append(found);
+            let Some(built) = built else {
+                return Ok(());
+            };
+            houses += 1;
+            uses.note(&built, images);
+            grounds.add(Ground::of(&built.house, &catalog))
+        },
+    )?;
     grounds.report(|span| feed.first_line(span, &included), out)?;
     let images = expansion.into_images()?;
     let paths: Vec<String> = images.into_iter().map(|image| image.path).collect();

@@ -1,7 +1,7 @@
 //! A run that hands its houses on as they are made and keeps none: a town of any size takes the memory of some hundred
 //! houses. Long sources are read in pieces meanwhile; the others are in memory.
 
-use super::house::{BATCH, Batch, Expansion, FeatureHouse};
+use super::house::{BATCH, Batch, Expansion, FeatureHouse, NewCache};
 use super::models::{not_shown, use_by};
 use super::overlaps::{Ground, SpilledGrounds};
 use super::pieces::Feed;
@@ -16,7 +16,6 @@ use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::limits::too_many_triangles;
 use crate::diagnostic::messages::pictures as say;
 use crate::program::PictureId;
-use crate::roof::KeptRoofs;
 use crate::scene::{Counter, Material, Provenance, ScenePart, Stats};
 use crate::source::{Source, Span, World};
 use crate::tessellate::{self, HouseDrafts, SceneBuilder, Tessellator};
@@ -244,10 +243,10 @@ impl Made {
         batch: Batch,
         number: usize,
         (tessellator, places): (&Tessellator<'_>, &Places<'_>),
-        (catalog, roofs): (&Catalog, Option<&KeptRoofs>),
+        (catalog, cache): (&Catalog, &NewCache<'_>),
     ) -> Made {
         let images = batch.images.clone();
-        let chunks = batch.finish(catalog, roofs, |first, houses| {
+        let chunks = batch.finish(catalog, cache, |first, houses| {
             let (built, found): (Vec<Option<Built>>, Vec<Diagnostics>) = houses.into_iter().unzip();
             let built: Vec<Built> = built.into_iter().flatten().collect();
             let uses = |id: usize| built.iter().find_map(|b| use_by(b, PictureId(id as u32)));
@@ -318,13 +317,13 @@ impl Town<'_, '_> {
         makers: (&Tessellator<'_>, &Places<'_>),
         catalog: &Catalog,
     ) -> io::Result<()> {
-        let roofs = self.options.roofs.as_ref();
+        let cache = || self.options.shown_roofs();
         let (mut number, mut done) = (1, None);
         let mut next = expansion.batch(self.together);
         while let Some(batch) = next.take() {
             let count = batch.houses.len();
             let (made, ahead) = rayon::join(
-                || Made::of(batch, number, makers, (catalog, roofs)),
+                || Made::of(batch, number, makers, (catalog, &cache)),
                 || {
                     let written = match done.take() {
                         Some(made) => self.add(made, expansion),

@@ -106,11 +106,11 @@ impl<'a> TileDriver<'a> {
         let (world, options) = (self.world, &self.options.expand);
         let houses = houses.into_iter();
         let mut expansion = Expansion::of_town(houses, self.catalog, self.source, world, options);
-        let roofs = self.options.roofs.as_ref();
+        let cache = || self.options.all_roofs();
         let mut made: Vec<Option<Built>> = vec![];
         while let Some(batch) = expansion.batch(usize::MAX) {
             for (built, found) in batch
-                .finish(self.catalog, roofs, |_, houses| houses)
+                .finish(self.catalog, &cache, |_, houses| houses)
                 .into_iter()
                 .flatten()
             {

@@ -7,7 +7,7 @@
 //! move to another thread.
 
 use crate::ast::{RoofLine, RoofShape, RoofStyle};
-use crate::building::{House, HouseRoofs, Ring, Storey, Wall};
+use crate::building::{House, HouseRoofs, Ring, Roof, Storey, Wall};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::program::Roofs;
 use crate::source::{Span, Spanned};
@@ -33,6 +33,8 @@ pub struct RoofCache {
     kept: HashMap<Key, Arc<Kept>>,
     words: usize,
     most: usize,
+    /// True if roofs are made for what is seen of them from afar.
+    afar: bool,
     /// Where it looks for what it does not know.
     others: Option<KeptRoofs>,
 }
@@ -51,6 +53,16 @@ struct Kept {
 }
 
 impl RoofCache {
+    /// Returns the same cache, for roofs of which nothing is asked but what is seen from afar.
+    #[must_use]
+    pub fn from_afar(self, afar: bool) -> RoofCache {
+        RoofCache { afar, ..self }
+    }
+
+    pub(super) fn is_from_afar(&self) -> bool {
+        self.afar
+    }
+
     /// Returns the roofs and diagnostics kept for this key, with the places of this house. `None` if there are none, or
     /// if a place is ambiguous.
     pub(super) fn find(
@@ -104,6 +116,7 @@ impl RoofCache {
             kept: HashMap::new(),
             words: 0,
             most,
+            afar: false,
             others,
         }
     }
@@ -157,7 +170,7 @@ impl fmt::Debug for KeptRoofs {
 impl Kept {
     /// Returns its approximate size in words of 8 bytes.
     fn words(&self) -> usize {
-        let solids = self.roofs.roofs.iter().flat_map(|r| &r.solids);
+        let solids = self.roofs.roofs.iter().flat_map(Roof::bodies);
         let soffits = self.roofs.soffits.iter().flat_map(|s| &s.solids);
         let solids = solids.chain(soffits);
         let solids: usize = solids.map(|s| 3 * s.points.len() + 6 * s.faces.len()).sum();
@@ -245,7 +258,7 @@ fn pairs(from: &[Span], to: &[Span]) -> Option<HashMap<Span, Span>> {
 }
 
 impl Key {
-    pub(super) fn of(house: &House) -> Key {
+    pub(super) fn of(house: &House, afar: bool) -> Key {
         // All fields are named, so that the compiler rejects a new one here.
         let House {
             span: _,
@@ -278,7 +291,7 @@ impl Key {
         } = &**roofs;
         let mut words = Words(Vec::with_capacity(64));
         words.number(*unit);
-        words.flags(&[*street, wished.is_some(), *slant_told]);
+        words.flags(&[*street, wished.is_some(), *slant_told, afar]);
         words.0.extend([*mode as u64, *method as u64]);
         words.style(style);
         words.0.push(lines.len() as u64);

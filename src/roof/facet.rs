@@ -132,6 +132,11 @@ impl HalfPlane {
         self.normal.dot(p) - self.at
     }
 
+    /// Returns the unit vector across its border to its inside.
+    pub(in crate::roof) fn inward(&self) -> DVec2 {
+        self.normal
+    }
+
     /// Returns the parts of a convex piece inside and outside; one may have no corners.
     pub(in crate::roof) fn halves(&self, piece: &[Corner]) -> [Convex; 2] {
         let depths: SmallVec<[f64; 12]> = piece.iter().map(|c| self.depth(c.at)).collect();

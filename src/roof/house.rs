@@ -39,8 +39,8 @@ const MOST_TAKEN_OUT: usize = 16;
 /// Roofs are not narrower where another division avoids it, metres.
 const NARROW: f64 = 0.5;
 
-/// Roofs a house, without a cache.
-pub(super) fn roofs(house: &House, out: &mut Diagnostics) -> HouseRoofs {
+/// Roofs a house, without a cache; for what is seen of it from afar if asked.
+pub(super) fn roofs(house: &House, afar: bool, out: &mut Diagnostics) -> HouseRoofs {
     let budget = &SearchBudget::default();
     let levels = levels(house);
     let mut done = HouseRoofs::default();
@@ -59,6 +59,7 @@ pub(super) fn roofs(house: &House, out: &mut Diagnostics) -> HouseRoofs {
         let lines = lines.clone();
         let headroom = Headroom::of(house, &levels, k, &on_level);
         let pent = pent.filter(|_| k == 0);
+        let afar = afar && lines.is_empty();
         Storey {
             house,
             levels: &levels,
@@ -66,6 +67,7 @@ pub(super) fn roofs(house: &House, out: &mut Diagnostics) -> HouseRoofs {
             top,
             lines,
             pent,
+            afar,
             budget,
             headroom,
         }
@@ -110,6 +112,8 @@ struct Storey<'a, 'h> {
     lines: Vec<&'a PlacedLine<'a>>,
     /// The street pent roof.
     pent: Option<Cell>,
+    /// True if only what is seen from afar is asked for.
+    afar: bool,
     /// The budget for the best cuts.
     budget: &'a SearchBudget,
     headroom: Headroom,
@@ -168,7 +172,7 @@ impl Storey<'_, '_> {
         let standing = standing::planned(&self.lines, &planned, &context, out);
         planned.extend(standing);
         let walls = upper.map_or(vec![], |u| polygonal::walls(self.house, u));
-        if !assemble(planned, &walls, &mut done.roofs) {
+        if !assemble(planned, &walls, self.afar, &mut done.roofs) {
             let place = self
                 .lines
                 .first()

@@ -3,6 +3,7 @@
 pub(in crate::roof) mod gable_infill;
 pub(in crate::roof) mod meet;
 pub(in crate::roof) mod nearby;
+mod plain;
 pub(in crate::roof) mod verges;
 
 use crate::ast::RoofShape;
@@ -15,13 +16,17 @@ use crate::roof::shape::form::{Form, RoofDraft};
 use crate::roof::solid::sheet::sheet;
 use glam::DVec2;
 
-/// Assembles the roofs of one storey, in order. `walls` are convex parts of the storey above, which roofs do not enter.
-/// Returns whether all met; if too many overlap they stay as they are.
+/// Assembles the roofs of one storey, in order. `walls` are convex parts of the storey above, which roofs do not enter;
+/// from `afar` plain roofs under none are one solid. Returns whether all met; if too many overlap they stay as they are.
 pub(super) fn assemble(
     mut planned: Vec<RoofDraft>,
     walls: &[Vec<DVec2>],
+    afar: bool,
     roofs: &mut Vec<Roof>,
 ) -> bool {
+    if afar && walls.is_empty() && plain::join(&mut planned, roofs) {
+        return true;
+    }
     let mut all_met = true;
     let mut start = 0;
     // A stable sort, so that indices of trunks keep their meaning within a height.
@@ -74,6 +79,7 @@ fn group(planned: &mut [RoofDraft], walls: &[Vec<DVec2>], roofs: &mut Vec<Roof>)
         planned.roof.solids = solids;
         let empty = Roof {
             attic: Attic::default(),
+            whole: None,
             solids: vec![],
             ..planned.roof
         };

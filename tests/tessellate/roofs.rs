@@ -84,6 +84,7 @@ fn flat_roof() -> Solid {
 fn roofs_become_one_mesh() {
     let mut building = simple(&["KSK  ", "KSK  ", "KSK  ", "KSK  "]);
     roofs_of(&mut building).roofs.push(Roof {
+        whole: None,
         storey: 1,
         span: None,
         shape: RoofShape::Flat,
@@ -118,6 +119,7 @@ fn courses_lie_level_and_run_up_the_slope() {
     };
     let mut building = building(Vec::new());
     roofs_of(&mut building).roofs.push(Roof {
+        whole: None,
         storey: 1,
         span: None,
         shape: RoofShape::LeanTo,

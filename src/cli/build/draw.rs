@@ -153,6 +153,7 @@ impl Draw {
         let inputs = Inputs::read(&self.input_args.inputs, limit, &mut out)?;
         let mut options = self.input_args.options(&inputs, &mut out)?;
         options.detail = self.detail_args.detail();
+        options.all_roofs = true;
         options.shown = self.detail_args.shown();
         let world = self.input_args.world(&self.input_args.inputs);
         let compiled = driver::compile(&inputs.accepted(), &world, &options, &mut out);

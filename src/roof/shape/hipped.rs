@@ -66,6 +66,7 @@ pub fn over(
             filled: true,
             ..Attic::default()
         },
+        whole: None,
         solids,
     })
 }

@@ -29,6 +29,7 @@ use crate::building::{Finish, Roof, Solid};
 use crate::roof::solid::SUNK;
 use crate::roof::solid::sheet::surface;
 pub use lean::lean;
+pub(in crate::roof) use lean::{Plate, Slope, united as of_slopes};
 use parts::Part;
 
 /// The maximum number of sets of roofs tried if they cannot all become one solid.
@@ -122,6 +123,6 @@ fn together(roofs: &[&Roof]) -> Option<Vec<Solid>> {
     Some(solids)
 }
 
-pub(super) fn is_gable(solid: &Solid) -> bool {
+pub(in crate::roof) fn is_gable(solid: &Solid) -> bool {
     solid.faces.iter().all(|f| f.finish == Finish::Gable)
 }

@@ -109,6 +109,7 @@ impl Context<'_> {
             kind: look.kind,
             trim: look.trim(),
             attic: Attic::default(),
+            whole: None,
             solids: vec![],
         }
     }

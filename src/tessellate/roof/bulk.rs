@@ -81,8 +81,8 @@ impl<'a> Bulk<'a> {
     ) -> Bulk<'a> {
         let (gables, plastered, timber) = (&walls.gables[..], walls.plastered, walls.timber);
         let whole = match detail {
-            Detail::Body => lean(roofs),
-            Detail::Flat => massive(roofs),
+            Detail::Body => whole(roofs),
+            Detail::Flat => massive(roofs).map(Cow::Owned),
             Detail::Openings | Detail::Everything => None,
         };
         match (whole, roofs) {
@@ -91,13 +91,13 @@ impl<'a> Bulk<'a> {
                 let fills: Vec<_> = all.filter(|(s, _)| is_fill(s)).collect();
                 for (solid, fill) in &fills {
                     if let Some(flush) = fill.flush {
-                        flush.lay(solid, roofs, &mut solids);
+                        flush.lay(solid, roofs, solids.to_mut());
                     }
                 }
                 let near = fills.iter().map(|(s, fill)| (around(s), fill.surface));
                 Bulk {
                     gables: Gables::Near(near.collect()),
-                    solids: Cow::Owned(solids),
+                    solids,
                     twists,
                     plastered,
                     timber,
@@ -141,6 +141,14 @@ impl<'a> Bulk<'a> {
                 nearest.map(|n| n.1)
             }
         }
+    }
+}
+
+/// Returns the solids that some roofs show at the least detail; none if they have no attic.
+fn whole(roofs: &[Roof]) -> Option<Cow<'_, [Solid]>> {
+    match roofs.iter().find_map(|roof| roof.whole.as_deref()) {
+        Some(made) => Some(Cow::Borrowed(made)),
+        None => lean(roofs).map(Cow::Owned),
     }
 }
 

@@ -82,7 +82,7 @@ impl Flush {
     /// Returns how far before the line of the wall the outer face of an infill comes to lie: as far as these faces, but no further
     /// out than its roof covers; `None` if it lies there already.
     fn front(&self, fill: &Solid, roofs: &[Roof]) -> Option<f64> {
-        let slabs = roofs.iter().flat_map(|r| &r.solids).filter(|s| !is_fill(s));
+        let slabs = roofs.iter().flat_map(Roof::bodies).filter(|s| !is_fill(s));
         let verge = slabs.flat_map(|s| &s.points);
         let verge = verge.map(|p| self.before(p)).fold(f64::MIN, f64::max);
         let front = (self.faces.front - BEHIND).min(verge - SUNK / 2.0);

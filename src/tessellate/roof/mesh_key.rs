@@ -81,7 +81,8 @@ impl Hash for MeshKey<'_> {
     /// The first and the last points distinguish most roofs, except for their coverings; equality compares all.
     fn hash<H: Hasher>(&self, state: &mut H) {
         state.write_usize(self.number);
-        for solid in self.solids {
+        let whole = self.shown.iter().filter_map(|roof| roof.whole.as_ref());
+        for solid in self.solids.iter().chain(whole.flatten()) {
             for point in [solid.points.first(), solid.points.last()]
                 .into_iter()
                 .flatten()
@@ -107,7 +108,11 @@ impl PartialEq for MeshKey<'_> {
         };
         let same = |a: &[Solid], b: &[Solid]| a.len() == b.len() && a.iter().zip(b).all(solid);
         let shown = |(a, b): (&Roof, &Roof)| {
-            a.kind == b.kind && a.attic == b.attic && same(&a.solids, &b.solids)
+            let whole = match (&a.whole, &b.whole) {
+                (Some(a), Some(b)) => same(a, b),
+                (a, b) => a.is_none() && b.is_none(),
+            };
+            whole && a.kind == b.kind && a.attic == b.attic && same(&a.solids, &b.solids)
         };
         self.number == other.number
             && self.kind == other.kind

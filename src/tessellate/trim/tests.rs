@@ -154,6 +154,7 @@ fn roof(kind: RoofKind, solids: Vec<Solid>) -> Roof {
             arch: None,
         },
         attic: Attic::default(),
+        whole: None,
         solids,
     }
 }

@@ -1,7 +1,7 @@
 //! The exposure of a wall in an aged house: the eaves above it, the ground below it, the sun.
 
 use crate::ast::Era;
-use crate::building::{House, HouseRoofs, Storey, Wall};
+use crate::building::{House, HouseRoofs, Roof, Storey, Wall};
 use crate::catalog::PartDef;
 use crate::geometry::{Heading, SHAKU};
 use crate::program::{Age, Content};
@@ -44,7 +44,7 @@ struct Cover {
 impl Shelters {
     /// Collects the shelters of the roofs of a house.
     pub(in crate::tessellate) fn of(roofs: &HouseRoofs) -> Shelters {
-        let solids = roofs.roofs.iter().flat_map(|r| &r.solids);
+        let solids = roofs.roofs.iter().flat_map(Roof::bodies);
         let faces = solids.flat_map(|s| {
             let corners = |f: &crate::building::Face| -> Vec<DVec3> {
                 let points = f.corners.iter();

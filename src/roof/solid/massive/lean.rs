@@ -5,15 +5,19 @@
 //! (`pieces`). Slabs and fillings share the corners of one plan (`plan`), their surfaces are added up there, and the
 //! faces that remain in one plane become one, which need not be convex (`faces`).
 //!
-//! A roof that meets no other needs none of this (`lone`). Pieces that share space are cut first (`settled`). What is left over, which no plan has been seen to, goes the general
+//! Plain roofs on one plate need none of this: their solid comes from slopes that nothing has divided yet (`slopes`), and
+//! is theirs from the start. A roof that meets no other has a closed form (`lone`). Pieces that share space are cut first (`settled`). What is left over, which no plan has been seen to, goes the general
 //! way.
 
+mod areas;
+mod corners;
 mod faces;
 mod heights;
 mod lone;
 mod pieces;
 mod plan;
 mod settled;
+mod slopes;
 
 use crate::ast::RoofShape;
 use crate::building::{Finish, Roof, Solid};
@@ -22,6 +26,8 @@ use crate::roof::solid::massive::closed;
 use crate::roof::solid::massive::lean::pieces::Piece;
 use crate::roof::solid::massive::merge::Polygon;
 use glam::{DVec2, DVec3};
+
+pub(in crate::roof) use slopes::{Plate, Slope, united};
 
 /// Roofs whose bounds are farther apart do not touch, metres.
 const APART: f64 = 1e-3;

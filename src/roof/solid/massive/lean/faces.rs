@@ -106,12 +106,17 @@ impl Patches {
         let Some(first) = corners.next() else { return };
         let mut from = first;
         for to in corners.chain([first]) {
-            let (lo, hi) = (u64::from(from.min(to)), u64::from(from.max(to)));
-            let turned = u64::from(from > to);
-            self.edges
-                .push((((group << POINT_BITS | lo) << POINT_BITS) | hi) << 1 | turned);
+            self.edge(from, to, group);
             from = to;
         }
+    }
+
+    /// Adds an edge of a face to a group; all its edges must come.
+    pub(super) fn edge(&mut self, from: u32, to: u32, group: u64) {
+        let (lo, hi) = (u64::from(from.min(to)), u64::from(from.max(to)));
+        let turned = u64::from(from > to);
+        self.edges
+            .push((((group << POINT_BITS | lo) << POINT_BITS) | hi) << 1 | turned);
     }
 
     /// Adds a convex face that is shown on its own where the whole of its group has holes.

@@ -7,8 +7,8 @@
 use crate::building::{Corners, Face, Finish, Solid};
 use crate::geometry::tolerance::{JOINT, STRAIGHT};
 use crate::roof::facet::Corner;
+use crate::roof::solid::massive::lean::corners::WELD;
 use crate::roof::solid::massive::lean::pieces::Piece;
-use crate::roof::solid::massive::lean::plan::WELD;
 use glam::DVec2;
 
 /// Roofs of more slopes go the general way, since every corner is compared with all others here.

@@ -2,15 +2,13 @@
 
 use crate::building::Finish;
 use crate::roof::frame::Plane;
+use crate::roof::solid::massive::lean::corners::{WELD, welded};
 use crate::roof::solid::massive::lean::faces::Patches;
 use crate::roof::solid::massive::lean::heights::Heights;
 use crate::roof::solid::massive::lean::pieces::Piece;
 use glam::{DVec2, DVec3, dvec3};
 use smallvec::SmallVec;
 use std::ops::Range;
-
-/// Corners nearer in plan are one, metres.
-pub(super) const WELD: f64 = 2e-5;
 
 /// A corner of an outline by its number, with true if the edge that starts there is a rim.
 type Start = (u32, bool);
@@ -86,25 +84,9 @@ impl Side {
 impl Plan {
     pub(super) fn of(pieces: &[Piece]) -> Plan {
         let outlines = || pieces.iter().flat_map(|p| [&p.outline, &p.filled]);
-        let (place, places) = distinct(outlines().flatten().map(|c| c.at));
-        let mut order: Vec<(DVec2, u32)> = places.into_iter().zip(0..).collect();
-        order.sort_unstable_by(|p, q| p.0.x.total_cmp(&q.0.x).then(p.0.y.total_cmp(&q.0.y)));
-        let mut number = vec![0; order.len()];
-        let mut corners: Vec<DVec2> = Vec::with_capacity(order.len());
-        for (at, n) in order {
-            let near = corners.iter().rev().take_while(|c| at.x - c.x < WELD);
-            let same = near.enumerate().find(|(_, c)| (c.y - at.y).abs() < WELD);
-            let id = match same.map(|s| s.0) {
-                Some(back) => corners.len() - 1 - back,
-                None => {
-                    corners.push(at);
-                    corners.len() - 1
-                }
-            };
-            number[n as usize] = id as u32;
-        }
-        let mut rings = Rings::with_capacity(place.len(), 2 * pieces.len());
-        let mut numbers = place.into_iter().map(|place| number[place as usize]);
+        let (corners, numbers) = welded(outlines().flatten().map(|c| c.at));
+        let mut rings = Rings::with_capacity(numbers.len(), 2 * pieces.len());
+        let mut numbers = numbers.into_iter();
         let starts = &mut rings.starts;
         for outline in outlines() {
             let first = starts.len();
@@ -357,34 +339,6 @@ fn cancel(same: &[Side]) -> bool {
     same.len() < 8 && same.iter().all(|s| net(s) == 0)
 }
 
-/// Returns for each corner the number of its place, and the places in the order of their first corners. Slabs, fillings
-/// and slopes side by side have most corners in common, to the last bit; only those that differ are left to be sorted.
-fn distinct(corners: impl Iterator<Item = DVec2> + Clone) -> (Vec<u32>, Vec<DVec2>) {
-    const NONE: u32 = u32::MAX;
-    let count = corners.clone().count();
-    let mut slots = vec![NONE; (2 * count).next_power_of_two()];
-    let (mut numbers, mut places) = (Vec::with_capacity(count), Vec::with_capacity(count / 2));
-    let bits = |at: DVec2| at.to_array().map(f64::to_bits);
-    for at in corners {
-        let own = bits(at);
-        let mixed = own.iter().fold(0, |mixed: u64, n| {
-            (mixed.rotate_left(5) ^ n).wrapping_mul(0x9E37_79B9_7F4A_7C15)
-        });
-        // The upper half of a product depends on all bits.
-        let mut slot = (mixed >> 32) as usize & (slots.len() - 1);
-        let same = |known: u32| known == NONE || bits(places[known as usize]) == own;
-        while !same(slots[slot]) {
-            slot = (slot + 1) & (slots.len() - 1);
-        }
-        if slots[slot] == NONE {
-            slots[slot] = places.len() as u32;
-            places.push(at);
-        }
-        numbers.push(slots[slot]);
-    }
-    (numbers, places)
-}
-
 /// Adds an outline with the corners that its edges pass through. The corners are those in ascending order of x, then
 /// others; `found` is room to work in.
 fn insert(
@@ -441,7 +395,7 @@ fn by_number<T>(items: &[T], count: usize, number: impl Fn(&T) -> u32) -> Vec<u3
     order
 }
 
-fn upward(plane: Plane) -> DVec3 {
+pub(super) fn upward(plane: Plane) -> DVec3 {
     dvec3(-plane.slope.x, -plane.slope.y, 1.0)
 }
 
