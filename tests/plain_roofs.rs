@@ -87,7 +87,7 @@ fn differences(once: &[Solid], joined: &[Solid]) -> Option<String> {
     if !(-LAP..CAVITY).contains(&more) {
         return Some(format!("{more} cubic metres more"));
     }
-    if let Some(flaw) = once.iter().flat_map(|solid| solid_flaws(solid)).next() {
+    if let Some(flaw) = once.iter().flat_map(solid_flaws).next() {
         return Some(format!("{flaw:?}"));
     }
     let (now, before) = (triangles(once), triangles(joined));
