@@ -307,6 +307,9 @@ impl Look {
 
     /// The share of ink on lines of the grid that is red in walls and openings with red strokes.
     pub fn red(&self) -> f64 {
+        if self.stamps.iter().all(|stamp| !stamp.is_red) {
+            return 0.0;
+        }
         let (mut red, mut all) = (0.0, 0.0);
         let of_red = |p: &Patch| f64::from(p.reds[3]);
         for (strip, line) in self.strips.iter().zip(&self.lines) {
