@@ -319,8 +319,8 @@ pub struct Roof {
     /// The space between its sheets and the walls.
     #[serde(skip)]
     pub attic: Attic,
-    /// What it shows from afar together with the roofs of its storey, instead of their solids, if it was made for that: then
-    /// these are only gable walls, which tell where each wall ends.
+    /// The closed solids of all plain roofs on its plate, metres, house frame: stored with the first of them, and only where
+    /// detail 0 alone is asked for. They are drawn instead of `solids`, which then hold just the gable walls.
     #[serde(skip)]
     pub whole: Option<Vec<Solid>>,
     /// Closed solids in the house frame, metres.

@@ -77,7 +77,7 @@ fn top(solids: &[Solid], at: DVec2) -> Option<f64> {
     heights.reduce(f64::max)
 }
 
-/// What is wrong with a roof made at once, beside the one that is joined first.
+/// Compares a roof made at once with the same roof joined first, and describes the first difference.
 fn differences(once: &[Solid], joined: &[Solid]) -> Option<String> {
     let sum = |solids: &[Solid]| solids.iter().map(volume).sum::<f64>();
     let (more, corners) = (

@@ -173,7 +173,11 @@ impl Legend {
             "Legend" => {
                 self.name = values.text("name").unwrap_or_default().to_owned();
                 self.is_by_hand = values.text("hand") == Some("free");
-                self.is_on_wood = values.text("ground") == Some("wood");
+                self.is_on_wood = match values.text("ground") {
+                    None => false,
+                    Some("wood") => true,
+                    Some(other) => return Err(format!("ground=\"{other}\" is not `wood`")),
+                };
             }
             "Symbol" => {
                 self.symbols.push(symbol(values)?);

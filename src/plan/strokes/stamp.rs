@@ -23,7 +23,7 @@ pub(super) struct Stamp {
     pub(super) units: usize,
     /// The symbol's place in its legend, and which of its spreads this is.
     pub(super) kind: (usize, usize),
-    /// What is taken off its score because its strokes run into each other when blurred.
+    /// The penalty on its score, 0 to 0.3, for strokes so near each other that blur joins them.
     pub(super) cost: f64,
     /// Whether it has red marks.
     pub(super) is_red: bool,

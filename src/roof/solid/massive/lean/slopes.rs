@@ -37,7 +37,7 @@ pub(in crate::roof) struct Slope {
     pub(in crate::roof) top: Plane,
 }
 
-/// What all slopes have in common.
+/// The properties that all slopes of a solid share.
 pub(in crate::roof) struct Plate {
     /// Their vertical thickness, metres.
     pub(in crate::roof) drop: f64,
