@@ -56,10 +56,9 @@ impl Facet {
             rim: false,
         };
         let whole: Convex = self.body.iter().map(corner).collect();
-        let rest = edges(area).iter().fold(whole, |rest, side| {
-            let [inside, _] = side.halves(&rest);
-            inside
-        });
+        let rest = edges(area)
+            .iter()
+            .fold(whole, |rest, side| side.inside(&rest));
         if self::area(&rest) > SLIVER {
             self.body = rest.iter().map(|c| c.at).collect();
             return;
@@ -141,6 +140,15 @@ impl HalfPlane {
     pub(in crate::roof) fn halves(&self, piece: &[Corner]) -> [Convex; 2] {
         let depths: SmallVec<[f64; 12]> = piece.iter().map(|c| self.depth(c.at)).collect();
         [part(piece, &depths, 1.0), part(piece, &depths, -1.0)]
+    }
+
+    /// Returns the part of a convex piece inside; it may have no corners.
+    pub(in crate::roof) fn inside(&self, piece: &[Corner]) -> Convex {
+        let depths: SmallVec<[f64; 12]> = piece.iter().map(|c| self.depth(c.at)).collect();
+        match depths.iter().all(|d| *d > -CUT) {
+            true => Convex::from_slice(piece),
+            false => part(piece, &depths, 1.0),
+        }
     }
 
     /// Returns the half-plane moved outward by a distance, metres.

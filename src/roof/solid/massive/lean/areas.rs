@@ -26,20 +26,31 @@ pub(super) struct Area {
 /// An area: some convex ones less others.
 pub(super) struct Region<'a> {
     pub(super) with: &'a [&'a Area],
-    pub(super) without: &'a [Area],
+    pub(super) without: &'a [&'a Area],
 }
 
 /// From and to.
 pub(super) type Line = (DVec2, DVec2);
 
-/// Parts of an edge, from 0 at its start to 1 at its end, in order.
-type Spans = SmallVec<[[f64; 2]; 4]>;
+/// A part of an edge, from 0 at its start to 1 at its end; empty if it does not begin before its end.
+type Span = [f64; 2];
 
-/// An edge, and a hair to its left.
+/// Parts of an edge, in order.
+type Spans = SmallVec<[Span; 4]>;
+
+const WHOLE: Span = [0.0, 1.0];
+const NOTHING: Span = [1.0, 0.0];
+
+/// Areas among which an edge is looked at.
+type Near<'a> = SmallVec<[&'a Area; 16]>;
+
+/// An edge, its bounds, and a hair to its left.
 #[derive(Clone, Copy)]
 struct Edge {
     from: DVec2,
     to: DVec2,
+    lo: DVec2,
+    hi: DVec2,
     left: DVec2,
 }
 
@@ -74,68 +85,56 @@ impl Area {
     /// Returns what two areas have in common.
     pub(super) fn common(&self, other: &[Corner]) -> Convex {
         let whole = Convex::from_slice(other);
-        self.sides.iter().fold(whole, |rest, side| {
-            let [inside, _] = side.halves(&rest);
-            inside
-        })
+        self.sides.iter().fold(whole, |rest, side| side.inside(&rest))
+    }
+
+    /// Returns those of some areas that are near to it.
+    fn near<'a>(&self, areas: &[&'a Area]) -> Near<'a> {
+        let near = areas.iter().filter(|other| self.is_near(other));
+        near.copied().collect()
     }
 
     fn spans_to(&self, lo: DVec2, hi: DVec2) -> bool {
         (self.lo - BESIDE).cmple(hi).all() && (lo - BESIDE).cmple(self.hi).all()
     }
 
-    /// Returns the part of an edge whose left side, or right side, lies in this area.
-    fn beside(&self, edge: &Edge, left: bool) -> Option<[f64; 2]> {
-        let Edge { from, to, .. } = *edge;
-        if !self.spans_to(from.min(to), from.max(to)) {
-            return None;
+    /// Returns the part of an edge whose left side lies in this area, and the one whose right side does.
+    fn beside(&self, edge: &Edge) -> [Span; 2] {
+        let Edge { from, to, left, .. } = *edge;
+        if !self.spans_to(edge.lo, edge.hi) {
+            return [NOTHING; 2];
         }
-        let by = if left { edge.left } else { -edge.left };
-        let mut span = [0.0_f64, 1.0];
+        let mut spans = [WHOLE; 2];
         for side in &self.sides {
             let (a, b) = (side.depth(from), side.depth(to));
-            let beside = side.inward().dot(by);
-            let (p, q) = (a + beside > 0.0, b + beside > 0.0);
-            if !p && !q {
-                return None;
-            }
-            if p != q {
-                // Whether it crosses is seen beside the edge, where it does so on the edge itself.
-                let at = (a / (a - b)).clamp(0.0, 1.0);
-                match p {
-                    true => span[1] = span[1].min(at),
-                    false => span[0] = span[0].max(at),
-                }
-            }
+            let beside = side.inward().dot(left);
+            // Whether it crosses is seen beside the edge, where it does so on the edge itself.
+            let at = (a / (a - b)).clamp(0.0, 1.0);
+            narrow(&mut spans[0], [a + beside > 0.0, b + beside > 0.0], at);
+            narrow(&mut spans[1], [a - beside > 0.0, b - beside > 0.0], at);
         }
-        (span[0] < span[1]).then_some(span)
-    }
-
-    /// Takes away the parts of an edge whose left side, or right side, lies in this area.
-    fn take(&self, edge: &Edge, left: bool, spans: &mut Spans) {
-        if spans.is_empty() {
-            return;
-        }
-        if let Some(part) = self.beside(edge, left) {
-            take(spans, part);
-        }
+        spans
     }
 
     fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
         let corners = &self.corners[..];
         let sides = self.sides.iter().enumerate();
-        sides.map(move |(n, side)| Edge {
-            from: corners[n],
-            to: *corners.get(n + 1).unwrap_or(&corners[0]),
-            left: side.inward() * BESIDE,
+        sides.map(move |(n, side)| {
+            let to = *corners.get(n + 1).unwrap_or(&corners[0]);
+            Edge::new(corners[n], to, side.inward())
         })
     }
 }
 
 impl Edge {
-    fn new(from: DVec2, to: DVec2) -> Edge {
-        let left = (to - from).perp().normalize_or_zero() * BESIDE;
-        Edge { from, to, left }
+    fn new(from: DVec2, to: DVec2, left: DVec2) -> Edge {
+        Edge {
+            from,
+            to,
+            lo: from.min(to),
+            hi: from.max(to),
+            left: left * BESIDE,
+        }
     }
 
     /// Adds some parts of the edge with length, backwards if asked.
@@ -160,94 +159,102 @@ impl Region<'_> {
     /// Adds the border, from and to, with the area on the left.
     pub(super) fn border(&self, lines: &mut Vec<Line>) {
         for (n, part) in self.with.iter().enumerate() {
+            let (before, after) = (part.near(&self.with[..n]), part.near(&self.with[n + 1..]));
+            let away = part.near(self.without);
             for edge in part.edges() {
-                let mut spans = whole();
-                for (k, other) in self.with.iter().enumerate().filter(|(k, _)| *k != n) {
-                    other.take(&edge, false, &mut spans);
+                let mut spans = Spans::from_slice(&[WHOLE]);
+                for other in &before {
                     // Of edges upon each other the first counts.
-                    if k < n {
-                        other.take(&edge, true, &mut spans);
-                    }
+                    let [left, right] = other.beside(&edge);
+                    take(&mut spans, left);
+                    take(&mut spans, right);
                 }
-                for other in self.without {
-                    other.take(&edge, true, &mut spans);
+                for other in &after {
+                    take(&mut spans, other.beside(&edge)[1]);
+                }
+                for other in &away {
+                    take(&mut spans, other.beside(&edge)[0]);
                 }
                 edge.pass(&spans, false, lines);
             }
         }
-        self.inner(
-            &self.without.iter().collect::<SmallVec<[&Area; 16]>>(),
-            0,
-            lines,
-        );
+        self.inner(&[], self.without, lines);
     }
 
     /// Adds the border of what more areas leave of it, which has this border without them.
     pub(super) fn less(&self, border: &[Line], more: &[&Area], lines: &mut Vec<Line>) {
         for (from, to) in border {
-            let edge = Edge::new(*from, *to);
-            let mut spans = whole();
+            let left = (*to - *from).perp().normalize_or_zero();
+            let edge = Edge::new(*from, *to, left);
+            let mut spans = Spans::from_slice(&[WHOLE]);
             for other in more {
-                other.take(&edge, true, &mut spans);
+                take(&mut spans, other.beside(&edge)[0]);
             }
             edge.pass(&spans, false, lines);
         }
-        let without = self.without.iter().chain(more.iter().copied());
-        let without: SmallVec<[&Area; 16]> = without.collect();
-        self.inner(&without, self.without.len(), lines);
+        self.inner(self.without, more, lines);
     }
 
-    /// Adds the border along the areas that are taken away, from one of them on.
-    fn inner(&self, without: &[&Area], from: usize, lines: &mut Vec<Line>) {
-        for (n, part) in without.iter().enumerate().skip(from) {
+    /// Adds the border along areas that are taken away after some others.
+    fn inner(&self, first: &[&Area], then: &[&Area], lines: &mut Vec<Line>) {
+        for (n, part) in then.iter().enumerate() {
+            let with = part.near(self.with);
+            if with.is_empty() {
+                continue;
+            }
+            let mut before = part.near(first);
+            before.extend(part.near(&then[..n]));
+            let after = part.near(&then[n + 1..]);
             for edge in part.edges() {
                 // Its own part ends here where the others go on to both sides.
-                let mut spans = self.beside(&edge, false);
-                if !spans.is_empty() {
-                    spans = both(&spans, &self.beside(&edge, true));
+                let mut spans = [Spans::new(), Spans::new()];
+                for other in &with {
+                    let [left, right] = other.beside(&edge);
+                    add(&mut spans[0], left);
+                    add(&mut spans[1], right);
                 }
-                for (k, other) in without.iter().enumerate().filter(|(k, _)| *k != n) {
-                    if spans.is_empty() {
-                        break;
-                    }
-                    other.take(&edge, false, &mut spans);
-                    if k < n {
-                        other.take(&edge, true, &mut spans);
-                    }
+                let mut spans = both(spans);
+                if spans.is_empty() {
+                    continue;
+                }
+                for other in &before {
+                    let [left, right] = other.beside(&edge);
+                    take(&mut spans, left);
+                    take(&mut spans, right);
+                }
+                for other in &after {
+                    take(&mut spans, other.beside(&edge)[1]);
                 }
                 edge.pass(&spans, true, lines);
             }
         }
     }
+}
 
-    /// Returns the parts of an edge whose left side, or right side, lies in one of the parts that are added.
-    fn beside(&self, edge: &Edge, left: bool) -> Spans {
-        let mut spans = Spans::new();
-        for span in self.with.iter().filter_map(|w| w.beside(edge, left)) {
-            let at = spans.iter().position(|s| span[0] < s[0]);
-            spans.insert(at.unwrap_or(spans.len()), span);
-        }
-        spans.dedup_by(|next, last| {
-            let meet = next[0] <= last[1];
-            if meet {
-                last[1] = last[1].max(next[1]);
-            }
-            meet
-        });
-        spans
+/// Leaves of a span what lies before a line that its start, its end or both lie behind.
+fn narrow(span: &mut Span, before: [bool; 2], crossing: f64) {
+    let [from, to] = match before {
+        [true, true] => WHOLE,
+        [true, false] => [0.0, crossing],
+        [false, true] => [crossing, 1.0],
+        [false, false] => NOTHING,
+    };
+    span[0] = if from > span[0] { from } else { span[0] };
+    span[1] = if to < span[1] { to } else { span[1] };
+}
+
+/// Adds a part to some, which are in the order of their starts.
+fn add(spans: &mut Spans, part: Span) {
+    if part[0] < part[1] {
+        let at = spans.iter().position(|s| part[0] < s[0]);
+        spans.insert(at.unwrap_or(spans.len()), part);
     }
 }
 
-fn whole() -> Spans {
-    let mut spans = Spans::new();
-    spans.push([0.0, 1.0]);
-    spans
-}
-
 /// Takes a part away from some.
-fn take(spans: &mut Spans, [from, to]: [f64; 2]) {
+fn take(spans: &mut Spans, [from, to]: Span) {
     let mut n = 0;
-    while n < spans.len() {
+    while from < to && n < spans.len() {
         let [p, q] = spans[n];
         match (p < from, q > to) {
             _ if q <= from || p >= to => {}
@@ -267,13 +274,24 @@ fn take(spans: &mut Spans, [from, to]: [f64; 2]) {
     }
 }
 
-/// Returns what two lists of parts have in common.
-fn both(one: &Spans, other: &Spans) -> Spans {
-    let common = one.iter().flat_map(|[p, q]| {
+/// Returns what two lists of parts, in the order of their starts, have in common.
+fn both(mut lists: [Spans; 2]) -> Spans {
+    for spans in &mut lists {
+        spans.dedup_by(|next, last| {
+            let meet = next[0] <= last[1];
+            if meet {
+                last[1] = last[1].max(next[1]);
+            }
+            meet
+        });
+    }
+    let [one, other] = lists;
+    let mut common = Spans::new();
+    for [p, q] in &one {
         let parts = other.iter().map(|[r, s]| [p.max(*r), q.min(*s)]);
-        parts.filter(|[from, to]| from < to)
-    });
-    common.collect()
+        common.extend(parts.filter(|[from, to]| from < to));
+    }
+    common
 }
 
 #[cfg(test)]
@@ -289,12 +307,11 @@ mod tests {
 
     /// Twice the area that a border goes round, and its length.
     fn round(with: &[&Area], without: &[&Area]) -> (f64, f64) {
-        let all: Vec<Area> = without.iter().map(|a| (*a).clone()).collect();
         let twice = |lines: &[Line]| lines.iter().map(|(p, q)| p.perp_dot(*q)).sum::<f64>();
         let length = |lines: &[Line]| lines.iter().map(|(p, q)| p.distance(*q)).sum::<f64>();
         let region = |without| Region { with, without };
         let (mut lines, mut base, mut less) = (vec![], vec![], vec![]);
-        region(&all).border(&mut lines);
+        region(without).border(&mut lines);
         // The same in two steps.
         region(&[]).border(&mut base);
         region(&[]).less(&base, without, &mut less);

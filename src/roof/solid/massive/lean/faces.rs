@@ -163,8 +163,7 @@ impl Patches {
     }
 }
 
-/// Replaces the border that some edges of one group have by its edges, each as from and to, sorted; none if one occurs
-/// twice.
+/// Replaces the border that some edges of one group have by its edges, each as from and to; none if one occurs twice.
 fn border(edges: &mut [u64], border: &mut Vec<(u32, u32)>) -> Option<()> {
     border.clear();
     edges.sort_unstable();
@@ -179,7 +178,6 @@ fn border(edges: &mut [u64], border: &mut Vec<(u32, u32)>) -> Option<()> {
         let point = |shift: u32| (same[0] >> shift & POINT) as u32;
         border.push((point(from), point(to)));
     }
-    border.sort_unstable();
     Some(())
 }
 
@@ -195,11 +193,14 @@ pub(super) fn merged(points: &[DVec3], patches: &Patches) -> Option<Vec<Polygon>
     };
     let mut edges = patches.by_group();
     let mut around = Vec::with_capacity(32);
+    let mut onward = Onward::over(points.len());
     for own in edges.chunk_by_mut(|p, q| p >> GROUP == q >> GROUP) {
         let (number, first) = ((own[0] >> GROUP) as u32, loops.ends.len());
         let normal = groups[number as usize].normal;
         border(own, &mut around)?;
-        traced(points, normal, (&around, number), &mut loops)?;
+        onward.lead(&around);
+        traced(points, normal, (&around, number), &onward, &mut loops)?;
+        onward.forget(&around);
         let turned = |n: usize| facing(points, normal, loops.corners(n)) < 0.0;
         let is_floor = floors.ends.iter().any(|end| end.1 == number);
         if is_floor && (first..loops.ends.len()).any(turned) {
@@ -233,11 +234,53 @@ fn is_simple(corners: &[u32]) -> bool {
     (1..corners.len()).all(once)
 }
 
+/// The edges of a border by the points they start from.
+struct Onward {
+    /// The last edge from each point.
+    last: Vec<u32>,
+    /// For each edge the one before it from the same point.
+    before: Vec<u32>,
+}
+
+impl Onward {
+    const NONE: u32 = u32::MAX;
+
+    fn over(points: usize) -> Onward {
+        Onward {
+            last: vec![Self::NONE; points],
+            before: Vec::with_capacity(32),
+        }
+    }
+
+    /// Takes the edges of a border; those of the one before must be forgotten.
+    fn lead(&mut self, border: &[(u32, u32)]) {
+        self.before.clear();
+        for (n, (from, _)) in (0..).zip(border) {
+            self.before.push(self.last[*from as usize]);
+            self.last[*from as usize] = n;
+        }
+    }
+
+    fn forget(&mut self, border: &[(u32, u32)]) {
+        for (from, _) in border {
+            self.last[*from as usize] = Self::NONE;
+        }
+    }
+
+    /// Returns the edges from a point.
+    fn from(&self, point: u32) -> impl Iterator<Item = u32> + Clone {
+        let known = |n: u32| (n != Self::NONE).then_some(n);
+        let first = known(self.last[point as usize]);
+        std::iter::successors(first, move |n| known(self.before[*n as usize]))
+    }
+}
+
 /// Adds the loops that the border of a group consists of.
 fn traced(
     points: &[DVec3],
     normal: DVec3,
     (border, group): (&[(u32, u32)], u32),
+    onward: &Onward,
     loops: &mut Loops,
 ) -> Option<()> {
     let mut used: SmallVec<[bool; 64]> = SmallVec::from_elem(false, border.len());
@@ -251,26 +294,14 @@ fn traced(
             used[at] = true;
             let (from, to) = border[at];
             loops.corners.push(from);
-            let start = border.partition_point(|e| e.0 < to);
-            let after = border[start..].iter().take_while(|e| e.0 == to).count();
-            at = match after {
-                0 => return None,
-                1 => start,
+            let mut ways = onward.from(to);
+            let way = ways.next()?;
+            let next = match ways.next() {
+                None => way,
                 // Parts of the border touch here: to the left, round one of them.
-                _ => {
-                    let at = |c: u32| points[c as usize] - points[to as usize];
-                    let back = at(from);
-                    let turn = |n: &usize| {
-                        let way = at(border[*n].1);
-                        libm::atan2(normal.dot(way.cross(back)), normal.length() * way.dot(back))
-                    };
-                    let inward = |n: &usize| match turn(n) {
-                        t if t <= 0.0 => t + std::f64::consts::TAU,
-                        t => t,
-                    };
-                    (start..start + after).min_by(|m, n| inward(m).total_cmp(&inward(n)))?
-                }
+                Some(_) => leftmost(points, normal, (from, to), onward.from(to), border)?,
             };
+            at = next as usize;
         }
         if at != first {
             return None;
@@ -278,6 +309,27 @@ fn traced(
         loops.end(group);
     }
     Some(())
+}
+
+/// Returns the edge, of some that go on from the end of another, that goes farthest to the left.
+fn leftmost(
+    points: &[DVec3],
+    normal: DVec3,
+    (from, to): (u32, u32),
+    ways: impl Iterator<Item = u32>,
+    border: &[(u32, u32)],
+) -> Option<u32> {
+    let at = |c: u32| points[c as usize] - points[to as usize];
+    let back = at(from);
+    let inward = |n: u32| {
+        let way = at(border[n as usize].1);
+        let turn = libm::atan2(normal.dot(way.cross(back)), normal.length() * way.dot(back));
+        match turn <= 0.0 {
+            true => turn + std::f64::consts::TAU,
+            false => turn,
+        }
+    };
+    ways.min_by(|m, n| inward(*m).total_cmp(&inward(*n)))
 }
 
 /// Returns twice the area that a loop bounds seen against a normal, times the length of that.
