@@ -20,9 +20,9 @@ const HOUSES: usize = 1_000;
 /// cavity, and walls over lean-tos lap other roofs a little.
 const CAVITY: f64 = 0.15;
 const LAP: f64 = 0.005;
-/// The most by which a house may have more triangles: those of a wall over a lean-to, which stands by itself. All houses
-/// together have fewer.
-const WALL: usize = 12;
+/// The most by which a house may have more triangles: those of a wall over a lean-to, which stands by itself, or of faces that
+/// are divided where a verge crosses a slope. All houses together have fewer.
+const MORE: usize = 16;
 /// The most by which upper surfaces may differ, metres.
 const OFF: f64 = 2e-4;
 /// Points of the upper surface along each side of a house.
@@ -91,7 +91,7 @@ fn differences(once: &[Solid], joined: &[Solid]) -> Option<String> {
         return Some(format!("{flaw:?}"));
     }
     let (now, before) = (triangles(once), triangles(joined));
-    if now > before + WALL {
+    if now > before + MORE {
         return Some(format!("{before} triangles became {now}"));
     }
     let bounds = (DVec2::MAX, DVec2::MIN);
@@ -113,7 +113,7 @@ fn differences(once: &[Solid], joined: &[Solid]) -> Option<String> {
 
 #[test]
 fn plain_roofs_made_at_once_are_those_that_are_joined() {
-    for (shape, least) in [("KIR", 0.7), ("YOS", 0.75)] {
+    for (shape, least) in [("KIR", 0.82), ("YOS", 0.82)] {
         let text = texts::plain(HOUSES, shape);
         let (once, joined) = (built(&text, false), built(&text, true));
         let made = once.iter().filter(|house| solids(house).1).count();

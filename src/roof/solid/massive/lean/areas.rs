@@ -5,7 +5,7 @@
 //! convex, so that the answer for the whole edge is one span of it, whose ends are exact crossings of lines.
 
 use crate::geometry::tolerance::SLIVER;
-use crate::roof::facet::{Convex, Corner, HalfPlane, Sides, area};
+use crate::roof::facet::{Convex, Corner, HalfPlane, area};
 use crate::roof::solid::massive::lean::corners::WELD;
 use glam::DVec2;
 use smallvec::SmallVec;
@@ -13,24 +13,41 @@ use smallvec::SmallVec;
 /// How far beside an edge its sides are looked at, metres.
 const BESIDE: f64 = WELD;
 
-/// A convex part of a plan.
-#[derive(Clone)]
+/// The convex parts of a plan. Roofs have dozens of them, so their sides lie one after another.
+#[derive(Default)]
+pub(super) struct Plan {
+    /// Where each side of each area starts.
+    corners: Vec<DVec2>,
+    sides: Vec<HalfPlane>,
+}
+
+/// A convex part of a plan: its sides there, and its bounds.
+#[derive(Clone, Copy)]
 pub(super) struct Area {
-    /// The start of each side, in their order.
-    corners: SmallVec<[DVec2; 6]>,
-    sides: Sides,
+    first: u32,
+    end: u32,
     lo: DVec2,
     hi: DVec2,
 }
 
 /// An area: some convex ones less others.
+#[derive(Clone, Copy)]
 pub(super) struct Region<'a> {
-    pub(super) with: &'a [&'a Area],
-    pub(super) without: &'a [&'a Area],
+    pub(super) plan: &'a Plan,
+    pub(super) with: &'a [Area],
+    pub(super) without: &'a [Area],
 }
 
 /// From and to.
-pub(super) type Line = (DVec2, DVec2);
+pub(super) type Line = [DVec2; 2];
+
+/// Lists of areas that are needed for one edge after another.
+#[derive(Default)]
+pub(super) struct Lists {
+    with: Vec<Area>,
+    before: Vec<Area>,
+    after: Vec<Area>,
+}
 
 /// A part of an edge, from 0 at its start to 1 at its end; empty if it does not begin before its end.
 type Span = [f64; 2];
@@ -40,9 +57,6 @@ type Spans = SmallVec<[Span; 4]>;
 
 const WHOLE: Span = [0.0, 1.0];
 const NOTHING: Span = [1.0, 0.0];
-
-/// Areas among which an edge is looked at.
-type Near<'a> = SmallVec<[&'a Area; 16]>;
 
 /// An edge, its bounds, and a hair to its left.
 #[derive(Clone, Copy)]
@@ -54,58 +68,61 @@ struct Edge {
     left: DVec2,
 }
 
-impl Area {
-    /// Returns the area of a convex outline; none of a sliver.
-    pub(super) fn of(outline: &[Corner]) -> Option<Area> {
+impl Plan {
+    pub(super) fn with_capacity(sides: usize) -> Plan {
+        Plan {
+            corners: Vec::with_capacity(sides),
+            sides: Vec::with_capacity(sides),
+        }
+    }
+
+    /// Adds the area of a convex outline; none of a sliver.
+    pub(super) fn area(&mut self, outline: &[Corner]) -> Option<Area> {
         if area(outline) < SLIVER {
             return None;
         }
-        let mut area = Area {
-            corners: SmallVec::new(),
-            sides: Sides::new(),
-            lo: DVec2::MAX,
-            hi: DVec2::MIN,
-        };
+        let (mut lo, mut hi) = (DVec2::MAX, DVec2::MIN);
+        let first = self.sides.len() as u32;
         for (n, corner) in outline.iter().enumerate() {
             let (at, next) = (corner.at, outline.get(n + 1).unwrap_or(&outline[0]).at);
             if let Some(side) = HalfPlane::left_of(at, next) {
-                area.corners.push(at);
-                area.sides.push(side);
-                (area.lo, area.hi) = (area.lo.min(at), area.hi.max(at));
+                self.corners.push(at);
+                self.sides.push(side);
+                (lo, hi) = (lo.min(at), hi.max(at));
             }
         }
-        Some(area)
+        let end = self.sides.len() as u32;
+        Some(Area { first, end, lo, hi })
     }
 
-    /// Returns true if the bounds of two areas overlap or touch.
-    pub(super) fn is_near(&self, other: &Area) -> bool {
-        self.spans_to(other.lo, other.hi)
+    /// Returns what an area and a convex outline have in common.
+    pub(super) fn common(&self, area: Area, outline: &[Corner]) -> Convex {
+        let whole = Convex::from_slice(outline);
+        let sides = self.sides(area).iter();
+        sides.fold(whole, |rest, side| side.inside(&rest))
     }
 
-    /// Returns what two areas have in common.
-    pub(super) fn common(&self, other: &[Corner]) -> Convex {
-        let whole = Convex::from_slice(other);
-        self.sides.iter().fold(whole, |rest, side| side.inside(&rest))
+    fn sides(&self, area: Area) -> &[HalfPlane] {
+        &self.sides[area.first as usize..area.end as usize]
     }
 
-    /// Returns those of some areas that are near to it.
-    fn near<'a>(&self, areas: &[&'a Area]) -> Near<'a> {
-        let near = areas.iter().filter(|other| self.is_near(other));
-        near.copied().collect()
+    fn edges(&self, area: Area) -> impl Iterator<Item = Edge> + '_ {
+        let corners = &self.corners[area.first as usize..area.end as usize];
+        let sides = self.sides(area).iter().enumerate();
+        sides.map(move |(n, side)| {
+            let to = *corners.get(n + 1).unwrap_or(&corners[0]);
+            Edge::new(corners[n], to, side.inward())
+        })
     }
 
-    fn spans_to(&self, lo: DVec2, hi: DVec2) -> bool {
-        (self.lo - BESIDE).cmple(hi).all() && (lo - BESIDE).cmple(self.hi).all()
-    }
-
-    /// Returns the part of an edge whose left side lies in this area, and the one whose right side does.
-    fn beside(&self, edge: &Edge) -> [Span; 2] {
+    /// Returns the part of an edge whose left side lies in an area, and the one whose right side does.
+    fn beside(&self, edge: &Edge, area: &Area) -> [Span; 2] {
         let Edge { from, to, left, .. } = *edge;
-        if !self.spans_to(edge.lo, edge.hi) {
+        if !area.spans_to(edge.lo, edge.hi) {
             return [NOTHING; 2];
         }
         let mut spans = [WHOLE; 2];
-        for side in &self.sides {
+        for side in self.sides(*area) {
             let (a, b) = (side.depth(from), side.depth(to));
             let beside = side.inward().dot(left);
             // Whether it crosses is seen beside the edge, where it does so on the edge itself.
@@ -115,14 +132,21 @@ impl Area {
         }
         spans
     }
+}
 
-    fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
-        let corners = &self.corners[..];
-        let sides = self.sides.iter().enumerate();
-        sides.map(move |(n, side)| {
-            let to = *corners.get(n + 1).unwrap_or(&corners[0]);
-            Edge::new(corners[n], to, side.inward())
-        })
+impl Area {
+    /// Returns true if the bounds of two areas overlap or touch.
+    pub(super) fn is_near(&self, other: &Area) -> bool {
+        self.spans_to(other.lo, other.hi)
+    }
+
+    fn spans_to(&self, lo: DVec2, hi: DVec2) -> bool {
+        (self.lo - BESIDE).cmple(hi).all() && (lo - BESIDE).cmple(self.hi).all()
+    }
+
+    /// Adds those of some areas that are near to it to a list.
+    fn near(&self, areas: &[Area], list: &mut Vec<Area>) {
+        list.extend(areas.iter().filter(|other| self.is_near(other)));
     }
 }
 
@@ -138,7 +162,7 @@ impl Edge {
     }
 
     /// Adds some parts of the edge with length, backwards if asked.
-    fn pass(&self, spans: &Spans, backwards: bool, lines: &mut Vec<Line>) {
+    fn pass(&self, spans: &[Span], backwards: bool, lines: &mut Vec<Line>) {
         let at = |t: f64| match t {
             0.0 => self.from,
             1.0 => self.to,
@@ -146,70 +170,93 @@ impl Edge {
         };
         for [p, q] in spans {
             let (p, q) = (at(*p), at(*q));
-            match (p.distance(q) < BESIDE, backwards) {
+            match (p.distance_squared(q) < BESIDE * BESIDE, backwards) {
                 (true, _) => {}
-                (false, false) => lines.push((p, q)),
-                (false, true) => lines.push((q, p)),
+                (false, false) => lines.push([p, q]),
+                (false, true) => lines.push([q, p]),
             }
         }
     }
 }
 
 impl Region<'_> {
-    /// Adds the border, from and to, with the area on the left.
-    pub(super) fn border(&self, lines: &mut Vec<Line>) {
-        for (n, part) in self.with.iter().enumerate() {
-            let (before, after) = (part.near(&self.with[..n]), part.near(&self.with[n + 1..]));
-            let away = part.near(self.without);
-            for edge in part.edges() {
+    /// Adds the border, with the area on the left.
+    pub(super) fn border(self, lists: &mut Lists, lines: &mut Vec<Line>) {
+        let Region {
+            plan,
+            with,
+            without,
+        } = self;
+        for (n, part) in with.iter().enumerate() {
+            let Lists {
+                with: away,
+                before,
+                after,
+            } = lists.cleared();
+            part.near(&with[..n], before);
+            part.near(&with[n + 1..], after);
+            part.near(without, away);
+            for edge in plan.edges(*part) {
                 let mut spans = Spans::from_slice(&[WHOLE]);
-                for other in &before {
+                for other in before.iter() {
                     // Of edges upon each other the first counts.
-                    let [left, right] = other.beside(&edge);
+                    let [left, right] = plan.beside(&edge, other);
                     take(&mut spans, left);
                     take(&mut spans, right);
                 }
-                for other in &after {
-                    take(&mut spans, other.beside(&edge)[1]);
+                for other in after.iter() {
+                    take(&mut spans, plan.beside(&edge, other)[1]);
                 }
-                for other in &away {
-                    take(&mut spans, other.beside(&edge)[0]);
+                for other in away.iter() {
+                    take(&mut spans, plan.beside(&edge, other)[0]);
                 }
                 edge.pass(&spans, false, lines);
             }
         }
-        self.inner(&[], self.without, lines);
+        self.inner(&[], without, lists, lines);
     }
 
     /// Adds the border of what more areas leave of it, which has this border without them.
-    pub(super) fn less(&self, border: &[Line], more: &[&Area], lines: &mut Vec<Line>) {
-        for (from, to) in border {
+    pub(super) fn less(
+        self,
+        border: &[Line],
+        more: &[Area],
+        lists: &mut Lists,
+        lines: &mut Vec<Line>,
+    ) {
+        for [from, to] in border {
             let left = (*to - *from).perp().normalize_or_zero();
             let edge = Edge::new(*from, *to, left);
             let mut spans = Spans::from_slice(&[WHOLE]);
             for other in more {
-                take(&mut spans, other.beside(&edge)[0]);
+                take(&mut spans, self.plan.beside(&edge, other)[0]);
             }
             edge.pass(&spans, false, lines);
         }
-        self.inner(self.without, more, lines);
+        self.inner(self.without, more, lists, lines);
     }
 
     /// Adds the border along areas that are taken away after some others.
-    fn inner(&self, first: &[&Area], then: &[&Area], lines: &mut Vec<Line>) {
+    fn inner(self, first: &[Area], then: &[Area], lists: &mut Lists, lines: &mut Vec<Line>) {
+        let plan = self.plan;
         for (n, part) in then.iter().enumerate() {
-            let with = part.near(self.with);
+            let Lists {
+                with,
+                before,
+                after,
+            } = lists.cleared();
+            part.near(self.with, with);
             if with.is_empty() {
                 continue;
             }
-            let mut before = part.near(first);
-            before.extend(part.near(&then[..n]));
-            let after = part.near(&then[n + 1..]);
-            for edge in part.edges() {
+            part.near(first, before);
+            part.near(&then[..n], before);
+            part.near(&then[n + 1..], after);
+            for edge in plan.edges(*part) {
                 // Its own part ends here where the others go on to both sides.
                 let mut spans = [Spans::new(), Spans::new()];
-                for other in &with {
-                    let [left, right] = other.beside(&edge);
+                for other in with.iter() {
+                    let [left, right] = plan.beside(&edge, other);
                     add(&mut spans[0], left);
                     add(&mut spans[1], right);
                 }
@@ -217,17 +264,26 @@ impl Region<'_> {
                 if spans.is_empty() {
                     continue;
                 }
-                for other in &before {
-                    let [left, right] = other.beside(&edge);
+                for other in before.iter() {
+                    let [left, right] = plan.beside(&edge, other);
                     take(&mut spans, left);
                     take(&mut spans, right);
                 }
-                for other in &after {
-                    take(&mut spans, other.beside(&edge)[1]);
+                for other in after.iter() {
+                    take(&mut spans, plan.beside(&edge, other)[1]);
                 }
                 edge.pass(&spans, true, lines);
             }
         }
+    }
+}
+
+impl Lists {
+    fn cleared(&mut self) -> &mut Lists {
+        self.with.clear();
+        self.before.clear();
+        self.after.clear();
+        self
     }
 }
 
@@ -299,22 +355,32 @@ mod tests {
     use super::*;
     use glam::dvec2;
 
-    fn rect(x0: f64, y0: f64, x1: f64, y1: f64) -> Area {
+    fn rect(x0: f64, y0: f64, x1: f64, y1: f64) -> [Corner; 4] {
         let corners = [dvec2(x0, y0), dvec2(x1, y0), dvec2(x1, y1), dvec2(x0, y1)];
-        let outline = corners.map(|at| Corner { at, rim: true });
-        Area::of(&outline).expect("is no sliver")
+        corners.map(|at| Corner { at, rim: true })
     }
 
     /// Twice the area that a border goes round, and its length.
-    fn round(with: &[&Area], without: &[&Area]) -> (f64, f64) {
-        let twice = |lines: &[Line]| lines.iter().map(|(p, q)| p.perp_dot(*q)).sum::<f64>();
-        let length = |lines: &[Line]| lines.iter().map(|(p, q)| p.distance(*q)).sum::<f64>();
-        let region = |without| Region { with, without };
+    fn round(with: &[&[Corner; 4]], without: &[&[Corner; 4]]) -> (f64, f64) {
+        let (mut plan, mut lists) = (Plan::default(), Lists::default());
+        let mut areas = |all: &[&[Corner; 4]]| -> Vec<Area> {
+            all.iter()
+                .filter_map(|outline| plan.area(*outline))
+                .collect()
+        };
+        let (with, without) = (areas(with), areas(without));
+        let twice = |lines: &[Line]| lines.iter().map(|[p, q]| p.perp_dot(*q)).sum::<f64>();
+        let length = |lines: &[Line]| lines.iter().map(|[p, q]| p.distance(*q)).sum::<f64>();
+        let region = |without| Region {
+            plan: &plan,
+            with: &with,
+            without,
+        };
         let (mut lines, mut base, mut less) = (vec![], vec![], vec![]);
-        region(without).border(&mut lines);
+        region(&without).border(&mut lists, &mut lines);
         // The same in two steps.
-        region(&[]).border(&mut base);
-        region(&[]).less(&base, without, &mut less);
+        region(&[]).border(&mut lists, &mut base);
+        region(&[]).less(&base, &without, &mut lists, &mut less);
         assert_eq!(
             (twice(&lines), length(&lines)),
             (twice(&less), length(&less))

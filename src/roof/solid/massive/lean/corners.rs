@@ -7,7 +7,7 @@ pub(super) const WELD: f64 = 2e-5;
 
 /// Returns the corners in ascending order of x, those nearly at one place once, and for each one given its number among
 /// them.
-pub(super) fn welded(corners: impl Iterator<Item = DVec2> + Clone) -> (Vec<DVec2>, Vec<u32>) {
+pub(super) fn welded(corners: &[DVec2]) -> (Vec<DVec2>, Vec<u32>) {
     let (mut place, places) = distinct(corners);
     let mut order: Vec<(i64, u32)> = places.iter().map(|at| ascending(at.x)).zip(0..).collect();
     order.sort_unstable();
@@ -40,13 +40,13 @@ fn ascending(x: f64) -> i64 {
 
 /// Returns for each corner the number of its place, and the places in the order of their first corners. Slabs, fillings
 /// and slopes side by side have most corners in common, to the last bit; only those that differ are left to be sorted.
-fn distinct(corners: impl Iterator<Item = DVec2> + Clone) -> (Vec<u32>, Vec<DVec2>) {
+fn distinct(corners: &[DVec2]) -> (Vec<u32>, Vec<DVec2>) {
     const NONE: u32 = u32::MAX;
-    let count = corners.clone().count();
+    let count = corners.len();
     let mut slots = vec![NONE; (2 * count).next_power_of_two()];
     let (mut numbers, mut places) = (Vec::with_capacity(count), Vec::with_capacity(count / 2));
     let bits = |at: DVec2| at.to_array().map(f64::to_bits);
-    for at in corners {
+    for &at in corners {
         let own = bits(at);
         let mixed = own.iter().fold(0, |mixed: u64, n| {
             (mixed.rotate_left(5) ^ n).wrapping_mul(0x9E37_79B9_7F4A_7C15)

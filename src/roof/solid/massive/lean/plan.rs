@@ -84,7 +84,8 @@ impl Side {
 impl Plan {
     pub(super) fn of(pieces: &[Piece]) -> Plan {
         let outlines = || pieces.iter().flat_map(|p| [&p.outline, &p.filled]);
-        let (corners, numbers) = welded(outlines().flatten().map(|c| c.at));
+        let places: Vec<DVec2> = outlines().flatten().map(|c| c.at).collect();
+        let (corners, numbers) = welded(&places);
         let mut rings = Rings::with_capacity(numbers.len(), 2 * pieces.len());
         let mut numbers = numbers.into_iter();
         let starts = &mut rings.starts;

@@ -13,7 +13,7 @@ use crate::geometry::tolerance::{JOINT, SLIVER};
 use crate::roof::facet::{Convex, Corner, HalfPlane, Higher, area};
 use crate::roof::frame::Plane;
 use crate::roof::solid::massive::closed;
-use crate::roof::solid::massive::lean::areas::{Area, Line, Region};
+use crate::roof::solid::massive::lean::areas::{Area, Line, Lists, Plan, Region};
 use crate::roof::solid::massive::lean::corners::{self, WELD};
 use crate::roof::solid::massive::lean::faces::{self, Patches};
 use crate::roof::solid::massive::lean::heights::Heights;
@@ -94,26 +94,21 @@ struct Areas<'s> {
     plane: usize,
     top: Plane,
     outline: Area,
-    /// Its body; none if that is its outline.
-    body: Option<Area>,
+    body: Area,
     filled: Option<Area>,
     verges: SmallVec<[Area; 2]>,
 }
 
 impl Areas<'_> {
-    fn body(&self) -> &Area {
-        self.body.as_ref().unwrap_or(&self.outline)
-    }
-
     /// Adds the part of its body that lies above a plane and may lie over some slopes.
-    fn above(&self, plane: Plane, own: &[&Area], areas: &mut Vec<Area>) {
+    fn above(&self, plane: Plane, own: &[Area], plan: &mut Plan, areas: &mut Vec<Area>) {
         let near = |area: &Area| own.iter().any(|o| o.is_near(area));
         match HalfPlane::where_higher(self.top, plane) {
-            _ if !near(self.body()) => {}
+            _ if !near(&self.body) => {}
             Higher::Nowhere => {}
-            Higher::Everywhere => areas.push(self.body().clone()),
+            Higher::Everywhere => areas.push(self.body),
             Higher::Inside(side) => {
-                areas.extend(Area::of(&side.inside(&self.slope.body)).filter(near));
+                areas.extend(plan.area(&side.inside(&self.slope.body)).filter(near));
             }
         }
     }
@@ -122,46 +117,55 @@ impl Areas<'_> {
 /// Where slopes in one plane are not seen.
 #[derive(Default)]
 struct Hidden {
+    /// The outlines of the slopes.
+    outlines: Vec<Area>,
     /// Where another takes their place.
     covered: Vec<Area>,
     /// Where they would lie in the thickness of a verge above them.
     within: Vec<Area>,
-    /// Where their own verges lie upon another.
-    upon: Vec<Area>,
+    /// Where their own verges lie upon another, or where they lie over the attic.
+    below: Vec<Area>,
 }
 
 impl Borders {
     fn of(slopes: &[Slope], plate: &Plate) -> Borders {
+        let mut plan = Plan::with_capacity(24 * slopes.len());
         let mut planes: Vec<Plane> = Vec::with_capacity(slopes.len());
-        let of = |slope| Borders::areas(slope, plate, &mut planes);
-        let areas: Vec<Areas<'_>> = slopes.iter().filter_map(of).collect();
+        let mut areas: Vec<Areas<'_>> = Vec::with_capacity(slopes.len());
+        areas.extend(
+            slopes
+                .iter()
+                .filter_map(|slope| Borders::areas(slope, plate, &mut plan, &mut planes)),
+        );
         let mut borders = Borders {
             surfaces: Vec::with_capacity(2 * planes.len() + 1),
             lines: Vec::with_capacity(24 * slopes.len()),
             ends: Vec::with_capacity(2 * planes.len() + 1),
         };
-        let (mut hidden, mut upper) = (Hidden::default(), vec![]);
+        let mut hidden = Hidden::default();
+        let mut scratch = (Lists::default(), Vec::with_capacity(32));
         for (number, plane) in planes.iter().enumerate() {
-            borders.slope(
-                (number, *plane),
-                &areas,
-                plate.drop,
-                &mut hidden,
-                &mut upper,
-            );
+            hidden.find((number, *plane), &areas, plate.drop, &mut plan);
+            borders.slope(*plane, plate.drop, &hidden, &plan, &mut scratch);
         }
-        let attic: SmallVec<[&Area; 16]> = areas.iter().filter_map(|a| a.filled.as_ref()).collect();
+        let attic: SmallVec<[Area; 16]> = areas.iter().filter_map(|a| a.filled).collect();
         let attic = Region {
+            plan: &plan,
             with: &attic,
             without: &[],
         };
-        attic.border(&mut borders.lines);
+        attic.border(&mut scratch.0, &mut borders.lines);
         borders.end(Plane::level(plate.floor.unwrap_or_default()), Kind::Floor);
         borders
     }
 
     /// Returns the areas of a slope; none of a sliver.
-    fn areas<'s>(slope: &'s Slope, plate: &Plate, planes: &mut Vec<Plane>) -> Option<Areas<'s>> {
+    fn areas<'s>(
+        slope: &'s Slope,
+        plate: &Plate,
+        plan: &mut Plan,
+        planes: &mut Vec<Plane>,
+    ) -> Option<Areas<'s>> {
         let known = planes.iter().position(|p| is_same(*p, slope.top));
         let plane = known.unwrap_or(planes.len());
         if known.is_none() {
@@ -169,48 +173,44 @@ impl Borders {
         }
         let low = slope.top.raised(-plate.drop);
         let filled = (plate.floor).map(|floor| higher(&slope.body, low, Plane::level(floor)));
-        let verges = !slope.verges.is_empty();
+        let outline = plan.area(&slope.outline)?;
+        let body = match slope.verges.is_empty() {
+            true => None,
+            false => plan.area(&slope.body),
+        };
         Some(Areas {
             slope,
             plane,
             top: planes[plane],
-            outline: Area::of(&slope.outline)?,
-            body: verges.then(|| Area::of(&slope.body)).flatten(),
-            filled: filled.and_then(|filled| Area::of(&filled)),
-            verges: slope.verges.iter().filter_map(|v| Area::of(v)).collect(),
+            outline,
+            body: body.unwrap_or(outline),
+            filled: filled.and_then(|filled| plan.area(&filled)),
+            verges: slope.verges.iter().filter_map(|v| plan.area(v)).collect(),
         })
     }
 
-    /// Adds the upper and the lower surface of all slopes in one plane.
+    /// Adds the upper and the lower surface of all slopes in one plane, of which some is hidden.
     fn slope(
         &mut self,
-        (number, top): (usize, Plane),
-        areas: &[Areas<'_>],
+        top: Plane,
         drop: f64,
-        hidden: &mut Hidden,
-        upper: &mut Vec<Line>,
+        hidden: &Hidden,
+        plan: &Plan,
+        (lists, upper): &mut (Lists, Vec<Line>),
     ) {
-        let own = || areas.iter().filter(|a| a.plane == number);
-        let outlines: SmallVec<[&Area; 8]> = own().map(|a| &a.outline).collect();
-        hidden.find((number, top), areas, &outlines, drop);
-        let covered: SmallVec<[&Area; 16]> = hidden.covered.iter().collect();
         let region = Region {
-            with: &outlines,
-            without: &covered,
+            plan,
+            with: &hidden.outlines,
+            without: &hidden.covered,
         };
         upper.clear();
-        region.border(upper);
+        region.border(lists, upper);
         match hidden.within.is_empty() {
             true => self.lines.extend_from_slice(upper),
-            false => {
-                let within: SmallVec<[&Area; 8]> = hidden.within.iter().collect();
-                region.less(upper, &within, &mut self.lines);
-            }
+            false => region.less(upper, &hidden.within, lists, &mut self.lines),
         }
         self.end(top, Kind::Top);
-        let filled = own().filter_map(|a| a.filled.as_ref());
-        let below: SmallVec<[&Area; 8]> = hidden.upon.iter().chain(filled).collect();
-        region.less(upper, &below, &mut self.lines);
+        region.less(upper, &hidden.below, lists, &mut self.lines);
         self.end(top.raised(-drop), Kind::Low);
     }
 
@@ -232,41 +232,46 @@ impl Borders {
 }
 
 impl Hidden {
-    /// Finds where the slopes in one plane, with these outlines, are not seen.
+    /// Finds where the slopes in one plane are not seen.
     fn find(
         &mut self,
         (number, top): (usize, Plane),
         areas: &[Areas<'_>],
-        outlines: &[&Area],
         drop: f64,
+        plan: &mut Plan,
     ) {
         let Hidden {
+            outlines,
             covered,
             within,
-            upon,
+            below,
         } = self;
+        outlines.clear();
         covered.clear();
         within.clear();
-        upon.clear();
+        below.clear();
         let own = || areas.iter().filter(|a| a.plane == number);
-        let verges = || own().flat_map(|a| a.slope.verges.iter().zip(&a.verges));
+        outlines.extend(own().map(|a| a.outline));
         for other in areas.iter().filter(|a| a.plane != number) {
             if !outlines.iter().any(|o| o.is_near(&other.outline)) {
                 continue;
             }
-            other.above(top, outlines, covered);
-            let near = |v: &Area| outlines.iter().any(|o| o.is_near(v));
-            let above = other.slope.verges.iter().zip(&other.verges);
-            for (verge, _) in above.filter(|v| near(v.1)) {
-                within.extend(Area::of(&between(verge, top, other.top, drop)));
+            other.above(top, outlines, plan, covered);
+            for (verge, area) in other.slope.verges.iter().zip(&other.verges) {
+                if outlines.iter().any(|o| o.is_near(area)) {
+                    within.extend(plan.area(&between(verge, top, other.top, drop)));
+                }
             }
-            for (verge, _) in verges().filter(|v| other.outline.is_near(v.1)) {
+            let verges = own().flat_map(|a| a.slope.verges.iter().zip(&a.verges));
+            for (verge, _) in verges.filter(|v| other.outline.is_near(v.1)) {
                 let upper = between(verge, other.top, top, drop);
                 if area(&upper) > SLIVER {
-                    upon.extend(Area::of(&other.outline.common(&upper)));
+                    let common = plan.common(other.outline, &upper);
+                    below.extend(plan.area(&common));
                 }
             }
         }
+        below.extend(own().filter_map(|a| a.filled));
     }
 }
 
@@ -364,18 +369,13 @@ impl Edges {
             return None;
         }
         let surfaces = &borders.surfaces;
-        let mut stretches: Vec<Stretch> = Vec::with_capacity(2 * borders.lines.len());
-        let mut way: Vec<(f64, u32)> = Vec::with_capacity(8);
+        let mut whole: Vec<Stretch> = Vec::with_capacity(borders.lines.len());
         for (surface, lines) in borders.by_surface() {
-            for ends in ends[2 * lines.start..2 * lines.end].chunks_exact(2) {
-                if ends[0] != ends[1] {
-                    stops(&corners, ends[0], ends[1], &mut way);
-                    let pairs = way.windows(2);
-                    stretches.extend(pairs.map(|p| Stretch::new(p[0].1, p[1].1, surface)));
-                }
-            }
+            let ends = ends[2 * lines.start..2 * lines.end].chunks_exact(2);
+            let ends = ends.filter(|ends| ends[0] != ends[1]);
+            whole.extend(ends.map(|ends| Stretch::new(ends[0], ends[1], surface)));
         }
-        stretches.sort_unstable();
+        let mut stretches = passing(whole, &corners);
         divide(&mut stretches, surfaces, &mut corners);
         let mut heights = Heights::over(corners.len(), 3 * stretches.len());
         let mut all: Vec<Edge> = Vec::with_capacity(stretches.len());
@@ -507,7 +507,30 @@ impl Edges {
 
 /// Returns the corners of all lines in ascending order of x, and for each line the numbers of its ends.
 fn welded(lines: &[Line]) -> (Vec<DVec2>, Vec<u32>) {
-    corners::welded(lines.iter().flat_map(|(from, to)| [*from, *to]))
+    corners::welded(lines.as_flattened())
+}
+
+/// Returns the parts of some stretches between the corners that they pass through, sorted.
+fn passing(mut whole: Vec<Stretch>, corners: &[DVec2]) -> Vec<Stretch> {
+    whole.sort_unstable();
+    let mut parts = Vec::with_capacity(2 * whole.len());
+    let mut way: Vec<(f64, u32)> = Vec::with_capacity(8);
+    for same in whole.chunk_by(|s, t| s.over() == t.over()) {
+        let (low, high) = same[0].over();
+        stops(corners, low, high, &mut way);
+        for (stretch, pair) in same
+            .iter()
+            .flat_map(|s| way.windows(2).map(move |p| (s, p)))
+        {
+            let (from, to) = match stretch.is_left() {
+                true => (pair[0].1, pair[1].1),
+                false => (pair[1].1, pair[0].1),
+            };
+            parts.push(Stretch::new(from, to, stretch.surface()));
+        }
+    }
+    parts.sort_unstable();
+    parts
 }
 
 /// Divides stretches over which one surface falls below another where they cross, as the verge of one roof does the slope of
