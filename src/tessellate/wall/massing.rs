@@ -310,8 +310,10 @@ impl Walker<'_> {
             Below::Dado => (z0 + DADO).min(foot),
             _ => z0,
         };
-        let boards = [Stripe::of_surface(SurfaceId::named("boards"))];
-        band(z0, boarded, &boards);
+        if boarded > z0 {
+            let boards = [Stripe::of_surface(SurfaceId::named("boards"))];
+            band(z0, boarded, &boards);
+        }
         band(boarded, foot, &around);
         // Beside a picture one sees the wall on which it hangs.
         band(foot, top, if picture.is_some() { &around } else { main });
