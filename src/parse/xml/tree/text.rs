@@ -170,7 +170,7 @@ impl<'a> Run<'a> {
         }
         // Nearly all text has no reference to look for.
         let special = |byte: &u8| matches!(byte, b'&' | b'<');
-        if !whole.as_bytes()[range.clone()].iter().any(|b| special(b)) {
+        if !whole.as_bytes()[range.clone()].iter().any(special) {
             return self.plain(range, reporter);
         }
         let mut from = range.start;
