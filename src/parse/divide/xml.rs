@@ -11,6 +11,9 @@ use std::io::{self, BufRead};
 /// The largest head that is read again with every piece, bytes.
 const HEAD: u64 = 16 << 10;
 
+/// A piece is at least so many times as long as the head, which is read with it.
+const HEADS: u64 = 16;
+
 /// Elements that stand before the houses and hold in all of them.
 const BEFORE: [&str; 3] = ["Param", "let", "define"];
 
@@ -220,8 +223,9 @@ impl Division {
 
     fn house_ends(&mut self, at: u64) {
         self.end = at;
-        let last = self.cuts.last().copied().or(self.first).unwrap_or(0);
-        if at - last >= PIECE {
+        let first = self.first.unwrap_or(0);
+        let last = self.cuts.last().copied().unwrap_or(first);
+        if at - last >= PIECE.max(HEADS * first) {
             self.cuts.push(at);
         }
     }
