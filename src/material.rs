@@ -11,6 +11,8 @@ mod worn;
 pub use ageing::{Class, MATERIALS, Material, Stage};
 pub use worn::{Luck, State, Wear, dimmed};
 
+use std::collections::HashMap;
+use std::sync::LazyLock;
 use table::TABLE;
 
 use serde::{Serialize, Serializer};
@@ -50,8 +52,12 @@ pub struct SurfaceId(u16);
 impl SurfaceId {
     /// Returns the surface of a name.
     pub fn find(name: &str) -> Option<SurfaceId> {
-        let at = TABLE.iter().position(|s| s.name == name)?;
-        Some(SurfaceId(at as u16))
+        // Every wall of a town asks for some.
+        static BY_NAME: LazyLock<HashMap<&str, SurfaceId>> = LazyLock::new(|| {
+            let numbered = TABLE.iter().zip(0..);
+            numbered.map(|(s, at)| (s.name, SurfaceId(at))).collect()
+        });
+        BY_NAME.get(name).copied()
     }
 
     /// Returns the names of all surfaces.

@@ -25,6 +25,7 @@ mod reporter;
 pub mod legacy;
 pub mod names;
 pub mod outline;
+mod plain_tag;
 pub mod over;
 pub mod syntax;
 mod values;

@@ -139,7 +139,7 @@ impl<'c> Tessellator<'c> {
             names: HashMap::new(),
             aged: None,
             air: None,
-            nodes: Vec::with_capacity(budget::nodes(houses)),
+            nodes: Vec::with_capacity(budget::nodes(houses, detail)),
             root: NodeId(0),
             budget: Budget::default(),
         };

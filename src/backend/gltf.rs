@@ -11,6 +11,7 @@
 //! Texture coordinates of textured surfaces are metres in the scene; they are divided here by the length of one repeat
 //! in metres, since a primitive has one material.
 
+mod accessor;
 mod apart;
 mod arrays;
 mod bare;

@@ -77,6 +77,8 @@ impl MergedHouses {
             first_mesh: self.first,
             nodes: &self.nodes,
             first_node: self.first,
+            // What is far off in a sound house may be too far off in the world.
+            sound: false,
             ..of
         }
     }

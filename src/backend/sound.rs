@@ -41,13 +41,15 @@ pub fn node(node: &Node) -> bool {
 /// Returns true if triangles can be written.
 pub fn primitive(p: &Primitive, materials: &[Material]) -> bool {
     let count = p.positions.len();
+    // Of the width of the indices, so that several are compared at once.
+    let most = u32::try_from(count).unwrap_or(u32::MAX);
     count > 0
         && p.normals.len() == count
         && p.uvs.len() == count
         && (p.mirror_uvs.len() == count || p.mirror_uvs.is_empty())
         && !p.indices.is_empty()
         && p.indices.len().is_multiple_of(3)
-        && every(p.indices.iter().map(|&i| (i as usize) < count))
+        && every(p.indices.iter().map(|&i| i < most))
         && materials
             .get(p.material.0 as usize)
             .is_some_and(|m| m.mirrored.is_none() || !p.mirror_uvs.is_empty())

@@ -397,7 +397,8 @@ impl Batch {
         then: impl Fn(usize, Vec<(Option<Built>, Diagnostics)>) -> T + Sync,
     ) -> Vec<T> {
         let chunks = self.houses.into_par_iter().chunks(CHUNK).enumerate();
-        let chunks = chunks.map(|(number, chunk)| {
+        // One chunk at a time, so that no thread waits long for the last of another.
+        let chunks = chunks.with_max_len(1).map(|(number, chunk)| {
             let mut cache = cache();
             let finished = chunk.into_iter().map(|(house, mut found, origin)| {
                 let placed = house

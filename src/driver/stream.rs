@@ -281,6 +281,9 @@ impl Made {
     }
 }
 
+/// The most shapes that are told to be left out.
+const MOST_FLAWS: usize = 20;
+
 /// The bytes of meshes to make at a time.
 const BYTES: usize = 16 << 20;
 
@@ -380,11 +383,16 @@ impl Town<'_, '_> {
         }
         let part = self.scene.part();
         // One broken mesh may be shown a thousand times.
-        for flaw in sound::flaws(part).take(20 - self.flaws) {
+        let before = self.flaws;
+        for flaw in sound::flaws(part).take(MOST_FLAWS - before) {
             self.flaws += 1;
             let place = flaw.span.unwrap_or(self.first);
             self.out.push(say::shape_left_out(place, &flaw.name));
         }
+        let part = ScenePart {
+            sound: before < MOST_FLAWS && self.flaws == before,
+            ..part
+        };
         self.counter.add(part);
         (self.sink)(part, &self.library)?;
         self.scene.forget();

@@ -8,22 +8,24 @@ mod many;
 /// Rings with more corners take the next ear instead of the roundest, to stay far from cubic time.
 const MANY: usize = 48;
 
+/// Most rings have no more corners: little room is filled and moved for them.
+const FEW: usize = 12;
+
 /// Points nearer to the border of an ear, in twice the area of the triangle they span with it, lie on the border.
 const ON_BORDER: f64 = 1e-12;
 
 /// Passes on the triangles of a counter-clockwise ring, as indices of its corners; always two fewer than corners. The
 /// ring may pass a place twice, as along a bridge to a hole.
 pub(crate) fn ears(ring: &[DVec2], mut out: impl FnMut([u32; 3])) {
-    let mut rest: Vec<u32> = (0..ring.len() as u32).collect();
-    if rest.len() > MANY {
+    let all = 0..ring.len() as u32;
+    if ring.len() > MANY {
         let mut cutting = many::Cutting::new(ring);
-        (MANY..rest.len()).for_each(|_| out(cutting.cut()));
-        rest = cutting.rest().collect();
-    }
-    let mut left = Left::of(ring, &rest);
-    while left.count > 2 {
-        let ear = left.best();
-        out(left.cut(ear));
+        (MANY..ring.len()).for_each(|_| out(cutting.cut()));
+        Left::<MANY>::of(ring, cutting.rest()).cut_all(out);
+    } else if ring.len() > FEW {
+        Left::<MANY>::of(ring, all).cut_all(out);
+    } else {
+        Left::<FEW>::of(ring, all).cut_all(out);
     }
 }
 
@@ -42,9 +44,9 @@ pub fn triangles(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<[DVec2; 3]> {
 
 /// The corners that are left of a ring, with what is known of each: only the neighbours of a corner that is cut off, and
 /// those whose triangle held it, are looked at again.
-struct Left {
+struct Left<const MOST: usize> {
     count: usize,
-    corners: [Known; MANY],
+    corners: [Known; MOST],
 }
 
 /// A corner and the triangle it makes with its neighbours: how round the triangle is, whether it turns inwards with an area, and
@@ -68,32 +70,41 @@ enum Holds {
     Corner(u32),
 }
 
-impl Left {
-    /// Takes some corners of a ring, at most [`MANY`].
-    fn of(ring: &[DVec2], numbers: &[u32]) -> Left {
-        let mut corners = [Known::default(); MANY];
-        for (known, &number) in corners.iter_mut().zip(numbers) {
+impl<const MOST: usize> Left<MOST> {
+    /// Takes some corners of a ring, at most `MOST`.
+    fn of(ring: &[DVec2], numbers: impl Iterator<Item = u32>) -> Left<MOST> {
+        let mut left = Left {
+            count: 0,
+            corners: [Known::default(); MOST],
+        };
+        for (known, number) in left.corners.iter_mut().zip(numbers) {
             known.number = number;
             known.at = ring[number as usize];
+            left.count += 1;
         }
-        let mut left = Left {
-            count: numbers.len(),
-            corners,
-        };
         (0..left.count).for_each(|i| left.look(i));
         left
     }
 
-    /// Returns a corner between its neighbours.
-    fn around(&self, i: usize) -> [Known; 3] {
+    /// Cuts ears off until none is left.
+    fn cut_all(mut self, mut out: impl FnMut([u32; 3])) {
+        while self.count > 2 {
+            let ear = self.best();
+            out(self.cut(ear));
+        }
+    }
+
+    /// Returns the indices before and after one.
+    fn beside(&self, i: usize) -> [usize; 2] {
         let before = if i == 0 { self.count - 1 } else { i - 1 };
         let after = if i + 1 == self.count { 0 } else { i + 1 };
-        [self.corners[before], self.corners[i], self.corners[after]]
+        [before, after]
     }
 
     fn triangle(&self, i: usize) -> [DVec2; 3] {
-        let [p, q, r] = self.around(i);
-        [p.at, q.at, r.at]
+        let [before, after] = self.beside(i);
+        let at = |n: usize| self.corners[n].at;
+        [at(before), at(i), at(after)]
     }
 
     fn look(&mut self, i: usize) {
@@ -130,9 +141,14 @@ impl Left {
     fn is_blocked(&mut self, i: usize) -> bool {
         if self.corners[i].holds == Holds::Unknown {
             let [p, q, r] = self.triangle(i);
-            let inside = |k: &&Known| holds([p, q, r], k.at) && k.at != p && k.at != q && k.at != r;
-            let held = self.corners[..self.count].iter().find(inside);
-            let held = held.map_or(Holds::Nothing, |k| Holds::Corner(k.number));
+            let [before, after] = self.beside(i);
+            let inside = |(n, k): &(usize, &Known)| {
+                let own = *n == before || *n == i || *n == after;
+                !own && holds([p, q, r], k.at) && k.at != p && k.at != q && k.at != r
+            };
+            let mut others = self.corners[..self.count].iter().enumerate();
+            let held = others.find(inside);
+            let held = held.map_or(Holds::Nothing, |(_, k)| Holds::Corner(k.number));
             self.corners[i].holds = held;
         }
         self.corners[i].holds != Holds::Nothing
@@ -140,23 +156,28 @@ impl Left {
 
     /// Cuts a corner off, and returns it between its neighbours.
     fn cut(&mut self, i: usize) -> [u32; 3] {
-        let [before, cut, after] = self.around(i);
+        let [before, after] = self.beside(i);
+        let number = |n: usize| self.corners[n].number;
+        let numbers = [number(before), number(i), number(after)];
         self.corners.copy_within(i + 1..self.count, i);
         self.count -= 1;
         let n = self.count;
-        for known in &mut self.corners[..n] {
-            if known.holds == Holds::Corner(cut.number) {
-                known.holds = Holds::Unknown;
+        if n > 2 {
+            for known in &mut self.corners[..n] {
+                if known.holds == Holds::Corner(numbers[1]) {
+                    known.holds = Holds::Unknown;
+                }
             }
+            self.look(if i == 0 { n - 1 } else { i - 1 });
+            self.look(if i == n { 0 } else { i });
         }
-        self.look((i + n - 1) % n);
-        self.look(i % n);
-        [before.number, cut.number, after.number]
+        numbers
     }
 }
 
 /// Returns how round the triangle of a corner is, twice its area by the square of its longest side, and true if it has area
 /// and lies to the left of its corners.
+#[inline]
 fn shape([a, b, c]: [DVec2; 3]) -> (f64, bool) {
     let area = (b - a).perp_dot(c - b);
     let longest = (b - a)
@@ -172,6 +193,7 @@ fn worth_blocked(roundness: f64) -> f64 {
 }
 
 /// Returns true if a point lies in a counter-clockwise triangle or on its border.
+#[inline]
 fn holds([a, b, c]: [DVec2; 3], p: DVec2) -> bool {
     let left = |q: DVec2, r: DVec2| (r - q).perp_dot(p - q) >= -ON_BORDER;
     left(a, b) && left(b, c) && left(c, a)

@@ -14,6 +14,9 @@ use std::collections::BTreeSet;
 /// The maximum number of comparisons of oblique walls; a plan needs a few thousand.
 const MOST_COMPARISONS: usize = 20_000_000;
 
+/// So few walls are compared with one another at once: nearly always they are apart, and then nothing is sorted.
+const FEW: usize = 16;
+
 #[derive(Clone, Copy)]
 struct Segment {
     ring: usize,
@@ -89,8 +92,24 @@ fn neighbours(rings: &[Ring], one: &Segment, two: &Segment) -> bool {
     one.ring == two.ring && ((one.wall + 1) % n == two.wall || (two.wall + 1) % n == one.wall)
 }
 
+/// Returns true if no two walls meet but neighbours.
+fn are_apart(rings: &[Ring], segments: &[Segment]) -> bool {
+    let apart = |s: &Segment, o: &Segment| {
+        let (below, above) = (s.high.1 < o.low.1, o.high.1 < s.low.1);
+        s.high.0 < o.low.0 || o.high.0 < s.low.0 || below || above
+    };
+    let fits = |(i, s)| {
+        let mut before = segments[..i].iter();
+        before.all(|o| apart(s, o) || neighbours(rings, s, o))
+    };
+    segments.iter().enumerate().all(fits)
+}
+
 /// Finds a crossing at right angles, in integer steps: touching is exact.
 fn square_hit(rings: &[Ring], segments: &[Segment]) -> Option<(Segment, Segment)> {
+    if segments.len() <= FEW && are_apart(rings, segments) {
+        return None;
+    }
     // (a, what, b, segment): walls along a begin before walls along b are looked up, and end after.
     let mut events = Vec::with_capacity(segments.len() * 2);
     for (i, s) in segments.iter().enumerate() {

@@ -14,8 +14,9 @@ use crate::source::{Layout, Stream};
 use crate::text;
 use std::io::{self, BufRead, BufReader, SeekFrom};
 
-/// The bytes of a piece, at least; the last one may have fewer.
-const PIECE: u64 = 256 << 10;
+/// The bytes of a piece, at least; the last one may have fewer. Those of a hundred plain houses: a piece is read while
+/// others make the houses of the one before, and must not take longer than that.
+const PIECE: u64 = 64 << 10;
 
 /// The bytes beyond which a file is divided.
 pub const LONG: u64 = 1 << 20;

@@ -14,6 +14,7 @@ use crate::source::{Span, Spanned};
 use glam::DVec2;
 use std::collections::HashMap;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Maximum size of a cache in words of 8 bytes, approximately: 4 MiB. Beyond it everything is dropped, since similar
@@ -24,8 +25,18 @@ const MOST_WORDS: usize = 1 << 19;
 const MOST_KEPT: usize = 1 << 23;
 
 /// Everything that the roofs of a house depend on, to the last bit.
-#[derive(Clone, PartialEq, Eq, Hash)]
-pub(super) struct Key(Box<[u64]>);
+#[derive(Clone, PartialEq, Eq)]
+pub(super) struct Key {
+    /// Of all words, since a key is looked up and then kept.
+    hash: u64,
+    words: Box<[u64]>,
+}
+
+impl Hash for Key {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        state.write_u64(self.hash);
+    }
+}
 
 /// The roofs of the houses roofed so far, by key.
 pub struct RoofCache {
@@ -122,7 +133,7 @@ impl RoofCache {
     }
 
     fn insert(&mut self, key: Key, kept: Arc<Kept>) {
-        let words = key.0.len() + kept.words();
+        let words = key.words.len() + kept.words();
         if self.words + words > self.most {
             self.kept.clear();
             self.words = 0;
@@ -301,7 +312,12 @@ impl Key {
         if *street || lines.iter().any(pent) {
             storeys.iter().for_each(|storey| words.posts(storey));
         }
-        Key(words.0.into())
+        const ODD: u64 = 0x9e37_79b9_7f4a_7c15;
+        let mixed = |hash: u64, word: &u64| (hash.rotate_left(26) ^ word).wrapping_mul(ODD);
+        Key {
+            hash: words.0.iter().fold(0, mixed),
+            words: words.0.into(),
+        }
     }
 }
 

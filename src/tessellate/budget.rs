@@ -1,9 +1,13 @@
 //! The triangles that a house may show, and the nodes that it will have.
 
 use crate::building::{Built, House};
+use crate::scene::Detail;
 
-/// Returns about how many nodes there will be: a part and a post a unit, and some others.
-pub(super) fn nodes(houses: &[Built]) -> usize {
+/// Returns about how many nodes there will be: a part and a post a unit, and some others; at detail 0 one a house.
+pub(super) fn nodes(houses: &[Built], detail: Detail) -> usize {
+    if detail == Detail::Body {
+        return houses.len() + 40;
+    }
     let parts: usize = houses.iter().map(|built| parts(&built.house)).sum();
     (2 * parts + 40 * houses.len()).min(MANY_NODES)
 }

@@ -5,7 +5,7 @@ use crate::tessellate::mesh::Soup;
 use crate::tessellate::store::Store;
 use crate::tessellate::store::draft::MeshDraft;
 use crate::tessellate::store::look::Look;
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 
 /// The name of the mesh: houses that look the same share one.
 const NAME: &str = "house";
@@ -48,11 +48,18 @@ fn pour(draft: &MeshDraft, (at, turn): (DVec3, DVec2), soups: &mut Vec<(Look, So
             let [x, y, z] = v.map(f64::from);
             turn.rotate(DVec2::new(x, y)).extend(z)
         };
-        let point = |p: &[f32; 3]| (at + turned(p)).as_vec3().to_array();
-        into.positions.extend(soup.positions.iter().map(point));
-        let normal = |n: &[f32; 3]| turned(n).as_vec3().to_array();
-        into.normals.extend(soup.normals.iter().map(normal));
-        into.uvs.extend(&soup.uvs);
+        // Storeys and roofs are not turned in their house.
+        if turn == DVec2::X {
+            let point = |p: &[f32; 3]| (at + Vec3::from(*p).as_dvec3()).as_vec3().to_array();
+            into.positions.extend(soup.positions.iter().map(point));
+            into.normals.extend_from_slice(&soup.normals);
+        } else {
+            let point = |p: &[f32; 3]| (at + turned(p)).as_vec3().to_array();
+            into.positions.extend(soup.positions.iter().map(point));
+            let normal = |n: &[f32; 3]| turned(n).as_vec3().to_array();
+            into.normals.extend(soup.normals.iter().map(normal));
+        }
+        into.uvs.extend_from_slice(&soup.uvs);
         into.indices
             .extend(soup.indices.iter().map(|i| vertices + i));
     }

@@ -11,6 +11,7 @@ use crate::material::SurfaceId;
 use crate::tessellate::mesh::Soup;
 use crate::tessellate::roof::bulk::Bulk;
 use glam::DVec3;
+use smallvec::SmallVec;
 use std::sync::LazyLock;
 
 /// The surfaces of all finishes, looked up once: soffit, timber, plaster, then covering and edge of each kind.
@@ -73,61 +74,70 @@ pub(super) fn is_minor(finish: Finish) -> bool {
     matches!(finish, Finish::Edge(_) | Finish::Soffit)
 }
 
-/// Returns the faces of all solids with some finishes, one soup per surface in the order of first use.
-pub(super) fn soups(bulk: &Bulk<'_>, with: impl Fn(Finish) -> bool) -> Vec<(SurfaceId, Soup)> {
-    let solids = &bulk.solids[..];
-    let shows = |n: usize, face: &Face| {
-        with(face.finish).then(|| bulk.given(n, face).unwrap_or_else(|| surface(face.finish)))
-    };
-    let mut soups = rooms(solids, shows);
+/// Returns the faces of all solids, one soup per surface in the order of first use; those of some finishes are in a list of
+/// their own, the second.
+pub(super) fn soups(
+    bulk: &Bulk<'_>,
+    apart: impl Fn(Finish) -> bool,
+) -> [Vec<(SurfaceId, Soup)>; 2] {
+    let solids = bulk.solids.iter().enumerate();
+    let faces = solids.flat_map(|(n, s)| s.faces.iter().map(move |face| (n, s, face)));
+    let mut sizes = [const { vec![] }; 2];
+    let mut places: SmallVec<[(usize, usize); 64]> = SmallVec::new();
+    for (n, _, face) in faces.clone() {
+        let id = bulk.given(n, face).unwrap_or_else(|| surface(face.finish));
+        let list = usize::from(apart(face.finish));
+        places.push((list, Size::count(&mut sizes[list], id, face)));
+    }
+    let mut soups = sizes.map(|list| list.into_iter().map(Size::empty).collect::<Vec<_>>());
     let mut corners: Vec<DVec3> = Vec::with_capacity(8);
-    for (n, solid) in solids.iter().enumerate() {
-        for face in &solid.faces {
-            let Some(id) = shows(n, face) else { continue };
-            gather(solid, face, &mut corners);
-            if let Some((_, soup)) = soups.iter_mut().find(|(s, _)| *s == id) {
-                let up = |normal| match face.finish {
-                    Finish::Covering(_) => bulk.up(normal),
-                    _ => None,
-                };
-                soup.covering(&corners, up, has_grain(face.finish));
-            }
-        }
+    for ((_, solid, face), (list, at)) in faces.zip(places) {
+        gather(solid, face, &mut corners);
+        let up = |normal| match face.finish {
+            Finish::Covering(_) => bulk.up(normal),
+            _ => None,
+        };
+        let soup = &mut soups[list][at].1;
+        soup.covering(&corners, up, has_grain(face.finish));
     }
     soups
 }
 
-/// Allocates soups with capacity for all faces of each surface: roofs are never shared, so they dominate the cost.
-fn rooms(
-    solids: &[Solid],
-    shows: impl Fn(usize, &Face) -> Option<SurfaceId>,
-) -> Vec<(SurfaceId, Soup)> {
-    let mut rooms: Vec<(SurfaceId, usize, usize)> = Vec::with_capacity(6);
-    let faces = solids.iter().enumerate();
-    let faces = faces.flat_map(|(solid, s)| s.faces.iter().map(move |f| (solid, f)));
-    for (solid, face) in faces {
-        let Some(id) = shows(solid, face) else {
-            continue;
-        };
+/// The size of a surface's soup. Room is made for all of it at once: roofs are never shared, so they dominate the cost.
+struct Size {
+    surface: SurfaceId,
+    corners: usize,
+    triangles: usize,
+}
+
+impl Size {
+    /// Adds a face to the size of its surface's soup; returns the index of that.
+    fn count(list: &mut Vec<Size>, surface: SurfaceId, face: &Face) -> usize {
+        let at = list.iter().position(|size| size.surface == surface);
+        let at = at.unwrap_or_else(|| {
+            list.push(Size {
+                surface,
+                corners: 0,
+                triangles: 0,
+            });
+            list.len() - 1
+        });
         let n = face.corners.len();
-        match rooms.iter_mut().find(|(s, ..)| *s == id) {
-            Some((_, corners, triangles)) => {
-                *corners += n;
-                *triangles += n.saturating_sub(2);
-            }
-            None => rooms.push((id, n, n.saturating_sub(2))),
-        }
+        list[at].corners += n;
+        list[at].triangles += n.saturating_sub(2);
+        at
     }
-    let empty = |(id, corners, triangles): (SurfaceId, usize, usize)| {
+
+    /// Returns a soup that has room for it.
+    fn empty(self) -> (SurfaceId, Soup) {
         let soup = Soup {
-            positions: Vec::with_capacity(corners),
-            normals: Vec::with_capacity(corners),
-            uvs: Vec::with_capacity(corners),
-            indices: Vec::with_capacity(3 * triangles),
+            positions: Vec::with_capacity(self.corners),
+            normals: Vec::with_capacity(self.corners),
+            uvs: Vec::with_capacity(self.corners),
+            indices: Vec::with_capacity(3 * self.triangles),
         };
-        (id, soup)
-    };
-    rooms.into_iter().map(empty).collect()
+        (self.surface, soup)
+    }
 }
 
 /// Returns true if the grain follows the longer side, as on boards; coverings keep v up the slope.

@@ -77,7 +77,7 @@ impl<'a> Walker<'a> {
         // From afar the lattice hides the boards behind it.
         let latticed = match self.detail {
             Detail::Everything => SurfaceId::named("boards_dark"),
-            _ => timber.unwrap_or(SurfaceId::named("cedar")),
+            _ => timber.unwrap_or_else(|| SurfaceId::named("cedar")),
         };
         let of = |solid: &Solid| match is_fill(solid) {
             true if roof.trim.lattice => Infill::plain(latticed),

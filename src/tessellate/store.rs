@@ -24,8 +24,10 @@ use draft::{ImageQuad, MeshDraft};
 use glam::DVec2;
 use look::{Look, Share, Shown, colour_of};
 use part_images::ShadedImage;
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::hash::BuildHasherDefault;
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// The key of a mesh. Lengths in tenths of a millimetre.
@@ -88,6 +90,8 @@ pub(super) struct Store<'b> {
     cache: HashMap<(Key, Weather), MeshId, BuildHasherDefault<NumberHasher>>,
     /// The most recently requested part.
     last: Option<(PartKey, Weather, MeshId)>,
+    /// The part last seen from afar: a plain house has one kind of wall, and the bank would be locked for each unit of it.
+    last_afar: RefCell<Option<(PartId, Option<Rc<FromAfar>>)>>,
 }
 
 impl<'b> Store<'b> {
@@ -101,6 +105,7 @@ impl<'b> Store<'b> {
             weather: Weather::None,
             cache: HashMap::default(),
             last: None,
+            last_afar: RefCell::default(),
         }
     }
 
@@ -254,12 +259,11 @@ impl<'b> Store<'b> {
     /// Adds one mesh of solids and their trim; `None` if there are none.
     pub(super) fn solids(&mut self, name: &str, bulk: &Bulk<'_>, worn: &[Body]) -> Option<MeshId> {
         let flat = self.detail == Detail::Body;
-        let mut soups = roof::soups(bulk, |finish| !(flat && is_minor(finish)));
+        let [mut soups, minor] = roof::soups(bulk, |finish| flat && is_minor(finish));
         trim::pour(worn, &mut soups);
         let mut looks = looks(self.weather.wear(soups));
         if flat {
-            let minor = self.weather.wear(roof::soups(bulk, is_minor));
-            looks.extend(coloured(minor));
+            looks.extend(coloured(self.weather.wear(minor)));
         }
         if looks.is_empty() {
             return None;
@@ -291,8 +295,16 @@ impl<'b> Store<'b> {
     }
 
     /// Returns what a part shows from afar; `None` if it has nothing of its own.
-    pub(super) fn afar(&self, id: PartId, part: &PartDef) -> Option<FromAfar> {
-        self.bank.afar(id, part)
+    pub(super) fn afar(&self, id: PartId, part: &PartDef) -> Option<Rc<FromAfar>> {
+        let mut last = self.last_afar.borrow_mut();
+        match &*last {
+            Some((known, afar)) if *known == id => afar.clone(),
+            _ => {
+                let afar = self.bank.afar(id, part).map(Rc::new);
+                *last = Some((id, afar.clone()));
+                afar
+            }
+        }
     }
 
     /// Returns the look of a surface weathered at a height.

@@ -3,10 +3,11 @@
 //! A reader has a thousandth of the nodes to handle, and the lists of the JSON, a third of a plain house, are gone.
 
 use super::Writer;
+use super::accessor::Accessor;
 use super::arrays::{Array, MaterialRef, bounds, index_type, turned, write_floats, write_indices};
 use super::bare::Bare;
 use super::nodes::kept;
-use super::shapes::{Shapes, accessor, triangles};
+use super::shapes::{Shapes, triangles};
 use crate::backend::number::Number;
 use crate::backend::spool::NewSpool;
 use crate::backend::{Images, sound};
@@ -219,7 +220,7 @@ impl Group {
         let points = Some(bounds([&*self.positions]));
         let number = |shapes: &Shapes| Index::new(shapes.accessors.count());
         attributes.insert(Valid(Semantic::Positions), number(shapes));
-        let kind = accessor(Array::Positions, float, count, points);
+        let kind = Accessor::of(Array::Positions, float, count, points);
         shapes.append(Array::Positions, kind, new, |out| {
             write_floats(out, &self.positions, turned);
         })?;
@@ -229,14 +230,14 @@ impl Group {
             .any(|(material, _)| material.metres.is_some())
         {
             attributes.insert(Valid(Semantic::TexCoords(0)), number(shapes));
-            let kind = accessor(Array::Uvs, float, count, None);
+            let kind = Accessor::of(Array::Uvs, float, count, None);
             shapes.append(Array::Uvs, kind, new, |out| {
                 write_floats(out, &self.uvs, |uv| uv)
             })?;
         }
         let semantic = Array::Houses.semantic().map(Valid);
         attributes.extend(semantic.map(|s| (s, number(shapes))));
-        let kind = accessor(Array::Houses, ComponentType::U16, count, None);
+        let kind = Accessor::of(Array::Houses, ComponentType::U16, count, None);
         shapes.append(Array::Houses, kind, new, |out| {
             // Elements of vertex arrays begin at multiples of four.
             out.extend(self.ids.iter().flat_map(|id| u32::from(*id).to_le_bytes()));
@@ -247,7 +248,7 @@ impl Group {
         let mut primitives = vec![];
         for (material, own) in &self.indices {
             let indices = number(shapes);
-            let kind = accessor(Array::Indices, index_type(count), own.len(), None);
+            let kind = Accessor::of(Array::Indices, index_type(count), own.len(), None);
             shapes.append(Array::Indices, kind, new, |out| {
                 write_indices(out, own, (0, count));
             })?;

@@ -1,6 +1,7 @@
 //! Meshes: their accessors and arrays are appended as they come. Each kind of array has a view of its own, so
 //! accessors differ by offset only.
 
+use super::accessor::Accessor;
 use super::arrays::{
     Array, MaterialRef, bounds, index_type, turned, write_floats, write_indices, write_packed,
 };
@@ -10,11 +11,12 @@ use super::materials::MaterialRefs;
 use crate::backend::spool::{List, NewSpool, Section};
 use crate::backend::{Images, sound};
 use crate::scene::{self, Detail, Image, MeshId, ScenePart};
-use gltf::json::accessor::{ComponentType, GenericComponentType};
+use gltf::json::accessor::ComponentType;
 use gltf::json::buffer::{Stride, Target};
 use gltf::json::mesh::{Mode, Primitive};
 use gltf::json::validation::Checked::Valid;
-use gltf::json::{Accessor, Index, Mesh, Root};
+use gltf::json::{Index, Mesh, Root};
+use serde::Serialize;
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 use std::io;
@@ -58,6 +60,28 @@ struct Piece<'s> {
     page: Option<u32>,
 }
 
+/// A mesh of detail 0. It is written like that of the `gltf` crate, which keeps the attributes of each primitive in a map.
+#[derive(Serialize)]
+struct BareMesh {
+    primitives: Vec<BarePrimitive>,
+}
+
+/// A primitive of detail 0: the numbers of its accessors.
+#[derive(Serialize)]
+struct BarePrimitive {
+    attributes: BareAttributes,
+    indices: u32,
+    material: Index<gltf::json::Material>,
+}
+
+#[derive(Clone, Copy, Serialize)]
+struct BareAttributes {
+    #[serde(rename = "POSITION")]
+    positions: u32,
+    #[serde(rename = "TEXCOORD_0", skip_serializing_if = "Option::is_none")]
+    uvs: Option<u32>,
+}
+
 impl Shapes {
     pub(super) fn new(new: NewSpool<'_>) -> io::Result<Shapes> {
         Ok(Shapes {
@@ -85,7 +109,7 @@ impl Shapes {
         let Some(mesh) = part.mesh(id) else {
             return Ok(None);
         };
-        let sound = |p: &&scene::Primitive| sound::primitive(p, part.materials);
+        let sound = |p: &&scene::Primitive| part.sound || sound::primitive(p, part.materials);
         let list: Vec<Piece<'_>> = mesh
             .primitives
             .iter()
@@ -103,23 +127,20 @@ impl Shapes {
             })
             .collect();
         let mirrors = || list.iter().any(|p| p.material.mirrors);
-        let bare = part.detail == Detail::Body;
-        let primitives = match part.detail {
-            _ if mirrors() => self.separate(&list, new)?,
-            Detail::Body => self.bare(&list, new)?,
-            Detail::Flat => self.joined(&list, new)?,
-            Detail::Openings | Detail::Everything => self.separate(&list, new)?,
-        };
-        let number = match primitives.is_empty() {
-            true => None,
-            false => Some(self.meshes.push(&Mesh {
-                // At detail 0 its node has a name of its own.
-                name: (!bare && !mesh.name.is_empty()).then(|| mesh.name.clone()),
-                primitives,
-                weights: None,
-                extensions: None,
-                extras: None,
-            })?),
+        // At detail 0 its node has a name of its own.
+        let named = part.detail != Detail::Body && !mesh.name.is_empty();
+        let name = named.then_some(&*mesh.name);
+        let number = match part.detail {
+            _ if list.is_empty() => None,
+            Detail::Body if !mirrors() => Some(self.bare(&list, new)?),
+            Detail::Flat if !mirrors() => {
+                let primitives = self.joined(&list, new)?;
+                Some(self.push(name, primitives)?)
+            }
+            _ => {
+                let primitives = self.separate(&list, new)?;
+                Some(self.push(name, primitives)?)
+            }
         };
         let at = id.0 as usize;
         if self.numbers.len() <= at {
@@ -127,6 +148,16 @@ impl Shapes {
         }
         self.numbers[at] = number.map_or(1, |n| n + 2);
         Ok(number)
+    }
+
+    fn push(&mut self, name: Option<&str>, primitives: Vec<Primitive>) -> io::Result<u32> {
+        self.meshes.push(&Mesh {
+            name: name.map(str::to_owned),
+            primitives,
+            weights: None,
+            extensions: None,
+            extras: None,
+        })
     }
 
     /// Returns the number of a mesh that is written, or `None` in it if nothing of it can be.
@@ -155,7 +186,7 @@ impl Shapes {
             }
             for array in arrays(material) {
                 let bounds = (array == Array::Positions).then(|| bounds([&*p.positions]));
-                let kind = accessor(array, array.component(p), array.count(p), bounds);
+                let kind = Accessor::of(array, array.component(p), array.count(p), bounds);
                 let place = self.append(array, kind, new, |out| array.write(p, material, out))?;
                 if let (Array::Uvs, Some(page)) = (array, piece.page) {
                     self.on_pages.push((page, place));
@@ -178,7 +209,7 @@ impl Shapes {
             };
             let points = || list.iter().map(|p| &*p.source.positions);
             let bounds = (array == Array::Positions).then(|| bounds(points()));
-            let kind = accessor(array, ComponentType::F32, vertices, bounds);
+            let kind = Accessor::of(array, ComponentType::F32, vertices, bounds);
             attributes.insert(Valid(semantic), Index::new(self.accessors.count()));
             let mut ends = vec![];
             let place = self.append(array, kind, new, |out| {
@@ -202,7 +233,7 @@ impl Shapes {
         } in list
         {
             let component = index_type(vertices);
-            let kind = accessor(Array::Indices, component, source.indices.len(), None);
+            let kind = Accessor::of(Array::Indices, component, source.indices.len(), None);
             let indices = Index::new(self.accessors.count());
             self.append(Array::Indices, kind, new, |out| {
                 write_indices(out, &source.indices, (first, vertices));
@@ -217,8 +248,8 @@ impl Shapes {
         Ok(primitives)
     }
 
-    /// Writes primitives on common vertices without normals.
-    fn bare(&mut self, list: &[Piece<'_>], new: NewSpool<'_>) -> io::Result<Vec<Primitive>> {
+    /// Writes a mesh on common vertices without normals; returns its number.
+    fn bare(&mut self, list: &[Piece<'_>], new: NewSpool<'_>) -> io::Result<u32> {
         let all: Vec<_> = list.iter().map(|p| (p.source, p.material)).collect();
         let Bare {
             positions,
@@ -226,42 +257,35 @@ impl Shapes {
             indices,
         } = Bare::of(&all);
         let count = positions.len();
-        let mut attributes = BTreeMap::new();
-        let mut attribute = |shapes: &mut Shapes, array: Array| {
-            let number = Index::new(shapes.accessors.count());
-            attributes.extend(array.semantic().map(|s| (Valid(s), number)));
+        let mut attributes = BareAttributes {
+            positions: self.accessors.count(),
+            uvs: None,
         };
-        attribute(self, Array::Positions);
-        let points = accessor(
-            Array::Positions,
-            ComponentType::F32,
-            count,
-            Some(bounds([&*positions])),
-        );
+        let bounds = Some(bounds([&*positions]));
+        let points = Accessor::of(Array::Positions, ComponentType::F32, count, bounds);
         self.append(Array::Positions, points, new, |out| {
             write_floats(out, &positions, turned);
         })?;
         if list.iter().any(|p| p.material.metres.is_some()) {
-            attribute(self, Array::Uvs);
-            let kind = accessor(Array::Uvs, ComponentType::F32, count, None);
+            attributes.uvs = Some(self.accessors.count());
+            let kind = Accessor::of(Array::Uvs, ComponentType::F32, count, None);
             self.append(Array::Uvs, kind, new, |out| {
                 write_floats(out, &uvs, |uv| uv)
             })?;
         }
         let mut primitives = Vec::with_capacity(list.len());
         for (piece, own) in list.iter().zip(&indices) {
-            let kind = accessor(Array::Indices, index_type(count), own.len(), None);
-            let number = Index::new(self.accessors.count());
+            primitives.push(BarePrimitive {
+                attributes,
+                indices: self.accessors.count(),
+                material: piece.material.number,
+            });
+            let kind = Accessor::of(Array::Indices, index_type(count), own.len(), None);
             self.append(Array::Indices, kind, new, |out| {
                 write_indices(out, own, (0, count));
             })?;
-            primitives.push(Primitive {
-                attributes: attributes.clone(),
-                indices: Some(number),
-                ..triangles(piece.material)
-            });
         }
-        Ok(primitives)
+        self.meshes.push(&BareMesh { primitives })
     }
 
     /// Appends an array and its accessor; returns where it lies in its section.
@@ -285,11 +309,7 @@ impl Shapes {
         };
         let packed = self.quantized && array.is_direction();
         let accessor = match packed {
-            true => Accessor {
-                component_type: Valid(GenericComponentType(ComponentType::I8)),
-                normalized: true,
-                ..accessor
-            },
+            true => accessor.packed(),
             false => accessor,
         };
         let place = self.views[number].section.append(|out| {
@@ -302,11 +322,7 @@ impl Shapes {
             }
             Ok(())
         })?;
-        self.accessors.push(&Accessor {
-            buffer_view: Some(Index::new(number as u32)),
-            byte_offset: Some(place.start.into()),
-            ..accessor
-        })?;
+        self.accessors.push(&accessor.at(number, place.start))?;
         Ok(place)
     }
 
@@ -424,37 +440,4 @@ pub(super) fn triangles(material: MaterialRef) -> Primitive {
         extensions: None,
         extras: None,
     }
-}
-
-/// Returns the accessor of an array, without its place.
-pub(super) fn accessor(
-    array: Array,
-    component: ComponentType,
-    count: usize,
-    bounds: Option<([f32; 3], [f32; 3])>,
-) -> Accessor {
-    Accessor {
-        buffer_view: None,
-        byte_offset: None,
-        count: count.into(),
-        component_type: Valid(GenericComponentType(component)),
-        type_: Valid(array.elements()),
-        min: bounds.map(|(min, _)| shortest(min)),
-        max: bounds.map(|(_, max)| shortest(max)),
-        name: None,
-        normalized: false,
-        sparse: None,
-        extensions: None,
-        extras: None,
-    }
-}
-
-/// Returns numbers with the fewest digits that are read as the same floats.
-fn shortest(numbers: [f32; 3]) -> serde_json::Value {
-    let number = |x: f32| {
-        x.to_string()
-            .parse::<f64>()
-            .unwrap_or_else(|_| f64::from(x))
-    };
-    numbers.map(number).as_slice().into()
 }

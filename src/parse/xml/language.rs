@@ -138,7 +138,10 @@ fn is_plain(tree: &Tree<'_>, reporter: &Reporter<'_>) -> bool {
     let computes = |e: &Element<'_>| {
         NAMES.contains(&e.name) || of_houses(e) || e.name == "repeat" && e.has_attribute("index")
     };
-    !reporter.source.text().contains(['{', '}']) && !tree.elements.iter().any(computes)
+    // One sign at a time is found many times as fast as either of two.
+    let text = reporter.source.text();
+    let braces = text.contains('{') || text.contains('}');
+    !braces && !tree.elements.iter().any(computes)
 }
 
 /// Returns true if the value of an attribute holds an expression.

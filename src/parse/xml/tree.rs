@@ -6,6 +6,7 @@
 //! alone are left out. The tree itself is built and dropped without recursion.
 
 pub(in crate::parse::xml) mod chars;
+pub(in crate::parse::xml) mod plain;
 pub(in crate::parse::xml) mod quotes;
 pub(in crate::parse::xml) mod token;
 pub(in crate::parse::xml) mod text;
@@ -101,9 +102,12 @@ pub(super) fn read<'a>(
     nesting: usize,
     habits: SchemaHints,
 ) -> Tree<'a> {
+    let text = &reporter.source.text().as_bytes()[at..];
+    let tags = text.iter().filter(|byte| **byte == b'<').count();
     let mut builder = Builder {
         tree: Tree {
-            elements: vec![],
+            // Room for all of a usual file; what is nothing but tags does not get that much.
+            elements: Vec::with_capacity(tags.min(text.len() / 16)),
             roots: vec![],
         },
         open: vec![],
@@ -271,8 +275,8 @@ impl<'a> Builder<'a> {
 
     fn end(&mut self, tag: &EndTag<'a>, rest: &str, reporter: &mut Reporter<'a>) {
         self.flush();
-        let known = self.counts.get(tag.name).is_some_and(|n| *n > 0);
-        if known {
+        let innermost = self.open.last().is_some_and(|o| o.name == tag.name);
+        if innermost || self.counts.get(tag.name).is_some_and(|n| *n > 0) {
             let here = reporter.span(&tag.range);
             while self.open.last().is_some_and(|o| o.name != tag.name) {
                 self.unfinished(tag.range.start, Some((here, tag.name)), reporter);

@@ -298,7 +298,7 @@ impl Walker<'_> {
         let definition = self.catalog.part(id);
         let around = [Stripe::of_surface(placed.around)];
         let main = self.store.afar(id, definition);
-        let main = main.as_deref().unwrap_or(&around);
+        let main = main.as_ref().map_or(&around[..], |stripes| &stripes[..]);
         let fills_half = definition.fills && z != (0.0, placed.top());
         let (foot, top) = match (definition.from, definition.to) {
             (Some(from), Some(to)) if !fills_half => {
@@ -310,8 +310,10 @@ impl Walker<'_> {
             Below::Dado => (z0 + DADO).min(foot),
             _ => z0,
         };
-        let boards = [Stripe::of_surface(SurfaceId::named("boards"))];
-        band(z0, boarded, &boards);
+        if boarded > z0 {
+            let boards = [Stripe::of_surface(SurfaceId::named("boards"))];
+            band(z0, boarded, &boards);
+        }
         band(boarded, foot, &around);
         // Beside a picture one sees the wall on which it hangs.
         band(foot, top, if picture.is_some() { &around } else { main });

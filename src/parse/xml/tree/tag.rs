@@ -207,7 +207,12 @@ impl<'a> Scanner<'a, '_> {
     }
 
     /// Returns the attribute of the name and value here, up to its end.
-    fn resolved(&mut self, name: Range<usize>, end: usize, value: Range<usize>) -> Attribute<'a> {
+    pub(in crate::parse::xml) fn resolved(
+        &mut self,
+        name: Range<usize>,
+        end: usize,
+        value: Range<usize>,
+    ) -> Attribute<'a> {
         let mut run = Run::default();
         run.raw(value.clone(), self.reporter);
         Attribute {

@@ -165,6 +165,14 @@ impl<'a> Run<'a> {
     /// Adds a range of the file with its references, as quick-xml finds them, resolved; invalid ones are reported.
     pub(in crate::parse::xml) fn raw(&mut self, range: Range<usize>, reporter: &mut Reporter<'a>) {
         let whole = reporter.source.text();
+        if range.is_empty() {
+            return;
+        }
+        // Nearly all text has no reference to look for.
+        let special = |byte: &u8| matches!(byte, b'&' | b'<');
+        if !whole.as_bytes()[range.clone()].iter().any(special) {
+            return self.plain(range, reporter);
+        }
         let mut from = range.start;
         // Only a value can contain `<`, which was reported then.
         for (i, part) in whole[range].split('<').enumerate() {
