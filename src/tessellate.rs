@@ -157,9 +157,15 @@ impl<'c> Tessellator<'c> {
                 lean::join(&mut walker.nodes, walker.root, &mut walker.store);
             }
         }
+        let (mut nodes, all) = (walker.nodes, walker.store.into_drafts());
+        let (drafts, joined) = match detail {
+            Detail::Body => lean::shown(&mut nodes, &all),
+            _ => (all, 0),
+        };
         HouseDrafts {
-            nodes: walker.nodes,
-            drafts: walker.store.into_drafts(),
+            nodes,
+            drafts,
+            joined,
             oversized,
         }
     }

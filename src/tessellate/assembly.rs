@@ -23,6 +23,8 @@ pub struct HouseDrafts {
     /// The nodes in preorder; their parents count from the first of them, their meshes in `drafts`.
     pub(in crate::tessellate) nodes: Vec<Node>,
     pub(in crate::tessellate) drafts: Vec<Arc<MeshDraft>>,
+    /// The size of drafts that have become parts of these, bytes.
+    pub(in crate::tessellate) joined: usize,
     /// The places of houses left out, since they would show too many triangles.
     pub(in crate::tessellate) oversized: Vec<Span>,
 }
@@ -33,10 +35,10 @@ impl HouseDrafts {
         self.nodes.iter_mut()
     }
 
-    /// Returns about how many bytes of memory they take.
+    /// Returns about how many bytes of memory it took to make them.
     pub fn bytes(&self) -> usize {
         let drafts = self.drafts.iter().map(|draft| draft.size());
-        drafts.sum::<usize>() + self.nodes.len() * size_of::<Node>()
+        drafts.sum::<usize>() + self.joined + self.nodes.len() * size_of::<Node>()
     }
 }
 
@@ -94,6 +96,7 @@ impl SceneBuilder {
             nodes,
             drafts,
             oversized,
+            joined: _,
         } = houses;
         self.scene.oversized.extend(oversized);
         let first = self.first_node + self.scene.nodes.len() as u32;

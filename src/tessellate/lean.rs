@@ -1,11 +1,12 @@
 //! Detail 0: a house as one node with one mesh, since a city has a million of them.
 
-use crate::scene::{Node, NodeId};
+use crate::scene::{MeshId, Node, NodeId};
 use crate::tessellate::mesh::Soup;
 use crate::tessellate::store::Store;
 use crate::tessellate::store::draft::MeshDraft;
 use crate::tessellate::store::look::Look;
 use glam::{DVec2, DVec3, Vec3};
+use std::sync::Arc;
 
 /// The name of the mesh: houses that look the same share one.
 const NAME: &str = "house";
@@ -32,6 +33,22 @@ pub(super) fn join(nodes: &mut Vec<Node>, root: NodeId, store: &mut Store<'_>) {
     nodes.truncate(first + 1);
     let shown = !soups.is_empty();
     nodes[first].mesh = shown.then(|| store.push(MeshDraft::new(NAME.into(), soups, vec![])));
+}
+
+/// Returns the drafts that nodes show, which are numbered anew, and the size of the others, bytes: they have become parts of
+/// these. Dropped where they were made, they leave their memory to the houses that follow.
+pub(super) fn shown(nodes: &mut [Node], all: &[Arc<MeshDraft>]) -> (Vec<Arc<MeshDraft>>, usize) {
+    let mut drafts = Vec::with_capacity(nodes.len());
+    let mut numbers = vec![None; all.len()];
+    for id in nodes.iter_mut().filter_map(|node| node.mesh.as_mut()) {
+        let old = id.0 as usize;
+        *id = *numbers[old].get_or_insert_with(|| {
+            drafts.push(Arc::clone(&all[old]));
+            MeshId(drafts.len() as u32 - 1)
+        });
+    }
+    let others = all.iter().zip(numbers).filter(|(_, n)| n.is_none());
+    (drafts, others.map(|(draft, _)| draft.size()).sum())
 }
 
 /// Adds the triangles of a mesh at a place.

@@ -76,6 +76,7 @@ pub fn scene(parts: &[&PartDef], detail: Detail) -> Scene {
     scene.add(HouseDrafts {
         nodes,
         drafts: store.into_drafts(),
+        joined: 0,
         oversized: vec![],
     });
     scene.finish(vec![])

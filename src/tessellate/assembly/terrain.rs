@@ -49,6 +49,7 @@ pub fn ground(name: &str, at: DVec3, mesh: &GroundMesh) -> HouseDrafts {
     HouseDrafts {
         nodes: vec![node],
         drafts: vec![Arc::new(draft)],
+        joined: 0,
         oversized: vec![],
     }
 }
