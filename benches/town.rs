@@ -12,10 +12,12 @@ use hsd::backend::gltf::Writer;
 use hsd::backend::spool::Spool;
 use hsd::diagnostic::Diagnostics;
 use hsd::driver;
+use hsd::parse::divide;
 use hsd::scene::{Detail, Stats};
-use hsd::source::{FileId, NoFiles, Source};
+use hsd::source::{FileId, LongFile, NoFiles};
 use std::hint::black_box;
-use std::io;
+use std::io::{self, Cursor};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 #[global_allocator]
@@ -27,7 +29,7 @@ const RUNS: usize = 3;
 /// A row of the table.
 struct Row {
     name: &'static str,
-    text: String,
+    text: Arc<[u8]>,
     houses: usize,
     detail: Detail,
 }
@@ -77,7 +79,7 @@ fn main() {
     ];
     let rows = rows.map(|(name, text, houses, detail)| Row {
         name,
-        text,
+        text: text.into_bytes().into(),
         houses,
         detail,
     });
@@ -130,8 +132,11 @@ impl Row {
 
     /// Builds the town as `hsd build` does, into a file that is gone afterwards.
     fn build(&self) -> Taken {
+        let text = Cursor::new(Arc::clone(&self.text));
         let (processor, clock) = (ProcessTime::now(), Instant::now());
-        let source = Source::new(FileId(0), "town.hsd", self.text.as_bytes());
+        let long = long(text);
+        let source = long.stub().expect("memory can be read");
+        let long = [Arc::new(long)];
         let options = Options {
             detail: self.detail,
             ..Options::default()
@@ -141,7 +146,10 @@ impl Row {
         let mut out = Diagnostics::new();
         let mut writer = Writer::new(&spool).expect("there is room");
         let town = driver::stream(
-            driver::Feed::whole(&[&source]),
+            driver::Feed {
+                sources: &[&source],
+                long: &long,
+            },
             &NoFiles,
             &options,
             &mut out,
@@ -161,6 +169,14 @@ impl Row {
             stats: town.stats,
         }
     }
+}
+
+/// Divides a text, as `hsd build` does a file of this size.
+fn long(mut text: Cursor<Arc<[u8]>>) -> LongFile {
+    let size = text.get_ref().len() as u64;
+    let layout = divide::divide(&mut text, size).expect("memory can be read");
+    let layout = layout.expect("houses stand side by side");
+    LongFile::new(FileId(0), "town.hsd", (Box::new(text), size), layout)
 }
 
 /// Work that any machine can be asked for: a million numbers sorted and summed, ten times.

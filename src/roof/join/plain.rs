@@ -107,15 +107,16 @@ fn slope(facet: &Facet) -> Option<Slope> {
     (area(&slope.body) > SLIVER).then_some(slope)
 }
 
-/// Returns true if a roof under the eaves of another touches neither that nor any other.
+/// Returns true if a roof under the eaves of another touches neither that nor any other: it may lie under the eaves of several.
 fn is_apart(draft: &RoofDraft, planned: &[RoofDraft]) -> bool {
     let form = &draft.form;
     let floor = Plane::level(draft.base - SUNK);
     let low = |own: &Facet| lies_below(&own.outline, own.plane, floor);
     let around = bounds(form);
-    let free = |(n, other): (usize, &RoofDraft)| match form.under == Some(n) {
-        true => is_under_eaves(form, &other.form),
-        false => std::ptr::eq(other, draft) || !around.overlaps(&bounds(&other.form)),
+    let free = |(n, other): (usize, &RoofDraft)| {
+        let trunk = form.under == Some(n);
+        let apart = std::ptr::eq(other, draft) || !around.overlaps(&bounds(&other.form));
+        (apart && !trunk) || (other.form.under.is_none() && is_under_eaves(form, &other.form))
     };
     form.facets.iter().all(low) && planned.iter().enumerate().all(free)
 }
