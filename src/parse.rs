@@ -25,7 +25,6 @@ mod reporter;
 pub mod legacy;
 pub mod names;
 pub mod outline;
-mod plain_tag;
 pub mod over;
 pub mod syntax;
 mod values;
