@@ -6,7 +6,6 @@
 //! alone are left out. The tree itself is built and dropped without recursion.
 
 pub(in crate::parse::xml) mod chars;
-pub(in crate::parse::xml) mod plain;
 pub(in crate::parse::xml) mod quotes;
 pub(in crate::parse::xml) mod token;
 pub(in crate::parse::xml) mod text;

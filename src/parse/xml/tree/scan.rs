@@ -78,9 +78,6 @@ impl<'a, 'f> Scanner<'a, 'f> {
 
     /// Returns the next token; `None` if the markup here produces none, e.g. a comment.
     fn markup(&mut self) -> Option<Token<'a>> {
-        if let Some(plain) = self.plain_tag() {
-            return Some(plain);
-        }
         let start = self.at;
         let token = match self.event() {
             Some(Event::Start(tag) | Event::Empty(tag)) => {

@@ -207,12 +207,7 @@ impl<'a> Scanner<'a, '_> {
     }
 
     /// Returns the attribute of the name and value here, up to its end.
-    pub(in crate::parse::xml) fn resolved(
-        &mut self,
-        name: Range<usize>,
-        end: usize,
-        value: Range<usize>,
-    ) -> Attribute<'a> {
+    fn resolved(&mut self, name: Range<usize>, end: usize, value: Range<usize>) -> Attribute<'a> {
         let mut run = Run::default();
         run.raw(value.clone(), self.reporter);
         Attribute {
