@@ -18,6 +18,7 @@ mod pieces;
 mod plan;
 mod settled;
 mod slopes;
+mod stretches;
 
 use crate::ast::RoofShape;
 use crate::building::{Finish, Roof, Solid};

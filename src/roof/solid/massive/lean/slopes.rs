@@ -2,23 +2,25 @@
 //!
 //! What is not upright is known from the plan: each plane shows where no other slope is higher, its lower surface
 //! where it lies neither over the attic nor on another roof, and the floor under the attic. Their borders ([`areas`])
-//! leave edges that no other of these faces has; upright faces close them, stretch by stretch. So no slope is cut into
-//! convex pieces and no faces are merged but upright ones.
+//! leave edges that no other of these faces has; upright faces close them, stretch by stretch ([`stretches`]). So no
+//! slope is cut into convex pieces and no faces are merged but upright ones.
 //!
 //! [`areas`]: super::areas
+//! [`stretches`]: super::stretches
 
 use crate::ast::RoofKind;
 use crate::building::{Finish, Solid};
-use crate::geometry::tolerance::{JOINT, SLIVER};
+use crate::geometry::tolerance::SLIVER;
 use crate::roof::facet::{Convex, Corner, HalfPlane, Higher, area};
 use crate::roof::frame::Plane;
 use crate::roof::solid::massive::closed;
 use crate::roof::solid::massive::lean::areas::{Area, Line, Lists, Plan, Region};
-use crate::roof::solid::massive::lean::corners::{self, WELD};
+use crate::roof::solid::massive::lean::corners::welded;
 use crate::roof::solid::massive::lean::faces::{self, Patches};
 use crate::roof::solid::massive::lean::heights::Heights;
 use crate::roof::solid::massive::lean::plan::upward;
-use crate::roof::solid::massive::lean::{ROUNDS, is_seen, is_sound};
+use crate::roof::solid::massive::lean::stretches::{self, CORNER_BITS, Kind, Stretch, Surface};
+use crate::roof::solid::massive::lean::{is_seen, is_sound};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 use std::ops::Range;
@@ -60,21 +62,6 @@ pub(in crate::roof) fn united(slopes: &[Slope], plate: &Plate) -> Option<Vec<Sol
     let mut solids = closed::bounded(&edges.points, faces)?;
     solids.retain(is_seen);
     (!solids.is_empty() && solids.iter().all(is_sound)).then_some(solids)
-}
-
-/// A surface that is not upright.
-struct Surface {
-    plane: Plane,
-    kind: Kind,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    /// The upper surface of slopes.
-    Top,
-    /// Their lower surface.
-    Low,
-    Floor,
 }
 
 /// The borders of all surfaces.
@@ -294,53 +281,6 @@ fn between(outline: &[Corner], plane: Plane, top: Plane, drop: f64) -> Convex {
     higher(&higher(outline, top, plane), plane, top.raised(-drop))
 }
 
-/// A part of a border between two corners: the lower of their numbers, the higher one, that of the surface, and 1 if this lies
-/// to the left of the way from the lower corner. One number is sorted in half the time of four.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Stretch(u64);
-
-const CORNER_BITS: u32 = 20;
-const SURFACE_BITS: u32 = 16;
-
-impl Stretch {
-    /// Creates one with its surface to the left.
-    fn new(from: u32, to: u32, surface: u32) -> Stretch {
-        let over = u64::from(from.min(to)) << CORNER_BITS | u64::from(from.max(to));
-        let of = u64::from(surface) << 1 | u64::from(from < to);
-        Stretch(over << (SURFACE_BITS + 1) | of)
-    }
-
-    fn over(self) -> (u32, u32) {
-        let corner = |shift: u32| (self.0 >> shift) as u32 & ((1 << CORNER_BITS) - 1);
-        let second = SURFACE_BITS + 1;
-        (corner(second + CORNER_BITS), corner(second))
-    }
-
-    fn surface(self) -> u32 {
-        (self.0 >> 1) as u32 & ((1 << SURFACE_BITS) - 1)
-    }
-
-    fn is_left(self) -> bool {
-        self.0 & 1 == 1
-    }
-
-    /// Returns its ends, with the surface to the left of the way from the first.
-    fn way(self) -> (u32, u32) {
-        let (low, high) = self.over();
-        match self.is_left() {
-            true => (low, high),
-            false => (high, low),
-        }
-    }
-
-    /// Returns the heights of its surface over both corners.
-    fn heights(self, surfaces: &[Surface], corners: &[DVec2]) -> [f64; 2] {
-        let plane = surfaces[self.surface() as usize].plane;
-        let (low, high) = self.over();
-        [low, high].map(|corner| plane.at(corners[corner as usize]))
-    }
-}
-
 /// The borders on shared corners and points.
 struct Edges {
     corners: Vec<DVec2>,
@@ -364,7 +304,7 @@ struct Edge {
 impl Edges {
     /// Puts borders on shared corners and points; none if there are too many.
     fn of(borders: &Borders) -> Option<Edges> {
-        let (mut corners, ends) = welded(&borders.lines);
+        let (mut corners, ends) = welded(borders.lines.as_flattened());
         if corners.len() + borders.lines.len() >= 1 << CORNER_BITS {
             return None;
         }
@@ -375,8 +315,8 @@ impl Edges {
             let ends = ends.filter(|ends| ends[0] != ends[1]);
             whole.extend(ends.map(|ends| Stretch::new(ends[0], ends[1], surface)));
         }
-        let mut stretches = passing(whole, &corners);
-        divide(&mut stretches, surfaces, &mut corners);
+        let mut stretches = stretches::passing(whole, &corners);
+        stretches::divide(&mut stretches, surfaces, &mut corners);
         let mut heights = Heights::over(corners.len(), 3 * stretches.len());
         let mut all: Vec<Edge> = Vec::with_capacity(stretches.len());
         all.extend(stretches.iter().map(|stretch| {
@@ -503,101 +443,4 @@ impl Edges {
         patches.add(ring.iter().copied(), group);
         Some(())
     }
-}
-
-/// Returns the corners of all lines in ascending order of x, and for each line the numbers of its ends.
-fn welded(lines: &[Line]) -> (Vec<DVec2>, Vec<u32>) {
-    corners::welded(lines.as_flattened())
-}
-
-/// Returns the parts of some stretches between the corners that they pass through, sorted.
-fn passing(mut whole: Vec<Stretch>, corners: &[DVec2]) -> Vec<Stretch> {
-    whole.sort_unstable();
-    let mut parts = Vec::with_capacity(2 * whole.len());
-    let mut way: Vec<(f64, u32)> = Vec::with_capacity(8);
-    for same in whole.chunk_by(|s, t| s.over() == t.over()) {
-        let (low, high) = same[0].over();
-        stops(corners, low, high, &mut way);
-        for (stretch, pair) in same
-            .iter()
-            .flat_map(|s| way.windows(2).map(move |p| (s, p)))
-        {
-            let (from, to) = match stretch.is_left() {
-                true => (pair[0].1, pair[1].1),
-                false => (pair[1].1, pair[0].1),
-            };
-            parts.push(Stretch::new(from, to, stretch.surface()));
-        }
-    }
-    parts.sort_unstable();
-    parts
-}
-
-/// Divides stretches over which one surface falls below another where they cross, as the verge of one roof does the slope of
-/// another.
-fn divide(stretches: &mut Vec<Stretch>, surfaces: &[Surface], corners: &mut Vec<DVec2>) {
-    for _ in 0..ROUNDS {
-        let mut more = vec![];
-        for same in stretches.chunk_by_mut(|s, t| s.over() == t.over()) {
-            let Some(at) = crossing(same, surfaces, corners) else {
-                continue;
-            };
-            let middle = corners.len() as u32;
-            corners.push(at);
-            for stretch in same {
-                let ((from, to), surface) = (stretch.way(), stretch.surface());
-                *stretch = Stretch::new(from, middle, surface);
-                more.push(Stretch::new(middle, to, surface));
-            }
-        }
-        if more.is_empty() {
-            return;
-        }
-        stretches.append(&mut more);
-        stretches.sort_unstable();
-    }
-}
-
-/// Returns the place between two corners where surfaces over the way between them cross.
-fn crossing(same: &[Stretch], surfaces: &[Surface], corners: &[DVec2]) -> Option<DVec2> {
-    let (low, high) = same.first()?.over();
-    let heights = same.iter().map(|s| s.heights(surfaces, corners));
-    let heights: SmallVec<[[f64; 2]; 8]> = heights.collect();
-    for (n, one) in heights.iter().enumerate() {
-        for other in &heights[n + 1..] {
-            let [a, b] = [one[0] - other[0], one[1] - other[1]];
-            if a.abs().min(b.abs()) > JOINT && (a > 0.0) != (b > 0.0) {
-                let (p, q) = (corners[low as usize], corners[high as usize]);
-                return Some(p.lerp(q, a / (a - b)));
-            }
-        }
-    }
-    None
-}
-
-/// Replaces a list by the corners that a line passes through, its ends included, in their order with their places on it.
-fn stops(corners: &[DVec2], from: u32, to: u32, way: &mut Vec<(f64, u32)>) {
-    let (p, q) = (corners[from as usize], corners[to as usize]);
-    let along = q - p;
-    let (lo, hi) = (p.min(q) - WELD, p.max(q) + WELD);
-    let most = WELD * WELD * along.length_squared();
-    way.clear();
-    way.push((0.0, from));
-    let first = corners.partition_point(|c| c.x < lo.x);
-    for (c, n) in corners[first..].iter().zip(first as u32..) {
-        if c.x > hi.x {
-            break;
-        }
-        if c.y < lo.y || c.y > hi.y || n == from || n == to {
-            continue;
-        }
-        let off = along.perp_dot(c - p);
-        if off * off < most {
-            way.push((along.dot(c - p), n));
-        }
-    }
-    if way.len() > 2 {
-        way.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-    }
-    way.push((f64::INFINITY, to));
 }
