@@ -132,6 +132,18 @@ impl Plan {
         }
         spans
     }
+
+    /// Leaves of some parts of an edge what goes through none of some areas. Of edges upon each other the first counts.
+    fn leave(&self, edge: &Edge, [before, after]: [&[Area]; 2], spans: &mut Spans) {
+        for other in before {
+            let [left, right] = self.beside(edge, other);
+            take(spans, left);
+            take(spans, right);
+        }
+        for other in after {
+            take(spans, self.beside(edge, other)[1]);
+        }
+    }
 }
 
 impl Area {
@@ -198,15 +210,7 @@ impl Region<'_> {
             part.near(without, away);
             for edge in plan.edges(*part) {
                 let mut spans = Spans::from_slice(&[WHOLE]);
-                for other in before.iter() {
-                    // Of edges upon each other the first counts.
-                    let [left, right] = plan.beside(&edge, other);
-                    take(&mut spans, left);
-                    take(&mut spans, right);
-                }
-                for other in after.iter() {
-                    take(&mut spans, plan.beside(&edge, other)[1]);
-                }
+                plan.leave(&edge, [before, after], &mut spans);
                 for other in away.iter() {
                     take(&mut spans, plan.beside(&edge, other)[0]);
                 }
@@ -264,14 +268,7 @@ impl Region<'_> {
                 if spans.is_empty() {
                     continue;
                 }
-                for other in before.iter() {
-                    let [left, right] = plan.beside(&edge, other);
-                    take(&mut spans, left);
-                    take(&mut spans, right);
-                }
-                for other in after.iter() {
-                    take(&mut spans, plan.beside(&edge, other)[1]);
-                }
+                plan.leave(&edge, [before, after], &mut spans);
                 edge.pass(&spans, true, lines);
             }
         }
