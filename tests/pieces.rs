@@ -8,6 +8,7 @@ use hsd::driver::{self, Feed, Options};
 use hsd::parse::divide::{Undivided, divide};
 use hsd::scene::{Detail, ScenePart};
 use hsd::source::{FileId, LongFile, NoFiles, Source};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::io::Cursor;
 use std::sync::Arc;
@@ -138,6 +139,36 @@ fn pieces_give_the_model_and_the_messages_of_the_whole() {
             assert_eq!(written(&excerpt), written(&source));
         }
     }
+}
+
+#[test]
+fn houses_of_one_name_are_counted_through_the_whole_run() {
+    let mut text = String::from("<Houses>\n");
+    for n in 0..300 {
+        let (x, y) = (n % 20 * 12, n / 20 * 12);
+        let name = ["店", "蔵", ""][n % 3];
+        write!(
+            text,
+            "<House name=\"{name}\" x=\"{x}\" y=\"{y}\"><Storey height=\"9\"><repeat num=\"4\"><Row>KSK  KSK  </Row></repeat></Storey></House>\n"
+        )
+        .expect("a string takes every character");
+    }
+    text += "</Houses>\n";
+    let source = Source::new(FileId(0), "town.hsd", text.as_bytes());
+    let (glb, _) = built(Feed::whole(&[&source]), 2);
+    let size = u32::from_le_bytes([glb[12], glb[13], glb[14], glb[15]]);
+    let model: serde_json::Value =
+        serde_json::from_slice(&glb[20..20 + size as usize]).expect("the JSON of a model");
+    let nodes = model["nodes"].as_array().expect("it has nodes");
+    let ids: BTreeSet<_> = nodes
+        .iter()
+        .filter_map(|n| n["extras"]["id"].as_str())
+        .collect();
+    assert_eq!(ids.len(), 300);
+    assert!(
+        ids.contains("店") && ids.contains("店-100") && ids.contains("蔵-100"),
+        "{ids:?}"
+    );
 }
 
 #[test]

@@ -10,7 +10,7 @@ use crate::scene::{self, Detail, MeshId, ScenePart};
 use crate::source::Span;
 use glam::DVec2;
 use gltf::json::{self, Index, Mesh, Root};
-use identity::identities;
+use identity::{Given, identities};
 use serde::{Serialize, Serializer};
 use std::num::NonZeroU32;
 use std::{io, iter};
@@ -80,6 +80,7 @@ impl Serialize for Children<'_> {
 pub(super) struct Tree {
     pub(super) nodes: List,
     roots: Vec<Index<json::Node>>,
+    given: Given,
 }
 
 /// The links of a node, as numbers in its part of the scene.
@@ -96,6 +97,7 @@ impl Tree {
         Ok(Tree {
             nodes: List::new(new)?,
             roots: vec![],
+            given: Given::default(),
         })
     }
 
@@ -114,7 +116,7 @@ impl Tree {
         let told: Vec<bool> = (0..kept.len())
             .map(|i| kept[i] && (fine || part.parent(i).is_none()))
             .collect();
-        let ids = identities(part, &told);
+        let ids = identities(part, &told, &mut self.given);
         for (number, i) in (self.nodes.count()..).zip(&written) {
             links[*i].number = number;
             if part.parent(*i).is_none() {

@@ -6,12 +6,36 @@ use crate::scene::{Kind, Node, ScenePart};
 use compact_str::{CompactString, format_compact};
 use std::collections::HashMap;
 use std::num::NonZeroU32;
+use twox_hash::XxHash3_128;
 
 /// Centimetres of a metre: places are rounded to them.
 const CENTIMETRES: f64 = 100.0;
 
-/// Returns the names of some nodes and all above them; others have an empty one.
-pub(super) fn identities(part: ScenePart<'_>, named: &[bool]) -> Vec<CompactString> {
+/// How often each name of a house has been given in a model. A city has a million of them, so they are known by a hash; two with
+/// the same one would be counted together. Houses without a name are not kept: their places differ.
+#[derive(Default)]
+pub(super) struct Given(HashMap<u64, u32>);
+
+impl Given {
+    fn count(&mut self, name: &str) -> u32 {
+        if name.starts_with('@') {
+            return 1;
+        }
+        let count = self
+            .0
+            .entry(XxHash3_128::oneshot(name.as_bytes()) as u64)
+            .or_insert(0);
+        *count += 1;
+        *count
+    }
+}
+
+/// Returns the names of some nodes and all above them, after those given before; others have an empty one.
+pub(super) fn identities(
+    part: ScenePart<'_>,
+    named: &[bool],
+    given: &mut Given,
+) -> Vec<CompactString> {
     let mut names: Vec<CompactString> = Vec::with_capacity(named.len());
     let mut taken: HashMap<CompactString, u32> = HashMap::new();
     for (i, node) in part.nodes.iter().enumerate() {
@@ -25,10 +49,14 @@ pub(super) fn identities(part: ScenePart<'_>, named: &[bool]) -> Vec<CompactStri
             Some(parent) => format_compact!("{}/{own}", names[parent]),
             None => own,
         };
-        // Those at one place are counted.
-        let count = taken.entry(whole.clone()).or_insert(0);
-        *count += 1;
-        names.push(match *count {
+        // Those of one name or at one place are counted.
+        let here = taken.entry(whole.clone()).or_insert(0);
+        *here += 1;
+        let count = match parent {
+            None => given.count(&whole).max(*here),
+            Some(_) => *here,
+        };
+        names.push(match count {
             1 => whole,
             n => format_compact!("{whole}-{n}"),
         });
