@@ -147,9 +147,9 @@ fn houses_of_one_name_are_counted_through_the_whole_run() {
     for n in 0..300 {
         let (x, y) = (n % 20 * 12, n / 20 * 12);
         let name = ["店", "蔵", ""][n % 3];
-        write!(
+        writeln!(
             text,
-            "<House name=\"{name}\" x=\"{x}\" y=\"{y}\"><Storey height=\"9\"><repeat num=\"4\"><Row>KSK  KSK  </Row></repeat></Storey></House>\n"
+            "<House name=\"{name}\" x=\"{x}\" y=\"{y}\"><Storey height=\"9\"><repeat num=\"4\"><Row>KSK  KSK  </Row></repeat></Storey></House>"
         )
         .expect("a string takes every character");
     }
