@@ -281,7 +281,7 @@ impl Made {
     }
 }
 
-/// The most shapes that are told to be left out.
+/// The maximum number of shapes reported as left out of a model.
 const MOST_FLAWS: usize = 20;
 
 /// The bytes of meshes to make at a time.

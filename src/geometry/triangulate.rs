@@ -8,7 +8,7 @@ mod many;
 /// Rings with more corners take the next ear instead of the roundest, to stay far from cubic time.
 const MANY: usize = 48;
 
-/// Most rings have no more corners: little room is filled and moved for them.
+/// Most rings have at most this many corners; a small array is cheaper to fill and to move.
 const FEW: usize = 12;
 
 /// Points nearer to the border of an ear, in twice the area of the triangle they span with it, lie on the border.

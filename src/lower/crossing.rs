@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 /// The maximum number of comparisons of oblique walls; a plan needs a few thousand.
 const MOST_COMPARISONS: usize = 20_000_000;
 
-/// So few walls are compared with one another at once: nearly always they are apart, and then nothing is sorted.
+/// Up to this many walls are compared pair by pair first: nearly always none of them meet, and nothing has to be sorted.
 const FEW: usize = 16;
 
 #[derive(Clone, Copy)]

@@ -14,8 +14,8 @@ use crate::source::{Layout, Stream};
 use crate::text;
 use std::io::{self, BufRead, BufReader, SeekFrom};
 
-/// The bytes of a piece, at least; the last one may have fewer. Those of a hundred plain houses: a piece is read while
-/// others make the houses of the one before, and must not take longer than that.
+/// The minimum length of a piece in bytes; only the last one may be shorter. It holds about a hundred plain houses: one
+/// thread reads a piece while the others make the houses of the piece before, and should not keep them waiting.
 const PIECE: u64 = 64 << 10;
 
 /// The bytes beyond which a file is divided.

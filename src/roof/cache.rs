@@ -27,7 +27,7 @@ const MOST_KEPT: usize = 1 << 23;
 /// Everything that the roofs of a house depend on, to the last bit.
 #[derive(Clone, PartialEq, Eq)]
 pub(super) struct Key {
-    /// Of all words, since a key is looked up and then kept.
+    /// The hash of all words, computed once: a key is looked up first and inserted afterwards.
     hash: u64,
     words: Box<[u64]>,
 }

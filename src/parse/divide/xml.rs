@@ -10,7 +10,7 @@ use std::io::{self, BufRead};
 /// The largest head that is read again with every piece, bytes.
 const HEAD: u64 = 16 << 10;
 
-/// A piece is at least so many times as long as the head, which is read with it.
+/// The minimum length of a piece, as a multiple of the length of the head: every piece is read with the head before it.
 const HEADS: u64 = 16;
 
 /// Elements that stand before the houses and hold in all of them.
