@@ -1,5 +1,6 @@
 // Hands at the drawing tools: where points are on the screen, clicks and drags, and what an edit has made of the text.
 
+import assert from 'node:assert/strict';
 import type { Page } from 'playwright-core';
 import { type Preview, until } from './preview.ts';
 
@@ -46,7 +47,11 @@ export function drawing(file: string, now: () => { preview: Preview; page: Page 
   return {
     text, status, at, pull, becomes,
     tool: name => now().page.locator(`.tools input[value=${name}]`).check(),
-    click: async (...place) => { const { x, y } = await at(...place); await now().page.mouse.click(x, y); },
+    click: async (...place) => {
+      const { x, y } = await at(...place);
+      assert.ok(await now().page.evaluate(([x, y]) => hsd.plan.element.contains(document.elementFromPoint(x, y)), [x, y] as const), `${place} is in view`);
+      await now().page.mouse.click(x, y);
+    },
     drag: async (from, to) => { await pull(from, to); await now().page.mouse.up(); },
     restore: async original => {
       if (text() === original) return;

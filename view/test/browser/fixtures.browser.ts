@@ -42,6 +42,8 @@ before(async () => {
 after(async () => { await preview?.close(); });
 beforeEach(async () => {
   await restore(HOUSE);
+  // A drag out of the sheet has moved it along, the farther the longer it took.
+  await does(page, 'fit').click();
   await page.locator('.tools input[value=part]').check();
   await page.locator('.tools input[value=fixture]').check();
 });
