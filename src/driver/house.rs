@@ -92,15 +92,16 @@ pub(super) fn finish(
     }
 }
 
-/// The number of houses finished at a time: enough work for many threads, without keeping more syntax in memory.
-pub(super) const BATCH: usize = 128;
+/// The maximum number of houses finished at a time: when they are done, all threads wait for the slowest, which takes no longer
+/// than one of its chunks.
+pub(super) const BATCH: usize = 512;
 
 /// The number of wall lines after which a batch takes no more houses: roofs of plans with many corners need most of the
 /// memory.
-const BATCH_LINES: usize = 16 * BATCH;
+const BATCH_LINES: usize = 4 * BATCH;
 
 /// The number of parts after which it takes no more houses.
-const BATCH_PARTS: usize = 256 * BATCH;
+const BATCH_PARTS: usize = 64 * BATCH;
 
 /// The number of houses that share a cache of roofs. It is fixed, so that nothing depends on the number of threads.
 const CHUNK: usize = 16;

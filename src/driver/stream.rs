@@ -180,7 +180,7 @@ fn run_houses(
         counter: Counter::default(),
         grounds: SpilledGrounds::new(apart, new),
         houses: 0,
-        together: BATCH / 4,
+        together: BATCH / 16,
         first: Span::default(),
         flaws: 0,
         out,

@@ -9,7 +9,7 @@ use crate::geometry::tolerance::{CUT, JOINT, SLIVER};
 use crate::roof::facet::{Convex, Corner, Facet, HalfPlane, area, edges, sides_of};
 use crate::roof::frame::{Plane, Rect, round};
 use crate::roof::shape::form::{Form, RoofDraft};
-use crate::roof::solid::massive::{Plate, Slope, is_gable, of_slopes};
+use crate::roof::solid::massive::{Plate, Slope, Wing, is_gable, of_wings};
 use crate::roof::solid::{INFILL_THICKNESS, SUNK};
 use smallvec::SmallVec;
 
@@ -69,15 +69,15 @@ fn is_plain(form: &Form) -> bool {
 
 /// Returns the slabs of some roofs over an attic with this floor, if they have one.
 fn slabs(drafts: &[&RoofDraft], floor: Option<f64>) -> Option<Vec<Solid>> {
-    let facets = drafts.iter().flat_map(|draft| &draft.form.facets);
-    let slopes: Vec<Slope> = facets.map(slope).collect::<Option<_>>()?;
+    let slopes = |draft: &&RoofDraft| draft.form.facets.iter().map(slope).collect();
+    let roofs: Vec<Vec<Slope>> = drafts.iter().map(slopes).collect::<Option<_>>()?;
     let first = drafts.first()?;
     let plate = Plate {
         drop: first.form.drop,
         floor,
         kind: first.look.kind,
     };
-    of_slopes(&slopes, &plate)
+    of_wings(&Wing::joined(roofs), &plate)
 }
 
 /// Returns a facet with its verges apart.

@@ -29,7 +29,7 @@ use crate::building::{Finish, Roof, Solid};
 use crate::roof::solid::SUNK;
 use crate::roof::solid::sheet::surface;
 pub use lean::lean;
-pub(in crate::roof) use lean::{Plate, Slope, united as of_slopes};
+pub(in crate::roof) use lean::{Plate, Slope, Wing, united as of_wings};
 use parts::Part;
 
 /// The maximum number of sets of roofs tried if they cannot all become one solid.

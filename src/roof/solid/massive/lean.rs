@@ -13,12 +13,14 @@ mod areas;
 mod corners;
 mod faces;
 mod heights;
+mod hidden;
 mod lone;
 mod pieces;
 mod plan;
 mod settled;
 mod slopes;
 mod stretches;
+mod wings;
 
 use crate::ast::RoofShape;
 use crate::building::{Finish, Roof, Solid};
@@ -28,7 +30,8 @@ use crate::roof::solid::massive::lean::pieces::Piece;
 use crate::roof::solid::massive::merge::Polygon;
 use glam::{DVec2, DVec3};
 
-pub(in crate::roof) use slopes::{Plate, Slope, united};
+pub(in crate::roof) use slopes::united;
+pub(in crate::roof) use wings::{Plate, Slope, Wing};
 
 /// Roofs whose bounds are farther apart do not touch, metres.
 const APART: f64 = 1e-3;

@@ -8,18 +8,17 @@
 //! [`areas`]: super::areas
 //! [`stretches`]: super::stretches
 
-use crate::ast::RoofKind;
 use crate::building::{Finish, Solid};
-use crate::geometry::tolerance::SLIVER;
-use crate::roof::facet::{Convex, Corner, HalfPlane, Higher, area};
 use crate::roof::frame::Plane;
 use crate::roof::solid::massive::closed;
 use crate::roof::solid::massive::lean::areas::{Area, Line, Lists, Plan, Region};
 use crate::roof::solid::massive::lean::corners::welded;
 use crate::roof::solid::massive::lean::faces::{self, Patches};
 use crate::roof::solid::massive::lean::heights::Heights;
+use crate::roof::solid::massive::lean::hidden::{Areas, Body, Hidden};
 use crate::roof::solid::massive::lean::plan::upward;
 use crate::roof::solid::massive::lean::stretches::{self, CORNER_BITS, Kind, Stretch, Surface};
+use crate::roof::solid::massive::lean::wings::{Plate, Wing};
 use crate::roof::solid::massive::lean::{is_seen, is_sound};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
@@ -28,34 +27,12 @@ use std::ops::Range;
 /// More slopes go the general way, since every one is compared with all others here.
 const MOST: usize = 48;
 
-/// A slope of a roof over an attic.
-pub(in crate::roof) struct Slope {
-    /// Its convex outline, counter-clockwise.
-    pub(in crate::roof) outline: Convex,
-    /// The convex part of it that takes the place of lower slopes: without verges, with its gable walls.
-    pub(in crate::roof) body: Convex,
-    /// The parts of it beyond, which stand over lower slopes.
-    pub(in crate::roof) verges: SmallVec<[Convex; 2]>,
-    /// Its upper surface.
-    pub(in crate::roof) top: Plane,
-}
-
-/// The properties that all slopes of a solid share.
-pub(in crate::roof) struct Plate {
-    /// Their vertical thickness, metres.
-    pub(in crate::roof) drop: f64,
-    /// The floor of the attic, metres; `None` if there is none below.
-    pub(in crate::roof) floor: Option<f64>,
-    /// Their covering.
-    pub(in crate::roof) kind: RoofKind,
-}
-
-/// Returns the solids of some slopes; none if they meet in a way that only the general union knows.
-pub(in crate::roof) fn united(slopes: &[Slope], plate: &Plate) -> Option<Vec<Solid>> {
-    if slopes.len() > MOST {
+/// Returns the solids of the slopes of some wings; none if they meet in a way that only the general union knows.
+pub(in crate::roof) fn united(wings: &[Wing], plate: &Plate) -> Option<Vec<Solid>> {
+    if wings.iter().map(|w| w.slopes.len()).sum::<usize>() > MOST {
         return None;
     }
-    let borders = Borders::of(slopes, plate);
+    let borders = Borders::of(wings, plate);
     let edges = Edges::of(&borders)?;
     let patches = edges.patches(&borders.surfaces, plate)?;
     let faces = faces::merged(&edges.points, &patches)?;
@@ -74,68 +51,36 @@ struct Borders {
     ends: Vec<u32>,
 }
 
-/// The areas of a slope.
-struct Areas<'s> {
-    slope: &'s Slope,
-    /// The number of its plane, and that plane.
-    plane: usize,
-    top: Plane,
-    outline: Area,
-    body: Area,
-    filled: Option<Area>,
-    verges: SmallVec<[Area; 2]>,
-}
-
-impl Areas<'_> {
-    /// Adds the part of its body that lies above a plane and may lie over some slopes.
-    fn above(&self, plane: Plane, own: &[Area], plan: &mut Plan, areas: &mut Vec<Area>) {
-        let near = |area: &Area| own.iter().any(|o| o.is_near(area));
-        match HalfPlane::where_higher(self.top, plane) {
-            _ if !near(&self.body) => {}
-            Higher::Nowhere => {}
-            Higher::Everywhere => areas.push(self.body),
-            Higher::Inside(side) => {
-                areas.extend(plan.area(&side.inside(&self.slope.body)).filter(near));
-            }
-        }
-    }
-}
-
-/// Where slopes in one plane are not seen.
-#[derive(Default)]
-struct Hidden {
-    /// The outlines of the slopes.
-    outlines: Vec<Area>,
-    /// Where another takes their place.
-    covered: Vec<Area>,
-    /// Where they would lie in the thickness of a verge above them.
-    within: Vec<Area>,
-    /// Where their own verges lie upon another, or where they lie over the attic.
-    below: Vec<Area>,
-}
-
 impl Borders {
-    fn of(slopes: &[Slope], plate: &Plate) -> Borders {
-        let mut plan = Plan::with_capacity(24 * slopes.len());
-        let mut planes: Vec<Plane> = Vec::with_capacity(slopes.len());
-        let mut areas: Vec<Areas<'_>> = Vec::with_capacity(slopes.len());
-        areas.extend(
-            slopes
-                .iter()
-                .filter_map(|slope| Borders::areas(slope, plate, &mut plan, &mut planes)),
-        );
+    fn of(wings: &[Wing], plate: &Plate) -> Borders {
+        let count = wings.iter().map(|w| w.slopes.len()).sum();
+        let mut plan = Plan::with_capacity(24 * count);
+        let mut planes: Vec<Plane> = Vec::with_capacity(count);
+        let mut areas: Vec<Areas<'_>> = Vec::with_capacity(count);
+        let mut ends: SmallVec<[usize; 8]> = SmallVec::new();
+        for wing in wings {
+            let own = |slope| Areas::of(slope, &mut plan, &mut planes);
+            areas.extend(wing.slopes.iter().filter_map(own));
+            ends.push(areas.len());
+        }
+        let mut bodies = Vec::with_capacity(count);
+        let mut from = 0;
+        for (wing, end) in wings.iter().zip(ends) {
+            Body::add(wing, &areas[from..end], plate, &mut plan, &mut bodies);
+            from = end;
+        }
         let mut borders = Borders {
             surfaces: Vec::with_capacity(2 * planes.len() + 1),
-            lines: Vec::with_capacity(24 * slopes.len()),
+            lines: Vec::with_capacity(24 * count),
             ends: Vec::with_capacity(2 * planes.len() + 1),
         };
         let mut hidden = Hidden::default();
         let mut scratch = (Lists::default(), Vec::with_capacity(32));
         for (number, plane) in planes.iter().enumerate() {
-            hidden.find((number, *plane), &areas, plate.drop, &mut plan);
+            hidden.find((number, *plane), (&areas, &bodies), plate.drop, &mut plan);
             borders.slope(*plane, plate.drop, &hidden, &plan, &mut scratch);
         }
-        let attic: SmallVec<[Area; 16]> = areas.iter().filter_map(|a| a.filled).collect();
+        let attic: SmallVec<[Area; 16]> = bodies.iter().filter_map(|b| b.filled).collect();
         let attic = Region {
             plan: &plan,
             with: &attic,
@@ -144,36 +89,6 @@ impl Borders {
         attic.border(&mut scratch.0, &mut borders.lines);
         borders.end(Plane::level(plate.floor.unwrap_or_default()), Kind::Floor);
         borders
-    }
-
-    /// Returns the areas of a slope; none of a sliver.
-    fn areas<'s>(
-        slope: &'s Slope,
-        plate: &Plate,
-        plan: &mut Plan,
-        planes: &mut Vec<Plane>,
-    ) -> Option<Areas<'s>> {
-        let known = planes.iter().position(|p| is_same(*p, slope.top));
-        let plane = known.unwrap_or(planes.len());
-        if known.is_none() {
-            planes.push(slope.top);
-        }
-        let low = slope.top.raised(-plate.drop);
-        let filled = (plate.floor).map(|floor| higher(&slope.body, low, Plane::level(floor)));
-        let outline = plan.area(&slope.outline)?;
-        let body = match slope.verges.is_empty() {
-            true => None,
-            false => plan.area(&slope.body),
-        };
-        Some(Areas {
-            slope,
-            plane,
-            top: planes[plane],
-            outline,
-            body: body.unwrap_or(outline),
-            filled: filled.and_then(|filled| plan.area(&filled)),
-            verges: slope.verges.iter().filter_map(|v| plan.area(v)).collect(),
-        })
     }
 
     /// Adds the upper and the lower surface of all slopes in one plane, of which some is hidden.
@@ -216,69 +131,6 @@ impl Borders {
             (number, own)
         })
     }
-}
-
-impl Hidden {
-    /// Finds where the slopes in one plane are not seen.
-    fn find(
-        &mut self,
-        (number, top): (usize, Plane),
-        areas: &[Areas<'_>],
-        drop: f64,
-        plan: &mut Plan,
-    ) {
-        let Hidden {
-            outlines,
-            covered,
-            within,
-            below,
-        } = self;
-        outlines.clear();
-        covered.clear();
-        within.clear();
-        below.clear();
-        let own = || areas.iter().filter(|a| a.plane == number);
-        outlines.extend(own().map(|a| a.outline));
-        for other in areas.iter().filter(|a| a.plane != number) {
-            if !outlines.iter().any(|o| o.is_near(&other.outline)) {
-                continue;
-            }
-            other.above(top, outlines, plan, covered);
-            for (verge, area) in other.slope.verges.iter().zip(&other.verges) {
-                if outlines.iter().any(|o| o.is_near(area)) {
-                    within.extend(plan.area(&between(verge, top, other.top, drop)));
-                }
-            }
-            let verges = own().flat_map(|a| a.slope.verges.iter().zip(&a.verges));
-            for (verge, _) in verges.filter(|v| other.outline.is_near(v.1)) {
-                let upper = between(verge, other.top, top, drop);
-                if area(&upper) > SLIVER {
-                    let common = plan.common(other.outline, &upper);
-                    below.extend(plan.area(&common));
-                }
-            }
-        }
-        below.extend(own().filter_map(|a| a.filled));
-    }
-}
-
-fn is_same(one: Plane, other: Plane) -> bool {
-    let slope = (one.slope - other.slope).abs().max_element();
-    slope < 1e-9 && (one.z - other.z).abs() < 1e-6
-}
-
-/// Returns the part of a convex outline where one plane is higher than another.
-fn higher(outline: &[Corner], upper: Plane, lower: Plane) -> Convex {
-    match HalfPlane::where_higher(upper, lower) {
-        Higher::Everywhere => Convex::from_slice(outline),
-        Higher::Nowhere => Convex::new(),
-        Higher::Inside(side) => side.inside(outline),
-    }
-}
-
-/// Returns the part of a convex outline where a plane lies in a slab below another.
-fn between(outline: &[Corner], plane: Plane, top: Plane, drop: f64) -> Convex {
-    higher(&higher(outline, top, plane), plane, top.raised(-drop))
 }
 
 /// The borders on shared corners and points.

@@ -1,0 +1,173 @@
+//! Wings: the slopes of one plain roof. Over a rectangle, of which each has its own part, they are one convex body.
+//!
+//! A wing that reaches into another has narrower strips of slopes under its eaves, which end at the wall of that. Where they
+//! would go on they lie below the other, unseen, so that they are made as wide as the strips above them, and one with these.
+
+use crate::ast::RoofKind;
+use crate::geometry::tolerance::{CUT, HEIGHT, JOINT, POINT, SLIVER};
+use crate::roof::facet::{Convex, Corner, area};
+use crate::roof::frame::{Plane, Rect, round};
+use glam::DVec2;
+use smallvec::SmallVec;
+
+/// A slope of a roof over an attic.
+pub(in crate::roof) struct Slope {
+    /// Its convex outline, counter-clockwise.
+    pub(in crate::roof) outline: Convex,
+    /// The convex part of it that takes the place of lower slopes: without verges, with its gable walls.
+    pub(in crate::roof) body: Convex,
+    /// The parts of it beyond, which stand over lower slopes.
+    pub(in crate::roof) verges: SmallVec<[Convex; 2]>,
+    /// Its upper surface.
+    pub(in crate::roof) top: Plane,
+}
+
+/// The properties that all slopes of a solid share.
+pub(in crate::roof) struct Plate {
+    /// Their vertical thickness, metres.
+    pub(in crate::roof) drop: f64,
+    /// The floor of the attic, metres; `None` if there is none below.
+    pub(in crate::roof) floor: Option<f64>,
+    /// Their covering.
+    pub(in crate::roof) kind: RoofKind,
+}
+
+/// The slopes of a roof.
+pub(in crate::roof) struct Wing {
+    pub(in crate::roof) slopes: Vec<Slope>,
+    /// The rectangle that their bodies fill, if each is the lowest over its own.
+    pub(super) body: Option<Rect>,
+}
+
+impl Wing {
+    fn of(slopes: Vec<Slope>) -> Wing {
+        let body = rectangle(&slopes);
+        Wing { slopes, body }
+    }
+
+    /// Returns the wings of some roofs, each given by its slopes. Strips of one slope are one where others cover what is added to
+    /// them; the lower one becomes a wing of its own where none does.
+    pub(in crate::roof) fn joined(roofs: Vec<Vec<Slope>>) -> Vec<Wing> {
+        let bodies: SmallVec<[Option<Body>; 6]> = roofs.iter().map(|r| Body::of(r)).collect();
+        let is_covered = |own: usize, outline: &Convex, plane: Plane| {
+            let others = bodies.iter().enumerate().filter(|(n, _)| *n != own);
+            let mut others = others.filter_map(|(_, body)| body.as_ref());
+            outline.is_empty() || others.any(|body| body.covers(outline, plane))
+        };
+        let mut wings: Vec<Wing> = Vec::with_capacity(2 * roofs.len());
+        for (own, roof) in roofs.into_iter().enumerate() {
+            let mut slopes: Vec<Slope> = Vec::with_capacity(roof.len());
+            for upper in roof {
+                let joined = slopes.last().and_then(|lower| lower.under(&upper));
+                let apart = match joined {
+                    None => None,
+                    Some((joined, added)) => {
+                        let lower = slopes.pop();
+                        if added.iter().all(|a| is_covered(own, a, joined.top)) {
+                            slopes.push(joined);
+                            continue;
+                        }
+                        lower
+                    }
+                };
+                wings.extend(apart.map(|lower| Wing::of(vec![lower])));
+                slopes.push(upper);
+            }
+            wings.push(Wing::of(slopes));
+        }
+        wings
+    }
+}
+
+/// What some slopes over a rectangle cover.
+struct Body {
+    rect: Rect,
+    tops: SmallVec<[Plane; 4]>,
+}
+
+impl Body {
+    fn of(slopes: &[Slope]) -> Option<Body> {
+        let rect = rectangle(slopes)?.grown(CUT);
+        let tops = slopes.iter().map(|slope| slope.top).collect();
+        Some(Body { rect, tops })
+    }
+
+    /// Returns true if no plane lies below another over an outline inside of it: all above, but for places on its border, or
+    /// the same.
+    fn covers(&self, outline: &[Corner], plane: Plane) -> bool {
+        let Rect { min, max } = self.rect;
+        let above = |top: &Plane| {
+            let gap = |c: &Corner| top.at(c.at) - plane.at(c.at);
+            let apart = outline.iter().any(|c| gap(c) > JOINT) || is_same(*top, plane);
+            apart && outline.iter().all(|c| gap(c) > -HEIGHT)
+        };
+        let inside = |c: &Corner| min.cmple(c.at).all() && c.at.cmple(max).all();
+        outline.iter().all(inside) && self.tops.iter().all(above)
+    }
+}
+
+impl Slope {
+    /// Returns this strip of a slope with the one above it, and what both have not; none if they are not such strips.
+    fn under(&self, upper: &Slope) -> Option<(Slope, [Convex; 2])> {
+        if !is_same(self.top, upper.top) {
+            return None;
+        }
+        let (outline, added) = under(&self.outline, &upper.outline, self.top)?;
+        let (body, _) = under(&self.body, &upper.body, self.top)?;
+        let slope = Slope {
+            outline,
+            body,
+            verges: self.verges.iter().chain(&upper.verges).cloned().collect(),
+            top: self.top,
+        };
+        Some((slope, added))
+    }
+}
+
+/// Returns the outline of a strip of a slope that is made as wide as the one above it, with that, and what is added at both
+/// ends. The first edge of each is its lower one, and that of the upper strip the third of the lower one.
+fn under(lower: &[Corner], upper: &[Corner], plane: Plane) -> Option<(Convex, [Convex; 2])> {
+    let (&[a, b, c, d], &[e, f, _, ..]) = (lower, upper) else {
+        return None;
+    };
+    let (along, ways) = (c.at - d.at, [e.at - d.at, f.at - c.at]);
+    let beside = |at: DVec2| (at.dot(plane.slope)).abs() < POINT * plane.slope.length();
+    let wider = ways[0].dot(along) < POINT && ways[1].dot(along) > -POINT;
+    if !(wider && beside(along) && ways.into_iter().all(beside)) {
+        return None;
+    }
+    let moved = |c: Corner, by: DVec2| Corner { at: c.at + by, ..c };
+    let (first, second) = (moved(a, ways[0]), moved(b, ways[1]));
+    let ends = [[first, a, d, e], [b, second, f, c]];
+    let added = [0, 1].map(|n| match ways[n].length_squared() < POINT * POINT {
+        true => Convex::new(),
+        false => Convex::from_slice(&ends[n]),
+    });
+    let mut whole = Convex::from_slice(&[first, second]);
+    whole.extend_from_slice(&upper[2..]);
+    let parts: f64 = [lower, upper, &added[0], &added[1]].map(area).iter().sum();
+    ((area(&whole) - parts).abs() < SLIVER).then_some((whole, added))
+}
+
+/// Returns the rectangle that the bodies of some slopes fill, if each is the lowest over its own.
+fn rectangle(slopes: &[Slope]) -> Option<Rect> {
+    let body = round(slopes.iter().flat_map(|s| &s.body).map(|c| c.at));
+    let filled: f64 = slopes.iter().map(|s| area(&s.body)).sum();
+    let size = body.max - body.min;
+    if (size.x * size.y - filled).abs() > SLIVER {
+        return None;
+    }
+    let lowest = |own: &Slope| {
+        let lower = |at: DVec2| {
+            let least = own.top.at(at) - HEIGHT;
+            slopes.iter().all(|o| o.top.at(at) > least)
+        };
+        own.body.iter().all(|c| lower(c.at))
+    };
+    slopes.iter().all(lowest).then_some(body)
+}
+
+pub(super) fn is_same(one: Plane, other: Plane) -> bool {
+    let slope = (one.slope - other.slope).abs().max_element();
+    slope < 1e-9 && (one.z - other.z).abs() < 1e-6
+}
