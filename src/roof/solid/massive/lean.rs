@@ -5,9 +5,9 @@
 //! (`pieces`). Slabs and fillings share the corners of one plan (`plan`), their surfaces are added up there, and the
 //! faces that remain in one plane become one, which need not be convex (`faces`).
 //!
-//! Plain roofs on one plate need none of this: their solid comes from slopes that nothing has divided yet (`slopes`), and
-//! is theirs from the start. A roof that meets no other has a closed form (`lone`). Pieces that share space are cut first (`settled`). What is left over, which no plan has been seen to, goes the general
-//! way.
+//! Plain roofs on one plate need none of this: their solid comes from slopes that nothing has divided yet (`slopes`), those
+//! of a wing together (`wings`), and is theirs from the start. A roof that meets no other has a closed form (`lone`). Pieces
+//! that share space are cut first (`settled`). What is left over, which no plan has been seen to, goes the general way.
 
 mod areas;
 mod corners;

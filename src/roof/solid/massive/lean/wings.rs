@@ -48,29 +48,25 @@ impl Wing {
     /// Returns the wings of some roofs, each given by its slopes. Strips of one slope are one where others cover what is added to
     /// them; the lower one becomes a wing of its own where none does.
     pub(in crate::roof) fn joined(roofs: Vec<Vec<Slope>>) -> Vec<Wing> {
-        let bodies: SmallVec<[Option<Body>; 6]> = roofs.iter().map(|r| Body::of(r)).collect();
+        let covers: SmallVec<[Option<Cover>; 6]> = roofs.iter().map(|r| Cover::of(r)).collect();
         let is_covered = |own: usize, outline: &Convex, plane: Plane| {
-            let others = bodies.iter().enumerate().filter(|(n, _)| *n != own);
-            let mut others = others.filter_map(|(_, body)| body.as_ref());
-            outline.is_empty() || others.any(|body| body.covers(outline, plane))
+            let others = covers.iter().enumerate().filter(|(n, _)| *n != own);
+            let mut others = others.filter_map(|(_, cover)| cover.as_ref());
+            outline.is_empty() || others.any(|cover| cover.hides(outline, plane))
         };
         let mut wings: Vec<Wing> = Vec::with_capacity(2 * roofs.len());
         for (own, roof) in roofs.into_iter().enumerate() {
             let mut slopes: Vec<Slope> = Vec::with_capacity(roof.len());
             for upper in roof {
                 let joined = slopes.last().and_then(|lower| lower.under(&upper));
-                let apart = match joined {
-                    None => None,
-                    Some((joined, added)) => {
-                        let lower = slopes.pop();
-                        if added.iter().all(|a| is_covered(own, a, joined.top)) {
-                            slopes.push(joined);
-                            continue;
-                        }
-                        lower
+                if let Some((joined, added)) = joined {
+                    let lower = slopes.pop();
+                    if added.iter().all(|a| is_covered(own, a, joined.top)) {
+                        slopes.push(joined);
+                        continue;
                     }
-                };
-                wings.extend(apart.map(|lower| Wing::of(vec![lower])));
+                    wings.extend(lower.map(|lower| Wing::of(vec![lower])));
+                }
                 slopes.push(upper);
             }
             wings.push(Wing::of(slopes));
@@ -80,21 +76,21 @@ impl Wing {
 }
 
 /// What some slopes over a rectangle cover.
-struct Body {
+struct Cover {
     rect: Rect,
     tops: SmallVec<[Plane; 4]>,
 }
 
-impl Body {
-    fn of(slopes: &[Slope]) -> Option<Body> {
+impl Cover {
+    fn of(slopes: &[Slope]) -> Option<Cover> {
         let rect = rectangle(slopes)?.grown(CUT);
         let tops = slopes.iter().map(|slope| slope.top).collect();
-        Some(Body { rect, tops })
+        Some(Cover { rect, tops })
     }
 
     /// Returns true if no plane lies below another over an outline inside of it: all above, but for places on its border, or
     /// the same.
-    fn covers(&self, outline: &[Corner], plane: Plane) -> bool {
+    fn hides(&self, outline: &[Corner], plane: Plane) -> bool {
         let Rect { min, max } = self.rect;
         let above = |top: &Plane| {
             let gap = |c: &Corner| top.at(c.at) - plane.at(c.at);
@@ -170,4 +166,88 @@ fn rectangle(slopes: &[Slope]) -> Option<Rect> {
 pub(super) fn is_same(one: Plane, other: Plane) -> bool {
     let slope = (one.slope - other.slope).abs().max_element();
     slope < 1e-9 && (one.z - other.z).abs() < 1e-6
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::dvec2;
+
+    /// A slope without verges over a rectangle.
+    fn slope(x: [f64; 2], y: [f64; 2], top: Plane, first: usize) -> Slope {
+        let corners = [
+            dvec2(x[0], y[0]),
+            dvec2(x[1], y[0]),
+            dvec2(x[1], y[1]),
+            dvec2(x[0], y[1]),
+        ];
+        let mut corners = corners.map(|at| Corner { at, rim: false });
+        corners.rotate_left(first);
+        let outline = Convex::from_slice(&corners);
+        Slope {
+            body: outline.clone(),
+            outline,
+            verges: SmallVec::new(),
+            top,
+        }
+    }
+
+    fn plane(z: f64, x: f64, y: f64) -> Plane {
+        Plane {
+            z,
+            slope: dvec2(x, y),
+        }
+    }
+
+    /// A roof with its ridge along x from 0 to 10, and one with its ridge along y that reaches into it, with eaves to x = `right`.
+    fn roofs(right: f64) -> Vec<Vec<Slope>> {
+        let trunk = vec![
+            slope([0.0, 10.0], [0.0, 3.0], plane(3.0, 0.0, 0.5), 0),
+            slope([0.0, 10.0], [3.0, 6.0], plane(6.0, 0.0, -0.5), 2),
+        ];
+        // Its walls stand a metre inside of its eaves, those of the trunk at y = 5.
+        let falling = plane(3.0 + 0.5 * right, -0.5, 0.0);
+        let rising = plane(3.0 - 0.5 * (right - 6.0), 0.5, 0.0);
+        let wing = vec![
+            slope([right - 1.0, right], [5.0, 9.0], falling, 1),
+            slope([right - 3.0, right - 1.0], [4.0, 9.0], falling, 1),
+            slope([right - 6.0, right - 5.0], [5.0, 9.0], rising, 3),
+            slope([right - 5.0, right - 3.0], [4.0, 9.0], rising, 3),
+        ];
+        vec![trunk, wing]
+    }
+
+    #[test]
+    fn strips_under_eaves_go_on_where_another_roof_covers_them() {
+        let wings = Wing::joined(roofs(8.0));
+        assert_eq!(
+            wings.iter().map(|w| w.slopes.len()).collect::<Vec<_>>(),
+            [2, 2]
+        );
+        let body = wings[1].body.expect("it fills a rectangle");
+        assert_eq!([body.min, body.max], [dvec2(2.0, 4.0), dvec2(8.0, 9.0)]);
+    }
+
+    #[test]
+    fn strips_beside_the_end_of_another_roof_stay_as_they_are() {
+        // Its right eaves would go on past the end of the trunk.
+        let wings = Wing::joined(roofs(10.5));
+        assert_eq!(
+            wings.iter().map(|w| w.slopes.len()).collect::<Vec<_>>(),
+            [2, 1, 2]
+        );
+        let strip = wings[1].body.expect("it is a rectangle");
+        assert_eq!([strip.min, strip.max], [dvec2(9.5, 5.0), dvec2(10.5, 9.0)]);
+        let rest = wings[2].body.expect("it fills a rectangle");
+        assert_eq!([rest.min, rest.max], [dvec2(4.5, 4.0), dvec2(9.5, 9.0)]);
+    }
+
+    #[test]
+    fn slopes_that_rise_outwards_are_no_body() {
+        let valley = vec![
+            slope([0.0, 10.0], [0.0, 3.0], plane(6.0, 0.0, -0.5), 0),
+            slope([0.0, 10.0], [3.0, 6.0], plane(3.0, 0.0, 0.5), 2),
+        ];
+        assert!(Wing::of(valley).body.is_none());
+    }
 }
