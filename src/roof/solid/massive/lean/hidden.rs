@@ -65,28 +65,36 @@ impl<'a, 's> Body<'a, 's> {
         plan: &mut Plan,
         all: &mut Vec<Body<'a, 's>>,
     ) {
-        let body = |slopes: &'a [Areas<'s>], outline: Convex, area, plan: &mut Plan| {
-            let mut body = Body {
-                slopes,
-                outline,
-                area,
-                filled: None,
-            };
-            let floor = plate.floor.map(|floor| Plane::level(floor + plate.drop));
-            body.filled = floor.and_then(|floor| body.above(floor, plan));
-            body
+        let corners = wing.body.map(|rect| rect.corners());
+        let outline = corners.map(|all| all.map(|at| Corner { at, rim: false }));
+        if let Some(outline) = outline
+            && let Some(area) = plan.area(&outline)
+        {
+            let outline = Convex::from_slice(&outline);
+            return all.push(Body::over(slopes, (outline, area), plate, plan));
+        }
+        for own in slopes {
+            let place = (own.slope.body.clone(), own.body);
+            all.push(Body::over(std::slice::from_ref(own), place, plate, plan));
+        }
+    }
+
+    fn over(
+        slopes: &'a [Areas<'s>],
+        (outline, area): (Convex, Area),
+        plate: &Plate,
+        plan: &mut Plan,
+    ) -> Body<'a, 's> {
+        let mut body = Body {
+            slopes,
+            outline,
+            area,
+            filled: None,
         };
-        if let Some(rect) = wing.body {
-            let outline = rect.corners().map(|at| Corner { at, rim: false });
-            if let Some(area) = plan.area(&outline) {
-                all.push(body(slopes, Convex::from_slice(&outline), area, plan));
-                return;
-            }
-        }
-        for own in slopes.chunks(1) {
-            let outline = own[0].slope.body.clone();
-            all.push(body(own, outline, own[0].body, plan));
-        }
+        // Its lower surface lies above the floor where the upper one lies above this.
+        let floor = plate.floor.map(|floor| Plane::level(floor + plate.drop));
+        body.filled = floor.and_then(|floor| body.above(floor, plan));
+        body
     }
 
     /// Returns the part of it that lies above a plane.
