@@ -89,7 +89,7 @@ fn main() {
         drill.as_secs_f64() * 1e3
     );
     println!(
-        "| town | detail | houses a second | houses a drill | two threads | by their clock | triangles | bytes | peak MiB |"
+        "| town | detail | houses a second | houses a drill | two threads | a second by the clock | triangles | bytes | peak MiB |"
     );
     println!("|---|---|---|---|---|---|---|---|---|");
     for row in rows

@@ -92,8 +92,8 @@ pub(super) fn finish(
     }
 }
 
-/// The maximum number of houses finished at a time: when they are done, all threads wait for the slowest, which takes no longer
-/// than one of its chunks.
+/// The maximum number of houses finished at a time. At the end of a batch all threads wait for its last chunk, so that a batch
+/// should have many more houses than a chunk.
 pub(super) const BATCH: usize = 512;
 
 /// The number of wall lines after which a batch takes no more houses: roofs of plans with many corners need most of the

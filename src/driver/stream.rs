@@ -180,7 +180,7 @@ fn run_houses(
         counter: Counter::default(),
         grounds: SpilledGrounds::new(apart, new),
         houses: 0,
-        together: BATCH / 16,
+        together: FIRST,
         first: Span::default(),
         flaws: 0,
         out,
@@ -283,6 +283,9 @@ impl Made {
 
 /// The maximum number of shapes reported as left out of a model.
 const MOST_FLAWS: usize = 20;
+
+/// The number of houses to make at a time before it is known how many bytes one has.
+const FIRST: usize = 32;
 
 /// The bytes of meshes to make at a time.
 const BYTES: usize = 16 << 20;

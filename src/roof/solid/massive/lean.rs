@@ -7,7 +7,7 @@
 //!
 //! Plain roofs on one plate need none of this: their solid comes from slopes that nothing has divided yet (`slopes`), those
 //! of a wing together (`wings`), and is theirs from the start. A roof that meets no other has a closed form (`lone`). Pieces
-//! that share space are cut first (`settled`). What is left over, which no plan has been seen to, goes the general way.
+//! that share space are cut first (`settled`). Everything else goes the general way.
 
 mod areas;
 mod corners;

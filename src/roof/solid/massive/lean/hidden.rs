@@ -7,7 +7,7 @@ use crate::roof::solid::massive::lean::areas::{Area, Plan};
 use crate::roof::solid::massive::lean::wings::{Plate, Slope, Wing, is_same};
 use smallvec::SmallVec;
 
-/// The areas of a slope.
+/// The areas of a slope in plan.
 pub(super) struct Areas<'s> {
     slope: &'s Slope,
     /// The number of its plane, and that plane.
@@ -19,7 +19,7 @@ pub(super) struct Areas<'s> {
 }
 
 impl<'s> Areas<'s> {
-    /// Returns those of a slope; none of a sliver.
+    /// Returns the areas of a slope; none if it is a sliver.
     pub(super) fn of(
         slope: &'s Slope,
         plan: &mut Plan,
@@ -47,7 +47,7 @@ impl<'s> Areas<'s> {
     }
 }
 
-/// What takes the place of lower slopes and has an attic under it.
+/// A convex part of a roof: slopes below it are not seen, and it may have an attic.
 pub(super) struct Body<'a, 's> {
     /// One slope, or those of a wing over a rectangle, of which each is the lowest over its own part.
     slopes: &'a [Areas<'s>],
@@ -57,7 +57,7 @@ pub(super) struct Body<'a, 's> {
 }
 
 impl<'a, 's> Body<'a, 's> {
-    /// Adds those of a wing, with the areas of its slopes.
+    /// Adds the bodies of a wing, given the areas of its slopes: one if they fill a rectangle, else one for each.
     pub(super) fn add(
         wing: &Wing,
         slopes: &'a [Areas<'s>],
@@ -97,7 +97,7 @@ impl<'a, 's> Body<'a, 's> {
         body
     }
 
-    /// Returns the part of it that lies above a plane.
+    /// Returns the part of it, in plan, that lies above a plane.
     fn above(&self, plane: Plane, plan: &mut Plan) -> Option<Area> {
         let mut rest: Option<Convex> = None;
         for slope in self.slopes {

@@ -75,7 +75,7 @@ impl Wing {
     }
 }
 
-/// What some slopes over a rectangle cover.
+/// A roof over a rectangle, under which other slopes are hidden.
 struct Cover {
     rect: Rect,
     tops: SmallVec<[Plane; 4]>,
