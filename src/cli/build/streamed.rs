@@ -19,7 +19,7 @@ use std::time::Instant;
 use tempfile::{SpooledTempFile, spooled_tempfile_in};
 
 /// The bytes of a list or array that stay in memory; what is larger goes to a file.
-const IN_MEMORY: usize = 4 << 20;
+const IN_MEMORY: usize = 256 << 10;
 
 impl Build {
     /// True if the model of a job is written house by house. Others need the whole scene.

@@ -19,10 +19,35 @@ const BEFORE: [&str; 3] = ["Param", "let", "define"];
 /// Elements that lead to other files, or to parts that all houses of a file know.
 const OUTWARD: [&str; 3] = ["include", "Place", "PartDef"];
 
+/// The names of the open elements, one behind another, so that none is allocated.
+#[derive(Default)]
+struct Open {
+    names: String,
+    starts: Vec<usize>,
+}
+
+impl Open {
+    fn len(&self) -> usize {
+        self.starts.len()
+    }
+
+    fn last(&self) -> Option<&str> {
+        Some(&self.names[*self.starts.last()?..])
+    }
+
+    fn push(&mut self, name: &str) {
+        self.starts.push(self.names.len());
+        self.names.push_str(name);
+    }
+
+    fn pop(&mut self) {
+        self.names.truncate(self.starts.pop().unwrap_or(0));
+    }
+}
+
 /// The state of the division.
 struct Division {
-    /// The names of the open elements.
-    open: Vec<String>,
+    open: Open,
     /// The start of the first house.
     first: Option<u64>,
     cuts: Vec<u64>,
@@ -40,7 +65,7 @@ pub(super) fn divide(
 ) -> io::Result<Result<Layout, Undivided>> {
     let mut reader = Reader::from_reader(reader);
     let mut division = Division {
-        open: vec![],
+        open: Open::default(),
         first: None,
         cuts: vec![],
         end: 0,
@@ -81,21 +106,22 @@ impl Division {
         match event {
             Event::Start(tag) | Event::Empty(tag) => {
                 let empty = matches!(event, Event::Empty(_));
-                if text.contains('<') || tag.attributes().any(|a| a.is_err()) {
+                if text.contains('<') || tag.attributes().with_checks(false).any(|a| a.is_err()) {
                     return unsound;
                 }
                 self.start(tag, empty, range, line)?;
             }
             Event::End(_) => {
-                let closed = self.open.pop();
-                self.closed |= self.open.is_empty();
-                if self.open.len() == 1 && closed.as_deref() == Some("House") {
+                let house = self.open.last() == Some("House");
+                self.open.pop();
+                self.closed |= self.open.len() == 0;
+                if self.open.len() == 1 && house {
                     self.house_ends(range.end);
                 }
             }
             Event::Text(_) if text.contains(['＜', '＞']) => return unsound,
             Event::Text(_) | Event::CData(_) | Event::GeneralRef(_) => {
-                if self.open.is_empty() && !text.trim().is_empty() {
+                if self.open.len() == 0 && !text.trim().is_empty() {
                     return unsound;
                 }
             }
@@ -122,7 +148,7 @@ impl Division {
         let needs_all = || Undivided::Element(name.to_owned());
         let before = self.first.is_none() && BEFORE.contains(&name);
         // An end tag without its slash looks like an element in one of its kind.
-        if self.closed || self.open.last().is_some_and(|outer| outer == name) {
+        if self.closed || self.open.last() == Some(name) {
             return Err(Undivided::Markup(line));
         }
         match self.open.len() {
@@ -135,7 +161,7 @@ impl Division {
             _ => {}
         }
         match empty {
-            false => self.open.push(name.to_owned()),
+            false => self.open.push(name),
             true if self.open.len() == 1 && name == "House" => self.house_ends(range.end),
             true => {}
         }
@@ -152,7 +178,7 @@ impl Division {
     }
 
     fn finish(mut self, mark: u64, size: u64, line: u64) -> Result<Layout, Undivided> {
-        let Some(first) = self.first.filter(|_| self.open.is_empty()) else {
+        let Some(first) = self.first.filter(|_| self.open.len() == 0) else {
             return Err(Undivided::Markup(line));
         };
         if first - mark > HEAD {

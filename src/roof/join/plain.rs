@@ -1,7 +1,7 @@
 //! Plain roofs on one plate, as they are seen from afar: one solid of their slopes, which are not joined before.
 //!
 //! Lean-tos under the eaves of a plain roof that touch no slope are slabs of their own below it, with the walls over
-//! them up to its plate.
+//! them up to its plate. They may pass through the eaves of another roof: what is inside of both is unseen.
 
 use crate::ast::RoofShape;
 use crate::building::{Attic, Roof, Solid};
@@ -12,6 +12,9 @@ use crate::roof::shape::form::{Form, RoofDraft};
 use crate::roof::solid::massive::{Plate, Slope, Wing, is_gable, of_wings};
 use crate::roof::solid::{INFILL_THICKNESS, SUNK};
 use smallvec::SmallVec;
+
+/// Surfaces of roofs that pass through each other are at least this far apart somewhere, metres.
+const NEAR: f64 = 5e-3;
 
 /// Adds several roofs, the first with the solids of all, each with its walls as they are before roofs meet. Returns false,
 /// and leaves them, if they are not plain.
@@ -107,7 +110,8 @@ fn slope(facet: &Facet) -> Option<Slope> {
     (area(&slope.body) > SLIVER).then_some(slope)
 }
 
-/// Returns true if a roof under the eaves of another touches neither that nor any other: it may lie under the eaves of several.
+/// Returns true if a roof under the eaves of another touches neither that nor any other, but for eaves that it passes through: it
+/// may lie under the eaves of several.
 fn is_apart(draft: &RoofDraft, planned: &[RoofDraft]) -> bool {
     let form = &draft.form;
     let floor = Plane::level(draft.base - SUNK);
@@ -116,9 +120,32 @@ fn is_apart(draft: &RoofDraft, planned: &[RoofDraft]) -> bool {
     let free = |(n, other): (usize, &RoofDraft)| {
         let trunk = form.under == Some(n);
         let apart = std::ptr::eq(other, draft) || !around.overlaps(&bounds(&other.form));
-        (apart && !trunk) || (other.form.under.is_none() && is_under_eaves(form, &other.form))
+        let main = other.form.under.is_none();
+        let passes = || is_under_eaves(form, &other.form) || (!trunk && passes(form, &other.form));
+        (apart && !trunk) || (main && passes())
     };
     form.facets.iter().all(low) && planned.iter().enumerate().all(free)
+}
+
+/// Returns true if no surface of a form lies in one of another.
+fn passes(form: &Form, other: &Form) -> bool {
+    let levels = |form: &Form, plane: Plane| [plane, plane.raised(-form.drop)];
+    let apart = |own: &Facet, above: &Facet| {
+        let gap = |one: Plane, two: Plane, c: &Corner| (one.at(c.at) - two.at(c.at)).abs();
+        let differ = |one, two| own.outline.iter().any(|c| gap(one, two, c) > NEAR);
+        let others = levels(other, above.plane);
+        let level = |one| others.iter().all(|two| differ(one, *two));
+        levels(form, own.plane).into_iter().all(level)
+    };
+    let askew = |own: &Facet, above: &Facet| {
+        let next = above.outline.iter().cycle().skip(1);
+        let mut lines = above.outline.iter().zip(next);
+        let along = |side: &HalfPlane, c: &Corner| side.depth(c.at).abs() < NEAR;
+        let sides = sides_of(&own.outline);
+        lines.all(|(c, d)| !sides.iter().any(|side| along(side, c) && along(side, d)))
+    };
+    let free = |own: &Facet| other.facets.iter().all(|f| apart(own, f) && askew(own, f));
+    form.facets.iter().all(free)
 }
 
 /// Returns true if the slopes of a form lie below those of its trunk.

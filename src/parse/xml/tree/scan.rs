@@ -11,7 +11,9 @@ use crate::parse::reporter::Reporter;
 use crate::parse::schema::SchemaHints;
 use crate::parse::xml::tree::chars::{is_blank, is_name_start, narrow};
 use crate::parse::xml::tree::token::{EndTag, Token};
-use quick_xml::{Reader, events::Event};
+use quick_xml::Reader;
+use quick_xml::events::{BytesEnd, BytesStart, Event};
+use quick_xml::parser::{ElementParser, Parser};
 use std::ops::Range;
 
 /// Markup that may contain a `<`: its start, its name, its end. A document type is refused, ended or not.
@@ -32,6 +34,9 @@ const ENCLOSED: [(&str, Noun, &str); 4] = [
 
 /// The maximum length of comments that are fixed.
 const LONG: usize = 1 << 16;
+
+/// White space of XML.
+const BLANKS: [char; 4] = [' ', '\t', '\r', '\n'];
 
 /// The state of the scanner.
 pub(in crate::parse::xml) struct Scanner<'a, 'f> {
@@ -107,21 +112,20 @@ impl<'a, 'f> Scanner<'a, 'f> {
     fn event(&mut self) -> Option<Event<'a>> {
         let rest = self.rest();
         let inner = rest.strip_prefix('<')?;
-        let kind = ENCLOSED.iter().position(|k| rest.starts_with(k.0));
-        let end = match kind {
-            Some(kind) if self.endless[kind] => return None,
-            Some(_) => rest.len(),
-            None => inner.find('<').map_or(rest.len(), |i| 1 + i),
+        let Some(kind) = ENCLOSED.iter().position(|k| rest.starts_with(k.0)) else {
+            let (event, length) = tag(inner)?;
+            self.at += 1 + length;
+            return Some(event);
         };
-        let mut reader = Reader::from_str(&rest[..end]);
-        reader.config_mut().check_end_names = false;
-        reader.config_mut().allow_unmatched_ends = true;
+        if self.endless[kind] {
+            return None;
+        }
+        let mut reader = Reader::from_str(rest);
         let event = reader.read_event().ok();
         let read = reader.buffer_position() as usize;
-        if event.is_some() {
-            self.at += read;
-        } else if let (Some(kind), true) = (kind, read == end) {
-            self.endless[kind] = true;
+        match event {
+            Some(_) => self.at += read,
+            None => self.endless[kind] = read == rest.len(),
         }
         event
     }
@@ -371,4 +375,23 @@ impl<'a, 'f> Scanner<'a, 'f> {
         }
         edits
     }
+}
+
+/// Reads a tag whose `<` stands before this text; returns its length too. `None` if a `<` is in it, or no end.
+fn tag(text: &str) -> Option<(Event<'_>, usize)> {
+    let end = text.find('<').unwrap_or(text.len());
+    // A reader of its own for every tag would allocate for each.
+    let end = ElementParser::default().feed(&text.as_bytes()[..end])?;
+    let inner = &text[..end];
+    let event = match (inner.strip_prefix('/'), inner.strip_suffix('/')) {
+        (Some(name), _) => Event::End(BytesEnd::new(name.trim_end_matches(BLANKS))),
+        (None, Some(inner)) => Event::Empty(start(inner)),
+        (None, None) => Event::Start(start(inner)),
+    };
+    Some((event, end + 1))
+}
+
+fn start(inner: &str) -> BytesStart<'_> {
+    let name = inner.find(BLANKS).unwrap_or(inner.len());
+    BytesStart::from_content(inner, name)
 }
