@@ -10,6 +10,7 @@ mod beside;
 mod convert;
 mod gaps;
 mod house;
+mod in_order;
 #[cfg(feature = "models")]
 mod models;
 mod overlaps;
