@@ -146,8 +146,9 @@ impl Row {
             detail: self.detail,
             ..Options::default()
         };
-        let spool =
-            || -> io::Result<Box<dyn Spool>> { Ok(Box::new(tempfile::spooled_tempfile(4 << 20))) };
+        let spool = || -> io::Result<Box<dyn Spool>> {
+            Ok(Box::new(tempfile::spooled_tempfile(256 << 10)))
+        };
         let mut out = Diagnostics::new();
         let mut writer = Writer::new(&spool).expect("there is room");
         let town = driver::stream(

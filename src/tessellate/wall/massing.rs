@@ -98,13 +98,15 @@ impl Walker<'_> {
             along = from - line.length - last;
             self.air = self.air_before(level, line.wall);
             let mut stretches = self.stretches(level, line);
-            let above = self.stretches_above(level, line);
+            let mut above = self.stretches_above(level, line);
             self.air = None;
-            if let Some(stretch) = stretches.first_mut().filter(|s| s.from < 1e-6) {
-                stretch.from -= first;
-            }
-            if let Some(stretch) = stretches.last_mut().filter(|s| s.to > line.length - 1e-6) {
-                stretch.to += last;
+            for list in [&mut stretches, &mut above] {
+                if let Some(stretch) = list.first_mut().filter(|s| s.from < 1e-6) {
+                    stretch.from -= first;
+                }
+                if let Some(stretch) = list.last_mut().filter(|s| s.to > line.length - 1e-6) {
+                    stretch.to += last;
+                }
             }
             let at = level.house.place(line.wall.from, 0.0);
             let turn = turn_of(line.wall.direction);
