@@ -1,7 +1,7 @@
 //! A production line: items are begun and handed on one at a time, in their order, and made on all threads between.
 //!
-//! No thread waits while there is work, and at most some items are under way. What is done is not the order in which it is
-//! done: with any number of threads, each step sees the same items.
+//! No thread waits while there is work, and at most some items are under way. With any number of threads, each step sees the
+//! same items.
 
 use rayon::ScopeFifo;
 use std::collections::BTreeMap;
@@ -56,7 +56,7 @@ struct State<B, E> {
     /// The numbers of items that were begun and taken.
     begun: usize,
     taken: usize,
-    /// True while a thread begins an item or is to, and while one takes some.
+    /// True while a thread begins items or is to, and while one takes some.
     begins: bool,
     takes: bool,
     /// True if no more are begun.
@@ -75,38 +75,52 @@ where
     B: Send,
     E: Send,
 {
-    /// Begins an item. It is made first, the next one begun after it: so one thread has one item under way.
+    /// Begins items while there is room: what it takes to begin one may last long, as when a file is read, and meanwhile the other
+    /// threads make those before it.
     fn begin(&'s self, scope: &ScopeFifo<'s>) {
-        let number = self.state().begun;
-        let item = locked(&self.next)(number);
-        let Some(item) = item else {
+        let mut next = locked(&self.next);
+        loop {
             let mut state = self.state();
-            (state.begins, state.ended) = (false, true);
-            return;
-        };
-        scope.spawn_fifo(move |scope| self.made(number, (self.make)(item), scope));
-        let mut state = self.state();
-        state.begun += 1;
-        state.begins = false;
-        self.go_on(state, scope);
+            let number = state.begun;
+            if state.ended || number - state.taken >= self.ahead {
+                state.begins = false;
+                return;
+            }
+            drop(state);
+            let item = next(number);
+            let mut state = self.state();
+            match item {
+                Some(item) => {
+                    state.begun += 1;
+                    scope.spawn_fifo(move |scope| self.made(number, (self.make)(item), scope));
+                }
+                None => state.ended = true,
+            }
+        }
     }
 
-    /// Keeps an item that is made, and takes those whose turn it is unless another thread does.
+    /// Keeps an item that is made. Then takes those whose turn it is, and begins more once half of them are taken, unless other
+    /// threads do so.
     fn made(&'s self, number: usize, made: B, scope: &ScopeFifo<'s>) {
         let mut state = self.state();
         state.made.insert(number, made);
-        if std::mem::replace(&mut state.takes, true) {
-            return;
+        if !std::mem::replace(&mut state.takes, true) {
+            state = self.take(state);
+            state.takes = false;
         }
-        loop {
+        let room = state.begun - state.taken <= self.ahead / 2;
+        if room && !state.ended && !std::mem::replace(&mut state.begins, true) {
+            drop(state);
+            // At once, so that there is work while it lasts.
+            self.begin(scope);
+        }
+    }
+
+    fn take<'a>(&'a self, mut state: MutexGuard<'a, State<B, E>>) -> MutexGuard<'a, State<B, E>> {
+        while state.failure.is_none() {
             let number = state.taken;
-            let Some(made) = state
-                .made
-                .remove(&number)
-                .filter(|_| state.failure.is_none())
-            else {
-                state.takes = false;
-                return;
+            let Some(made) = state.made.remove(&number) else {
+                break;
             };
             drop(state);
             let taken = locked(&self.take)(number, made);
@@ -115,18 +129,8 @@ where
             if let Err(error) = taken {
                 (state.failure, state.ended) = (Some(error), true);
             }
-            self.go_on(state, scope);
-            state = self.state();
         }
-    }
-
-    /// Has the next item begun if there is room and no thread does so.
-    fn go_on(&'s self, mut state: MutexGuard<'_, State<B, E>>, scope: &ScopeFifo<'s>) {
-        let room = state.begun - state.taken < self.ahead;
-        if room && !state.begins && !state.ended {
-            state.begins = true;
-            scope.spawn_fifo(move |scope| self.begin(scope));
-        }
+        state
     }
 
     fn state(&self) -> MutexGuard<'_, State<B, E>> {
