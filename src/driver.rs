@@ -10,7 +10,6 @@ mod beside;
 mod convert;
 mod gaps;
 mod house;
-mod in_order;
 #[cfg(feature = "models")]
 mod models;
 mod overlaps;

@@ -1,7 +1,6 @@
 //! A house is the unit of work: from its syntax and an id to walls, roofs and fittings. A run, a variant, a tile or a
 //! thread is a loop over houses; one made alone with its id is identical to the last bit to the one in a run.
 
-use super::in_order::in_order;
 use super::overlaps::{Ground, Grounds};
 use super::pieces::{Feed, PieceHouse, Pieces};
 use super::{Options, Read};
@@ -16,6 +15,7 @@ use crate::lower;
 use crate::program::{self, Picture};
 use crate::roof::{self, RoofCache};
 use crate::source::{Source, World};
+use rayon::prelude::*;
 use std::io;
 use std::ops::Range;
 use std::sync::Arc;
@@ -92,19 +92,19 @@ pub(super) fn finish(
     }
 }
 
-/// The maximum number of houses finished together, which share a cache of roofs. It is fixed, so that nothing depends on the
-/// number of threads.
-pub(super) const BATCH: usize = 16;
+/// The maximum number of houses finished at a time. At the end of a batch all threads wait for its last chunk, so that a batch
+/// should have many more houses than a chunk.
+pub(super) const BATCH: usize = 512;
 
 /// The number of wall lines after which a batch takes no more houses: roofs of plans with many corners need most of the
 /// memory.
-const BATCH_LINES: usize = 8 * BATCH;
+const BATCH_LINES: usize = 4 * BATCH;
 
 /// The number of parts after which it takes no more houses.
 const BATCH_PARTS: usize = 64 * BATCH;
 
-/// The maximum number of batches under way.
-pub(super) const AHEAD: usize = 32;
+/// The number of houses that share a cache of roofs. It is fixed, so that nothing depends on the number of threads.
+const CHUNK: usize = 16;
 
 /// Expands the houses of documents batch by batch, and drops the syntax of each when it is expanded.
 pub(super) struct Expansion<'a> {
@@ -118,8 +118,7 @@ pub(super) struct Expansion<'a> {
 type Houses<'a> = dyn Iterator<Item = io::Result<NextHouse<'a>>> + Send + 'a;
 
 /// Receives houses.
-pub(super) type Each<'e> =
-    dyn FnMut(Option<Built>, Diagnostics, usize) -> io::Result<()> + Send + 'e;
+pub(super) type Each<'e> = dyn FnMut(Option<Built>, Diagnostics, usize) -> io::Result<()> + 'e;
 
 /// Makes the cache of roofs for some houses.
 pub(super) type NewCache<'c> = dyn Fn() -> RoofCache + Sync + 'c;
@@ -177,14 +176,12 @@ struct OfFeature {
 /// Expanded houses with what was found in them; `None` for one that would exceed a limit.
 #[derive(Default)]
 pub(super) struct Batch {
-    houses: Vec<(Option<program::House>, Diagnostics, Option<Origin>)>,
+    pub(super) houses: Vec<(Option<program::House>, Diagnostics, Option<Origin>)>,
     /// The number of their wall lines, and of the parts in them.
     lines: usize,
     parts: usize,
     /// The images that no house before these uses, by number.
     pub(super) images: Range<usize>,
-    /// Their paths.
-    pub(super) paths: Vec<String>,
 }
 
 impl<'a> Expansion<'a> {
@@ -286,9 +283,7 @@ impl<'a> Expansion<'a> {
                 }
             }
         }
-        let new = &self.expander.images()[before..];
-        batch.images = before..before + new.len();
-        batch.paths = new.iter().map(|image| image.path.clone()).collect();
+        batch.images = before..self.expander.images().len();
         (!batch.houses.is_empty()).then_some(batch)
     }
 
@@ -336,7 +331,7 @@ impl<'a> Expansion<'a> {
         batch.push(made, found, Some(feature.origin));
     }
 
-    /// Makes all houses on the threads of the current `rayon` pool.
+    /// Makes all houses on the threads of the current `rayon` pool: while some are finished, those after them are expanded.
     /// `each` receives them in their order, `None` for one that would exceed a limit, with what was found in it and the
     /// number of images so far.
     ///
@@ -348,19 +343,24 @@ impl<'a> Expansion<'a> {
         cache: &NewCache<'_>,
         each: &mut Each<'_>,
     ) -> io::Result<()> {
-        let make = |batch: Batch| {
-            let images = batch.images.end;
-            (batch.finish(catalog, &mut cache()), images)
-        };
-        in_order(
-            AHEAD,
-            |_| self.batch(BATCH),
-            make,
-            |_, (finished, images)| {
-                let mut finished = finished.into_iter();
-                finished.try_for_each(|(built, found)| each(built, found, images))
-            },
-        )
+        let mut next = self.batch(BATCH);
+        while let Some(batch) = next {
+            let images = self.expander.images().len();
+            let (finished, ahead) = rayon::join(
+                || batch.finish(catalog, cache, |_, houses| houses),
+                || self.batch(BATCH),
+            );
+            for (built, found) in finished.into_iter().flatten() {
+                each(built, found, images)?;
+            }
+            next = ahead;
+        }
+        Ok(())
+    }
+
+    /// Returns the images of all houses so far.
+    pub(super) fn images(&self) -> &[Picture] {
+        self.expander.images()
     }
 
     /// Returns the images of all houses.
@@ -390,33 +390,34 @@ impl Batch {
         self.houses.len() >= most || self.lines >= BATCH_LINES || self.parts >= BATCH_PARTS
     }
 
-    /// Returns those that exceed no limit.
-    pub(super) fn made(&self) -> impl Iterator<Item = &program::House> {
-        self.houses.iter().filter_map(|(house, ..)| house.as_ref())
-    }
-
-    /// Finishes the houses.
-    pub(super) fn finish(
+    /// Finishes the houses in parallel, some at a time, and hands them to `then`; returns its results in order.
+    pub(super) fn finish<T: Send>(
         self,
         catalog: &Catalog,
-        cache: &mut RoofCache,
-    ) -> Vec<(Option<Built>, Diagnostics)> {
-        let houses = self.houses.into_iter();
-        let finished = houses.map(|(house, mut found, origin)| {
-            let placed = house
-                .as_ref()
-                .and_then(|house| Some((house.placed?, house.span)));
-            let built = house.map(|house| finish(house, catalog, cache, &mut found));
-            if let Some(origin) = origin {
-                return (built, found.of_feature(&origin));
-            }
-            // What is wrong with a type of the library is mended where it is placed.
-            match placed {
-                Some((by, span)) if by.library => (built, found.moved(span.file, by.span)),
-                _ => (built, found),
-            }
+        cache: &NewCache<'_>,
+        then: impl Fn(usize, Vec<(Option<Built>, Diagnostics)>) -> T + Sync,
+    ) -> Vec<T> {
+        let chunks = self.houses.into_par_iter().chunks(CHUNK).enumerate();
+        // One chunk at a time, so that no thread waits long for the last of another.
+        let chunks = chunks.with_max_len(1).map(|(number, chunk)| {
+            let mut cache = cache();
+            let finished = chunk.into_iter().map(|(house, mut found, origin)| {
+                let placed = house
+                    .as_ref()
+                    .and_then(|house| Some((house.placed?, house.span)));
+                let built = house.map(|house| finish(house, catalog, &mut cache, &mut found));
+                if let Some(origin) = origin {
+                    return (built, found.of_feature(&origin));
+                }
+                // What is wrong with a type of the library is mended where it is placed.
+                match placed {
+                    Some((by, span)) if by.library => (built, found.moved(span.file, by.span)),
+                    _ => (built, found),
+                }
+            });
+            then(number * CHUNK, finished.collect())
         });
-        finished.collect()
+        chunks.collect()
     }
 }
 

@@ -1,8 +1,7 @@
 //! A run that hands its houses on as they are made and keeps none: a town of any size takes the memory of some hundred
 //! houses. Long sources are read in pieces meanwhile; the others are in memory.
 
-use super::house::{AHEAD, BATCH, Batch, Expansion, FeatureHouse, NewCache};
-use super::in_order::in_order;
+use super::house::{BATCH, Batch, Expansion, FeatureHouse, NewCache};
 use super::models::{not_shown, use_by};
 use super::overlaps::{Ground, SpilledGrounds};
 use super::pieces::Feed;
@@ -22,7 +21,6 @@ use crate::source::{Source, Span, World};
 use crate::tessellate::{self, HouseDrafts, SceneBuilder, Tessellator};
 use std::borrow::Cow;
 use std::io;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 /// The result of a streamed run, whose houses have been handed on.
@@ -182,6 +180,7 @@ fn run_houses(
         counter: Counter::default(),
         grounds: SpilledGrounds::new(apart, new),
         houses: 0,
+        together: FIRST,
         first: Span::default(),
         flaws: 0,
         out,
@@ -228,71 +227,74 @@ fn empty_scene(options: &Options) -> SceneBuilder {
 
 /// Houses that are made but not yet written.
 struct Made {
-    houses: HouseDrafts,
+    houses: Vec<HouseDrafts>,
     count: usize,
     /// The place of the first house.
     first: Option<Span>,
     found: Vec<Diagnostics>,
     grounds: Vec<Ground>,
-    /// The paths of new images, with the place that uses each first.
-    images: Vec<(String, Option<Span>)>,
+    /// New images by number, with the place that uses each first.
+    images: Vec<(usize, Option<Span>)>,
 }
 
 impl Made {
     /// Makes the houses of a batch; the first has this number in the run.
     fn of(
-        (number, mut batch): (usize, Batch),
+        batch: Batch,
+        number: usize,
         (tessellator, places): (&Tessellator<'_>, &Places<'_>),
         (catalog, cache): (&Catalog, &NewCache<'_>),
     ) -> Made {
-        let (images, paths) = (batch.images.clone(), std::mem::take(&mut batch.paths));
-        let houses = batch.finish(catalog, &mut cache()).into_iter();
-        let (built, found): (Vec<Option<Built>>, Vec<Diagnostics>) = houses.unzip();
-        let built: Vec<Built> = built.into_iter().flatten().collect();
-        let uses = |id: usize| built.iter().find_map(|b| use_by(b, PictureId(id as u32)));
-        let mut drafts = tessellator.houses(&built, number);
-        places.tell(drafts.nodes_mut());
-        let grounds = built.iter().filter_map(|b| Ground::of(&b.house, catalog));
-        Made {
-            houses: drafts,
-            count: built.len(),
-            first: built.first().map(|b| b.house.span),
-            found,
-            grounds: grounds.collect(),
-            images: paths.into_iter().zip(images.map(uses)).collect(),
+        let images = batch.images.clone();
+        let chunks = batch.finish(catalog, cache, |first, houses| {
+            let (built, found): (Vec<Option<Built>>, Vec<Diagnostics>) = houses.into_iter().unzip();
+            let built: Vec<Built> = built.into_iter().flatten().collect();
+            let uses = |id: usize| built.iter().find_map(|b| use_by(b, PictureId(id as u32)));
+            let mut drafts = tessellator.houses(&built, number + first);
+            places.tell(drafts.nodes_mut());
+            Made {
+                houses: vec![drafts],
+                count: built.len(),
+                first: built.first().map(|b| b.house.span),
+                found,
+                grounds: built
+                    .iter()
+                    .filter_map(|b| Ground::of(&b.house, catalog))
+                    .collect(),
+                images: images.clone().map(|id| (id, uses(id))).collect(),
+            }
+        });
+        let merged = chunks.into_iter().reduce(Made::and);
+        merged.expect("no batch is empty")
+    }
+
+    fn and(mut self, next: Made) -> Made {
+        self.houses.extend(next.houses);
+        self.count += next.count;
+        self.first = self.first.or(next.first);
+        self.found.extend(next.found);
+        self.grounds.extend(next.grounds);
+        for ((_, used), (_, also)) in self.images.iter_mut().zip(next.images) {
+            *used = used.or(also);
         }
+        self
     }
 }
 
 /// The maximum number of shapes reported as left out of a model.
 const MOST_FLAWS: usize = 20;
 
-/// The number of houses to make together before it is known how many bytes one has.
-const FIRST: usize = 4;
+/// The number of houses to make at a time before it is known how many bytes one has.
+const FIRST: usize = 32;
 
-/// The bytes of meshes to make together.
-const BYTES: usize = 1 << 20;
+/// The bytes of meshes to make at a time.
+const BYTES: usize = 16 << 20;
 
-/// How many houses are made together: it depends on the bytes of those that were taken [`AHEAD`] batches before, and no house
-/// depends on it.
-struct Pace([AtomicUsize; AHEAD]);
-
-impl Pace {
-    fn new() -> Pace {
-        Pace([const { AtomicUsize::new(FIRST) }; AHEAD])
-    }
-
-    /// Returns the number of houses of a batch.
-    fn houses(&self, batch: usize) -> usize {
-        self.0[batch % AHEAD].load(Ordering::Relaxed)
-    }
-
-    /// Sets the number of houses of the batch that is begun once this one is taken.
-    fn taken(&self, batch: usize, houses: usize, bytes: usize) {
-        let each = bytes / houses.max(1);
-        let next = (BYTES / each.max(1)).clamp(1, BATCH);
-        self.0[batch % AHEAD].store(next, Ordering::Relaxed);
-    }
+/// Returns the next number of houses to make at a time, from the number of the last ones and their bytes. It depends on houses
+/// alone, and no house depends on it.
+fn paced(together: usize, houses: usize, bytes: usize) -> usize {
+    let each = bytes / houses.max(1);
+    (BYTES / each.max(1)).min(2 * together).clamp(1, BATCH)
 }
 
 /// The run so far.
@@ -304,6 +306,8 @@ struct Town<'a, 's> {
     counter: Counter,
     grounds: SpilledGrounds<'s>,
     houses: usize,
+    /// The number of houses to make at a time.
+    together: usize,
     /// The place of the first house.
     first: Span,
     flaws: usize,
@@ -312,27 +316,36 @@ struct Town<'a, 's> {
 }
 
 impl Town<'_, '_> {
-    /// Makes all houses and hands them on.
+    /// Makes all houses. While some are made, those before them are handed on and those after them expanded.
     fn build(
         &mut self,
         expansion: &mut Expansion<'_>,
         makers: (&Tessellator<'_>, &Places<'_>),
         catalog: &Catalog,
     ) -> io::Result<()> {
-        let options = self.options;
-        let cache = || options.shown_roofs();
-        let (mut number, pace) = (1, Pace::new());
-        let next = |batch| {
-            let houses = expansion.batch(pace.houses(batch))?;
-            let first = number;
-            number += houses.made().count();
-            Some((first, houses))
-        };
-        let make = |houses| Made::of(houses, makers, (catalog, &cache));
-        in_order(AHEAD, next, make, |batch, made| {
-            pace.taken(batch, made.count, made.houses.bytes());
-            self.add(made)
-        })
+        let cache = || self.options.shown_roofs();
+        let (mut number, mut done) = (1, None);
+        let mut next = expansion.batch(self.together);
+        while let Some(batch) = next.take() {
+            let count = batch.houses.len();
+            let (made, ahead) = rayon::join(
+                || Made::of(batch, number, makers, (catalog, &cache)),
+                || {
+                    let written = match done.take() {
+                        Some(made) => self.add(made, expansion),
+                        None => Ok(()),
+                    };
+                    written.map(|()| expansion.batch(self.together))
+                },
+            );
+            number += count;
+            done = Some(made);
+            next = ahead?;
+        }
+        match done {
+            Some(made) => self.add(made, expansion),
+            None => Ok(()),
+        }
     }
 
     /// Hands the ground on.
@@ -348,13 +361,14 @@ impl Town<'_, '_> {
     }
 
     /// Hands houses on.
-    fn add(&mut self, made: Made) -> io::Result<()> {
+    fn add(&mut self, made: Made, expansion: &Expansion<'_>) -> io::Result<()> {
         for found in made.found {
             self.out.append(found);
         }
         self.grounds.add(made.grounds)?;
         let limits = &self.options.expand.limits;
-        for (path, used) in &made.images {
+        for (id, used) in made.images {
+            let path = &expansion.images()[id].path;
             self.library.add(path, self.world, limits.pixels, |error| {
                 let span = used.unwrap_or_default();
                 self.out.push(not_shown(error, path, span, limits));
@@ -364,7 +378,9 @@ impl Town<'_, '_> {
             self.first = made.first.unwrap_or_default();
         }
         self.houses += made.count;
-        self.scene.add(made.houses);
+        let bytes: usize = made.houses.iter().map(HouseDrafts::bytes).sum();
+        self.together = paced(self.together, made.count, bytes);
+        made.houses.into_iter().for_each(|h| self.scene.add(h));
         for place in self.scene.take_oversized() {
             self.out.push(too_many_triangles(place, limits.triangles));
         }

@@ -108,11 +108,16 @@ impl<'a> TileDriver<'a> {
         let mut expansion = Expansion::of_town(houses, self.catalog, self.source, world, options);
         let cache = || self.options.all_roofs();
         let mut made: Vec<Option<Built>> = vec![];
-        expansion.each(self.catalog, &cache, &mut |built, found, _| {
-            made.push(built);
-            out.append(found);
-            Ok(())
-        })?;
+        while let Some(batch) = expansion.batch(usize::MAX) {
+            for (built, found) in batch
+                .finish(self.catalog, &cache, |_, houses| houses)
+                .into_iter()
+                .flatten()
+            {
+                made.push(built);
+                out.append(found);
+            }
+        }
         let pictures = expansion.into_images()?;
         let mut library = Library::default();
         let limits = &options.limits;

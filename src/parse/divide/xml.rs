@@ -19,7 +19,7 @@ const BEFORE: [&str; 3] = ["Param", "let", "define"];
 /// Elements that lead to other files, or to parts that all houses of a file know.
 const OUTWARD: [&str; 3] = ["include", "Place", "PartDef"];
 
-/// The names of the open elements, one behind another, so that none is allocated.
+/// The names of the open elements, end to end in one string, so that none needs its own allocation.
 #[derive(Default)]
 struct Open {
     names: String,

@@ -13,7 +13,8 @@ use crate::roof::solid::massive::{Plate, Slope, Wing, is_gable, of_wings};
 use crate::roof::solid::{INFILL_THICKNESS, SUNK};
 use smallvec::SmallVec;
 
-/// Surfaces of roofs that pass through each other are at least this far apart somewhere, metres.
+/// Surfaces of roofs that pass through each other do not flicker if they are this far apart somewhere: sloping ones in height,
+/// upright ones in plan, metres.
 const NEAR: f64 = 5e-3;
 
 /// Adds several roofs, the first with the solids of all, each with its walls as they are before roofs meet. Returns false,
@@ -131,11 +132,12 @@ fn is_apart(draft: &RoofDraft, planned: &[RoofDraft]) -> bool {
 fn passes(form: &Form, other: &Form) -> bool {
     let levels = |form: &Form, plane: Plane| [plane, plane.raised(-form.drop)];
     let apart = |own: &Facet, above: &Facet| {
+        let common = common(own, above);
         let gap = |one: Plane, two: Plane, c: &Corner| (one.at(c.at) - two.at(c.at)).abs();
-        let differ = |one, two| own.outline.iter().any(|c| gap(one, two, c) > NEAR);
+        let differ = |one, two| common.iter().any(|c| gap(one, two, c) > NEAR);
         let others = levels(other, above.plane);
         let level = |one| others.iter().all(|two| differ(one, *two));
-        levels(form, own.plane).into_iter().all(level)
+        area(&common) < SLIVER || levels(form, own.plane).into_iter().all(level)
     };
     let askew = |own: &Facet, above: &Facet| {
         let next = above.outline.iter().cycle().skip(1);
@@ -148,16 +150,22 @@ fn passes(form: &Form, other: &Form) -> bool {
     form.facets.iter().all(free)
 }
 
+/// Returns what two slopes cover in plan.
+fn common(one: &Facet, other: &Facet) -> Convex {
+    let sides = sides_of(&other.outline);
+    let inside = |rest: Convex, side: &HalfPlane| {
+        let [inside, _] = side.halves(&rest);
+        inside
+    };
+    sides.iter().fold(one.outline.clone(), inside)
+}
+
 /// Returns true if the slopes of a form lie below those of its trunk.
 fn is_under_eaves(form: &Form, trunk: &Form) -> bool {
     trunk.facets.iter().all(|above| {
-        let (sides, soffit) = (sides_of(&above.outline), above.plane.raised(-trunk.drop));
+        let soffit = above.plane.raised(-trunk.drop);
         form.facets.iter().all(|own| {
-            let inside = |rest: Convex, side: &HalfPlane| {
-                let [inside, _] = side.halves(&rest);
-                inside
-            };
-            let common = sides.iter().fold(own.outline.clone(), inside);
+            let common = common(own, above);
             area(&common) < SLIVER || lies_below(&common, own.plane, soffit)
         })
     })

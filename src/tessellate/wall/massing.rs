@@ -107,6 +107,8 @@ impl Walker<'_> {
                 if let Some(stretch) = list.last_mut().filter(|s| s.to > line.length - 1e-6) {
                     stretch.to += last;
                 }
+                // In a reflex corner the other wall may hide all of it.
+                list.retain(|s| s.to - s.from > 1e-6);
             }
             let at = level.house.place(line.wall.from, 0.0);
             let turn = turn_of(line.wall.direction);

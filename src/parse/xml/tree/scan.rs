@@ -112,20 +112,24 @@ impl<'a, 'f> Scanner<'a, 'f> {
     fn event(&mut self) -> Option<Event<'a>> {
         let rest = self.rest();
         let inner = rest.strip_prefix('<')?;
-        let Some(kind) = ENCLOSED.iter().position(|k| rest.starts_with(k.0)) else {
-            let (event, length) = tag(inner)?;
-            self.at += 1 + length;
-            return Some(event);
+        let kind = ENCLOSED.iter().position(|k| rest.starts_with(k.0));
+        let end = match kind {
+            Some(kind) if self.endless[kind] => return None,
+            Some(_) => rest.len(),
+            None if !inner.starts_with('!') => {
+                let (event, length) = tag(inner)?;
+                self.at += 1 + length;
+                return Some(event);
+            }
+            None => inner.find('<').map_or(rest.len(), |i| 1 + i),
         };
-        if self.endless[kind] {
-            return None;
-        }
-        let mut reader = Reader::from_str(rest);
+        let mut reader = Reader::from_str(&rest[..end]);
         let event = reader.read_event().ok();
         let read = reader.buffer_position() as usize;
-        match event {
-            Some(_) => self.at += read,
-            None => self.endless[kind] = read == rest.len(),
+        if event.is_some() {
+            self.at += read;
+        } else if let (Some(kind), true) = (kind, read == end) {
+            self.endless[kind] = true;
         }
         event
     }

@@ -14,9 +14,6 @@ use smallvec::SmallVec;
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// Tags of more attributes are read like those that are not valid, since each is compared with all others here.
-const MOST_SOUND: usize = 32;
-
 /// The end of a start tag.
 enum End {
     Open,
@@ -34,16 +31,17 @@ impl<'a> Scanner<'a, '_> {
     ) -> Option<StartTag<'a>> {
         let name_range = self.sound_name(tag.name().as_ref())?;
         let mut places: SmallVec<[_; 8]> = SmallVec::new();
-        // Twins are found below; quick-xml would allocate to find them.
+        // Two attributes of one name are found below; quick-xml would allocate for that.
         for attribute in tag.attributes().with_checks(false) {
             let attribute = attribute.ok()?;
             let name = self.sound_name(attribute.key.as_ref())?;
             self.text[..name.start].ends_with(is_blank).then_some(())?;
             places.push((name, self.range(&attribute.value)));
         }
-        let name = |at: usize| &self.text[places[at].0.clone()];
-        let is_twin = |at: usize| (0..at).any(|before| name(before) == name(at));
-        if places.len() > MOST_SOUND || (1..places.len()).any(is_twin) {
+        let names = places.iter().map(|(name, _)| &self.text[name.clone()]);
+        let mut names: SmallVec<[&str; 8]> = names.collect();
+        names.sort_unstable();
+        if names.windows(2).any(|pair| pair[0] == pair[1]) {
             return None;
         }
         let places = places.into_iter();
