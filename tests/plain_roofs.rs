@@ -113,7 +113,8 @@ fn differences(once: &[Solid], joined: &[Solid]) -> Option<String> {
 
 #[test]
 fn plain_roofs_made_at_once_are_those_that_are_joined() {
-    for (shape, least) in [("KIR", 0.8), ("YOS", 0.8)] {
+    // One in six is a rectangle, whose roof meets no other.
+    for (shape, least) in [("KIR", 0.83), ("YOS", 0.83)] {
         let text = texts::plain(HOUSES, shape);
         let (once, joined) = (built(&text, false), built(&text, true));
         let made = once.iter().filter(|house| solids(house).1).count();
