@@ -261,6 +261,57 @@ fn walls_of_a_body_meet_at_their_corners() {
 }
 
 #[test]
+fn a_wall_beside_a_lean_to_reaches_the_corner_up_to_the_eaves() {
+    // One part takes the whole front, and the lean-to covers a quarter of it.
+    let walls = [
+        (4.0, ""),
+        (3.0, ""),
+        (3.0, "L"),
+        (2.5, ""),
+        (4.0, ""),
+        (3.0, ""),
+        (3.0, "L"),
+        (2.5, ""),
+    ];
+    let row = |(width, turn): (f64, &str)| {
+        format!("<Row turn=\"{turn}\"><Part code=\"KOB\" width=\"{width}\"/></Row>")
+            .replace(" turn=\"\"", "")
+    };
+    let rows: String = walls.map(row).concat();
+    let text = format!(
+        "<Houses><House><Storey height=\"9.4\">{rows}</Storey><Roofs shape=\"YOS\" pitch=\"5.5\"/></House></Houses>"
+    );
+    let run = compile("offset.hsd", text.as_bytes());
+    let scene = driver::scene(&run.building, &run.catalog, Detail::Body);
+    let mesh = scene.nodes[0].mesh.expect("the house shows its walls");
+    // The least x of the front between two heights.
+    let left = |low: f32, high: f32| {
+        let front = scene.meshes[mesh.0 as usize]
+            .primitives
+            .iter()
+            .flat_map(|p| {
+                let points = |t: &[u32]| [0, 1, 2].map(|k| p.positions[t[k] as usize]);
+                p.indices.chunks(3).map(points).collect::<Vec<_>>()
+            });
+        let flat = |t: &[[f32; 3]; 3]| {
+            t.iter()
+                .all(|p| (p[1] - t[0][1]).abs() < 1e-4 && p[1].abs() < 0.15)
+        };
+        let within = |t: &[[f32; 3]; 3]| {
+            let middle = t.iter().map(|p| p[2]).sum::<f32>() / 3.0;
+            (low..high).contains(&middle)
+        };
+        let corners = front.filter(|t| flat(t) && within(t)).flatten();
+        corners.map(|p| p[0]).fold(f32::MAX, f32::min)
+    };
+    let (below, above) = (left(0.3, 2.2), left(2.4, 2.84));
+    assert!(
+        below < -3.6 && (below - above).abs() < 1e-3,
+        "{below} {above}"
+    );
+}
+
+#[test]
 fn a_plain_body_is_walls_and_a_roof() {
     for (shape, most) in [("KIR", 40), ("YOS", 32)] {
         let wall = |units: usize| "KSKO ".repeat(units) + "\n";

@@ -111,8 +111,8 @@ fn slope(facet: &Facet) -> Option<Slope> {
     (area(&slope.body) > SLIVER).then_some(slope)
 }
 
-/// Returns true if a roof under the eaves of another touches neither that nor any other, but for eaves that it passes through: it
-/// may lie under the eaves of several.
+/// Returns true if a roof under the eaves of another touches neither that nor any other. It may lie under the eaves of several,
+/// and pass through those of all but its own.
 fn is_apart(draft: &RoofDraft, planned: &[RoofDraft]) -> bool {
     let form = &draft.form;
     let floor = Plane::level(draft.base - SUNK);
@@ -121,43 +121,40 @@ fn is_apart(draft: &RoofDraft, planned: &[RoofDraft]) -> bool {
     let free = |(n, other): (usize, &RoofDraft)| {
         let trunk = form.under == Some(n);
         let apart = std::ptr::eq(other, draft) || !around.overlaps(&bounds(&other.form));
-        let main = other.form.under.is_none();
-        let passes = || is_under_eaves(form, &other.form) || (!trunk && passes(form, &other.form));
-        (apart && !trunk) || (main && passes())
+        let under = || is_under_eaves(form, &other.form);
+        let through = || !trunk && is_askew(form, &other.form);
+        (apart && !trunk) || (other.form.under.is_none() && (under() || through()))
     };
     form.facets.iter().all(low) && planned.iter().enumerate().all(free)
 }
 
-/// Returns true if no surface of a form lies in one of another.
-fn passes(form: &Form, other: &Form) -> bool {
+/// Returns true if no surface of a form lies in one of another, so that they may pass through each other.
+fn is_askew(form: &Form, other: &Form) -> bool {
     let levels = |form: &Form, plane: Plane| [plane, plane.raised(-form.drop)];
     let apart = |own: &Facet, above: &Facet| {
-        let common = common(own, above);
+        let common = overlap(own, above);
         let gap = |one: Plane, two: Plane, c: &Corner| (one.at(c.at) - two.at(c.at)).abs();
         let differ = |one, two| common.iter().any(|c| gap(one, two, c) > NEAR);
         let others = levels(other, above.plane);
         let level = |one| others.iter().all(|two| differ(one, *two));
         area(&common) < SLIVER || levels(form, own.plane).into_iter().all(level)
     };
-    let askew = |own: &Facet, above: &Facet| {
+    let beside = |own: &Facet, above: &Facet| {
         let next = above.outline.iter().cycle().skip(1);
         let mut lines = above.outline.iter().zip(next);
         let along = |side: &HalfPlane, c: &Corner| side.depth(c.at).abs() < NEAR;
         let sides = sides_of(&own.outline);
         lines.all(|(c, d)| !sides.iter().any(|side| along(side, c) && along(side, d)))
     };
-    let free = |own: &Facet| other.facets.iter().all(|f| apart(own, f) && askew(own, f));
+    let free = |own: &Facet| other.facets.iter().all(|f| apart(own, f) && beside(own, f));
     form.facets.iter().all(free)
 }
 
-/// Returns what two slopes cover in plan.
-fn common(one: &Facet, other: &Facet) -> Convex {
+/// Returns what two slopes both cover in plan.
+fn overlap(one: &Facet, other: &Facet) -> Convex {
     let sides = sides_of(&other.outline);
-    let inside = |rest: Convex, side: &HalfPlane| {
-        let [inside, _] = side.halves(&rest);
-        inside
-    };
-    sides.iter().fold(one.outline.clone(), inside)
+    let whole = one.outline.clone();
+    sides.iter().fold(whole, |rest, side| side.inside(&rest))
 }
 
 /// Returns true if the slopes of a form lie below those of its trunk.
@@ -165,7 +162,7 @@ fn is_under_eaves(form: &Form, trunk: &Form) -> bool {
     trunk.facets.iter().all(|above| {
         let soffit = above.plane.raised(-trunk.drop);
         form.facets.iter().all(|own| {
-            let common = common(own, above);
+            let common = overlap(own, above);
             area(&common) < SLIVER || lies_below(&common, own.plane, soffit)
         })
     })

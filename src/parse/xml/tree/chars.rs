@@ -1,8 +1,11 @@
 //! Classes of characters in markup: blanks, names, full-width marks of input methods.
 
+/// White space of XML.
+pub(in crate::parse::xml) const BLANKS: [char; 4] = [' ', '\t', '\r', '\n'];
+
 /// Returns true for white space of XML, and the full-width blank that Japanese input methods insert instead.
 pub(in crate::parse::xml) fn is_blank(c: char) -> bool {
-    matches!(c, ' ' | '\t' | '\r' | '\n' | '\u{3000}')
+    BLANKS.contains(&c) || c == '\u{3000}'
 }
 
 /// Returns true if a name may begin with this character.

@@ -9,7 +9,7 @@ use crate::diagnostic::messages::xml as say;
 use crate::diagnostic::{Edit, Noun, noun};
 use crate::parse::reporter::Reporter;
 use crate::parse::schema::SchemaHints;
-use crate::parse::xml::tree::chars::{is_blank, is_name_start, narrow};
+use crate::parse::xml::tree::chars::{BLANKS, is_blank, is_name_start, narrow};
 use crate::parse::xml::tree::token::{EndTag, Token};
 use quick_xml::Reader;
 use quick_xml::events::{BytesEnd, BytesStart, Event};
@@ -34,9 +34,6 @@ const ENCLOSED: [(&str, Noun, &str); 4] = [
 
 /// The maximum length of comments that are fixed.
 const LONG: usize = 1 << 16;
-
-/// White space of XML.
-const BLANKS: [char; 4] = [' ', '\t', '\r', '\n'];
 
 /// The state of the scanner.
 pub(in crate::parse::xml) struct Scanner<'a, 'f> {
