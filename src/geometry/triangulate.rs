@@ -42,47 +42,65 @@ pub fn triangles(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<[DVec2; 3]> {
     found
 }
 
-/// The corners that are left of a ring, with what is known of each: only the neighbours of a corner that is cut off, and
-/// those whose triangle held it, are looked at again.
+/// The corners of a ring, of which ears are cut off. What is known of a corner stays until a neighbour of it is cut off, or the
+/// corner that its triangle held.
 struct Left<const MOST: usize> {
+    /// How many are given, how many are left, and one of them.
+    given: usize,
     count: usize,
+    any: usize,
     corners: [Known; MOST],
 }
 
-/// A corner and the triangle it makes with its neighbours: how round the triangle is, whether it turns inwards with an area, and
-/// which other corner lies inside it.
+/// A corner, and what is known of the triangle it makes with its neighbours.
 #[derive(Clone, Copy, Default)]
 struct Known {
     number: u32,
     at: DVec2,
-    roundness: f64,
-    convex: bool,
-    holds: Holds,
+    /// The most that cutting it off next may be worth; no number if it is gone.
+    worth: f64,
+    before: u8,
+    after: u8,
+    kind: Kind,
 }
 
-/// Whether a triangle holds a corner that is left.
 #[derive(Clone, Copy, Default, PartialEq)]
-enum Holds {
+enum Kind {
+    /// Cut off.
     #[default]
+    Gone,
+    /// It turns inwards, or it is straight.
+    Inward,
+    /// Its triangle may hold other corners.
     Unknown,
-    Nothing,
-    /// The number of the first one in the ring.
-    Corner(u32),
+    /// Its triangle holds none.
+    Ear,
+    /// Its triangle holds this one.
+    Blocked(u8),
 }
 
 impl<const MOST: usize> Left<MOST> {
     /// Takes some corners of a ring, at most `MOST`.
     fn of(ring: &[DVec2], numbers: impl Iterator<Item = u32>) -> Left<MOST> {
         let mut left = Left {
+            given: 0,
             count: 0,
+            any: 0,
             corners: [Known::default(); MOST],
         };
         for (known, number) in left.corners.iter_mut().zip(numbers) {
             known.number = number;
             known.at = ring[number as usize];
-            left.count += 1;
+            known.before = (left.given as u8).wrapping_sub(1);
+            left.given += 1;
+            known.after = left.given as u8;
         }
-        (0..left.count).for_each(|i| left.look(i));
+        left.count = left.given;
+        if let [first, .., last] = &mut left.corners[..left.given] {
+            first.before = left.given as u8 - 1;
+            last.after = 0;
+        }
+        (0..left.given).for_each(|i| left.look(i));
         left
     }
 
@@ -96,80 +114,75 @@ impl<const MOST: usize> Left<MOST> {
 
     /// Returns the indices before and after one.
     fn beside(&self, i: usize) -> [usize; 2] {
-        let before = if i == 0 { self.count - 1 } else { i - 1 };
-        let after = if i + 1 == self.count { 0 } else { i + 1 };
-        [before, after]
+        let known = &self.corners[i];
+        [known.before, known.after].map(usize::from)
     }
 
     fn triangle(&self, i: usize) -> [DVec2; 3] {
         let [before, after] = self.beside(i);
-        let at = |n: usize| self.corners[n].at;
-        [at(before), at(i), at(after)]
+        [before, i, after].map(|n| self.corners[n].at)
     }
 
     fn look(&mut self, i: usize) {
         let (roundness, convex) = shape(self.triangle(i));
         let known = &mut self.corners[i];
-        known.roundness = roundness;
-        known.convex = convex;
-        known.holds = Holds::Unknown;
+        (known.kind, known.worth) = match convex {
+            true => (Kind::Unknown, roundness),
+            false => (Kind::Inward, worth_blocked(roundness)),
+        };
     }
 
     /// Returns the index of the corner to cut off next: of all whose triangle holds no other corner the roundest, so that
     /// collinear corners are not left to the end as a triangle without area; if there is none, the corner that comes
     /// nearest.
     fn best(&mut self) -> usize {
-        let mut best = (f64::NEG_INFINITY, 0);
-        for i in 0..self.count {
-            let Known {
-                roundness, convex, ..
-            } = self.corners[i];
-            if roundness <= best.0 || roundness.is_nan() {
-                continue;
+        loop {
+            let mut best = (f64::NEG_INFINITY, self.any);
+            for (i, known) in self.corners[..self.given].iter().enumerate() {
+                if known.worth > best.0 {
+                    best = (known.worth, i);
+                }
             }
-            let worth = match convex && !self.is_blocked(i) {
-                true => roundness,
-                false => worth_blocked(roundness),
+            let i = best.1;
+            if self.corners[i].kind != Kind::Unknown {
+                return i;
+            }
+            let Some(held) = self.held(i) else {
+                self.corners[i].kind = Kind::Ear;
+                return i;
             };
-            if worth > best.0 {
-                best = (worth, i);
-            }
+            self.corners[i].kind = Kind::Blocked(held as u8);
+            self.corners[i].worth = worth_blocked(best.0);
         }
-        best.1
     }
 
-    fn is_blocked(&mut self, i: usize) -> bool {
-        if self.corners[i].holds == Holds::Unknown {
-            let [p, q, r] = self.triangle(i);
-            let [before, after] = self.beside(i);
-            let inside = |(n, k): &(usize, &Known)| {
-                let own = *n == before || *n == i || *n == after;
-                !own && holds([p, q, r], k.at) && k.at != p && k.at != q && k.at != r
-            };
-            let mut others = self.corners[..self.count].iter().enumerate();
-            let held = others.find(inside);
-            let held = held.map_or(Holds::Nothing, |(_, k)| Holds::Corner(k.number));
-            self.corners[i].holds = held;
-        }
-        self.corners[i].holds != Holds::Nothing
+    /// Returns the first other corner in the triangle of one. If there are any, one of them turns inwards.
+    fn held(&self, i: usize) -> Option<usize> {
+        let [p, q, r] = self.triangle(i);
+        let inside = |k: &Known| {
+            k.kind == Kind::Inward && holds([p, q, r], k.at) && k.at != p && k.at != q && k.at != r
+        };
+        self.corners[..self.given].iter().position(inside)
     }
 
     /// Cuts a corner off, and returns it between its neighbours.
     fn cut(&mut self, i: usize) -> [u32; 3] {
         let [before, after] = self.beside(i);
-        let number = |n: usize| self.corners[n].number;
-        let numbers = [number(before), number(i), number(after)];
-        self.corners.copy_within(i + 1..self.count, i);
+        let numbers = [before, i, after].map(|n| self.corners[n].number);
+        self.corners[i].kind = Kind::Gone;
+        self.corners[i].worth = f64::NAN;
+        self.corners[before].after = after as u8;
+        self.corners[after].before = before as u8;
+        self.any = after;
         self.count -= 1;
-        let n = self.count;
-        if n > 2 {
-            for known in &mut self.corners[..n] {
-                if known.holds == Holds::Corner(numbers[1]) {
-                    known.holds = Holds::Unknown;
+        if self.count > 2 {
+            self.look(before);
+            self.look(after);
+            for n in 0..self.given {
+                if self.corners[n].kind == Kind::Blocked(i as u8) {
+                    self.look(n);
                 }
             }
-            self.look(if i == 0 { n - 1 } else { i - 1 });
-            self.look(if i == n { 0 } else { i });
         }
         numbers
     }
@@ -189,7 +202,10 @@ fn shape([a, b, c]: [DVec2; 3]) -> (f64, bool) {
 
 /// Returns the worth of a corner that is no ear: less than that of every ear.
 fn worth_blocked(roundness: f64) -> f64 {
-    roundness.min(0.0) - 2.0
+    match roundness > 0.0 {
+        true => -2.0,
+        false => roundness - 2.0,
+    }
 }
 
 /// Returns true if a point lies in a counter-clockwise triangle or on its border.

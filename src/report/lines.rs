@@ -1,6 +1,7 @@
 //! Lines and columns of a file, counted once.
 
 use crate::source::{Source, Span};
+use memchr::memchr_iter;
 use std::ops::Range;
 
 /// Bytes between two known character counts.
@@ -35,10 +36,8 @@ impl<'a> Lines<'a> {
     /// Indexes a source.
     pub fn new(source: &'a Source) -> Lines<'a> {
         let text = source.text().as_bytes();
-        let breaks = text.iter().enumerate().filter(|(_, b)| **b == b'\n');
-        let starts = std::iter::once(0)
-            .chain(breaks.map(|(i, _)| i + 1))
-            .collect();
+        let breaks = memchr_iter(b'\n', text);
+        let starts = std::iter::once(0).chain(breaks.map(|i| i + 1)).collect();
         let mut characters = vec![0];
         for block in text.chunks(BLOCK) {
             let before = characters.last().copied().unwrap_or(0);

@@ -213,6 +213,13 @@ pub(super) fn grain_along(finish: SurfaceId) -> bool {
 }
 
 impl Soup {
+    /// Creates an empty one with room for faces of four corners.
+    pub(super) fn with_room_for(faces: usize) -> Soup {
+        let mut soup = Soup::default();
+        soup.reserve(4 * faces, 6 * faces);
+        soup
+    }
+
     /// Makes room for vertices and indices at once.
     fn reserve(&mut self, vertices: usize, indices: usize) {
         self.positions.reserve(vertices);

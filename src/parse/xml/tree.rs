@@ -110,7 +110,7 @@ pub(super) fn read<'a>(
             roots: vec![],
         },
         open: vec![],
-        counts: HashMap::new(),
+        counts: None,
         run: Run::default(),
         nesting,
         habits,
@@ -144,8 +144,9 @@ struct Open<'a> {
 struct Builder<'a> {
     tree: Tree<'a>,
     open: Vec<Open<'a>>,
-    /// The number of open elements by name, so that a stray end tag costs no search.
-    counts: HashMap<&'a str, usize>,
+    /// The number of open elements by name, from the first end tag of another than the innermost one on, so that stray ones
+    /// cost no search.
+    counts: Option<HashMap<&'a str, usize>>,
     run: Run<'a>,
     nesting: usize,
     habits: SchemaHints,
@@ -219,7 +220,9 @@ impl<'a> Builder<'a> {
         let (name, name_range, inside) = (tag.name, tag.name_range.clone(), tag.range.end);
         let element = place.then(|| self.add(tag));
         if !empty {
-            *self.counts.entry(name).or_default() += 1;
+            if let Some(counts) = &mut self.counts {
+                *counts.entry(name).or_default() += 1;
+            }
             self.open.push(Open {
                 name,
                 name_range,
@@ -275,7 +278,7 @@ impl<'a> Builder<'a> {
     fn end(&mut self, tag: &EndTag<'a>, rest: &str, reporter: &mut Reporter<'a>) {
         self.flush();
         let innermost = self.open.last().is_some_and(|o| o.name == tag.name);
-        if innermost || self.counts.get(tag.name).is_some_and(|n| *n > 0) {
+        if innermost || self.is_open(tag.name) {
             let here = reporter.span(&tag.range);
             while self.open.last().is_some_and(|o| o.name != tag.name) {
                 self.unfinished(tag.range.start, Some((here, tag.name)), reporter);
@@ -300,6 +303,17 @@ impl<'a> Builder<'a> {
             let inside = inside.map(|o| (o.name, reporter.span(&o.name_range)));
             reporter.at(&tag.range, |s| say::stray_end(s, tag.name, inside));
         }
+    }
+
+    /// Returns true if an element of this name is open.
+    fn is_open(&mut self, name: &str) -> bool {
+        let counts = self.counts.get_or_insert_with(|| {
+            let mut counts = HashMap::new();
+            let open = self.open.iter().map(|open| open.name);
+            open.for_each(|name| *counts.entry(name).or_default() += 1);
+            counts
+        });
+        counts.get(name).is_some_and(|count| *count > 0)
     }
 
     /// Returns true if an end tag that closes nothing was meant for the innermost element: it has no name, nearly that
@@ -340,7 +354,9 @@ impl<'a> Builder<'a> {
 
     fn pop(&mut self, end: usize) -> Option<Open<'a>> {
         let open = self.open.pop()?;
-        self.counts.entry(open.name).and_modify(|n| *n -= 1);
+        if let Some(counts) = &mut self.counts {
+            counts.entry(open.name).and_modify(|n| *n -= 1);
+        }
         if let Some(element) = open.element {
             self.tree.elements[element].range.end = end;
         }

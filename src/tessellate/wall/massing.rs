@@ -28,6 +28,9 @@ use std::sync::LazyLock;
 /// Corners sharper than this many faces are not mitred to their point.
 const LONGEST: f64 = 4.0;
 
+/// The number of faces that most colours of a storey have at most.
+const USUAL: usize = 8;
+
 /// How much more of a post is seen because it stands before its wall and one looks along it, metres.
 const PROUD: f64 = 0.04;
 
@@ -437,7 +440,7 @@ fn draw(
         let look = band.shown.look;
         let at = soups.iter().position(|(id, _)| *id == look);
         let at = at.unwrap_or_else(|| {
-            soups.push((look, Soup::default()));
+            soups.push((look, Soup::with_room_for(USUAL)));
             soups.len() - 1
         });
         let (z0, z1) = band.z;

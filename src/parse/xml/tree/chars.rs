@@ -33,8 +33,24 @@ pub(in crate::parse::xml) fn ends_name(c: char) -> bool {
 
 /// Returns true if XML allows the text as a name.
 pub(in crate::parse::xml) fn is_name(name: &str) -> bool {
+    if is_plain_name(name.as_bytes()) {
+        return true;
+    }
     let fits = |c: char| c.is_alphanumeric() || !c.is_ascii() || "_:-.".contains(c);
     name.starts_with(is_name_start) && name.chars().all(fits)
+}
+
+/// Returns true for a name of ASCII characters; nearly all are.
+fn is_plain_name(name: &[u8]) -> bool {
+    let starts = |byte: &u8| byte.is_ascii_alphabetic() || matches!(byte, b'_' | b':');
+    let fits =
+        |byte: &u8| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b':' | b'-' | b'.');
+    name.first().is_some_and(starts) && name.iter().all(fits)
+}
+
+/// Returns true if the text is a whole name that XML allows.
+pub(in crate::parse::xml) fn is_whole_name(name: &str) -> bool {
+    is_plain_name(name.as_bytes()) || (is_name(name) && !name.contains(ends_name))
 }
 
 /// Returns true for a character that XML does not allow anywhere.

@@ -11,6 +11,7 @@ use crate::parse::reporter::Reporter;
 use crate::parse::schema::SchemaHints;
 use crate::parse::xml::tree::chars::{BLANKS, is_blank, is_name_start, narrow};
 use crate::parse::xml::tree::token::{EndTag, Token};
+use memchr::memchr;
 use quick_xml::Reader;
 use quick_xml::events::{BytesEnd, BytesStart, Event};
 use quick_xml::parser::{ElementParser, Parser};
@@ -109,7 +110,10 @@ impl<'a, 'f> Scanner<'a, 'f> {
     fn event(&mut self) -> Option<Event<'a>> {
         let rest = self.rest();
         let inner = rest.strip_prefix('<')?;
-        let kind = ENCLOSED.iter().position(|k| rest.starts_with(k.0));
+        let kind = match inner.starts_with(['!', '?']) {
+            true => ENCLOSED.iter().position(|k| rest.starts_with(k.0)),
+            false => None,
+        };
         let end = match kind {
             Some(kind) if self.endless[kind] => return None,
             Some(_) => rest.len(),
@@ -380,7 +384,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
 
 /// Reads a tag whose `<` stands before this text; returns its length too. `None` if a `<` is in it, or no end.
 fn tag(text: &str) -> Option<(Event<'_>, usize)> {
-    let end = text.find('<').unwrap_or(text.len());
+    let end = memchr(b'<', text.as_bytes()).unwrap_or(text.len());
     // A reader of its own for every tag would allocate for each.
     let end = ElementParser::default().feed(&text.as_bytes()[..end])?;
     let inner = &text[..end];

@@ -4,7 +4,7 @@
 use crate::diagnostic::Edit;
 use crate::diagnostic::messages::xml as say;
 use crate::parse::reporter::Reporter;
-use crate::parse::xml::tree::chars::{ends_name, is_blank, is_name, narrow};
+use crate::parse::xml::tree::chars::{ends_name, is_blank, is_name, is_whole_name, narrow};
 use crate::parse::xml::tree::quotes::closers;
 use crate::parse::xml::tree::scan::Scanner;
 use crate::parse::xml::tree::text::Run;
@@ -38,11 +38,13 @@ impl<'a> Scanner<'a, '_> {
             self.text[..name.start].ends_with(is_blank).then_some(())?;
             places.push((name, self.range(&attribute.value)));
         }
-        let names = places.iter().map(|(name, _)| &self.text[name.clone()]);
-        let mut names: SmallVec<[&str; 8]> = names.collect();
-        names.sort_unstable();
-        if names.windows(2).any(|pair| pair[0] == pair[1]) {
-            return None;
+        if places.len() > 1 {
+            let names = places.iter().map(|(name, _)| &self.text[name.clone()]);
+            let mut names: SmallVec<[&str; 8]> = names.collect();
+            names.sort_unstable();
+            if names.windows(2).any(|pair| pair[0] == pair[1]) {
+                return None;
+            }
         }
         let places = places.into_iter();
         Some(StartTag {
@@ -70,7 +72,7 @@ impl<'a> Scanner<'a, '_> {
 
     /// Returns the place of a name that quick-xml has found, if it is valid.
     fn sound_name(&self, name: &str) -> Option<Range<usize>> {
-        (is_name(name) && !name.contains(ends_name)).then(|| self.range(name))
+        is_whole_name(name).then(|| self.range(name))
     }
 
     /// Returns the range of a part of the text.

@@ -168,9 +168,14 @@ impl<'a> Run<'a> {
         if range.is_empty() {
             return;
         }
-        // Nearly all text has no reference to look for.
+        // Nearly all text has no reference to look for, and most of that nothing that XML forbids.
+        let bytes = &whole.as_bytes()[range.clone()];
         let special = |byte: &u8| matches!(byte, b'&' | b'<');
-        if !whole.as_bytes()[range.clone()].iter().any(special) {
+        let plain = |byte: &u8| matches!(byte, b' '..=b'~') && !special(byte);
+        if bytes.iter().all(plain) {
+            return self.literal(whole, range);
+        }
+        if !bytes.iter().any(special) {
             return self.plain(range, reporter);
         }
         let mut from = range.start;

@@ -40,6 +40,10 @@ pub(super) fn bounded(points: &[DVec3], faces: Vec<Polygon>) -> Option<Vec<Solid
     let of = components(points.len(), &faces)?;
     let count = of.iter().max().map_or(0, |n| n + 1);
     let mut solids = vec![Solid::default(); count];
+    if let [only] = &mut solids[..] {
+        only.points.reserve(points.len());
+        only.faces.reserve(faces.len());
+    }
     let mut numbers = vec![(usize::MAX, 0); points.len()];
     for ((mut corners, finish), n) in faces.into_iter().zip(of) {
         let solid = &mut solids[n];
@@ -189,28 +193,30 @@ fn each_edge(faces: &[Polygon], mut out: impl FnMut(u32, u32, u32)) {
 /// that have two of them.
 fn components(points: usize, faces: &[Polygon]) -> Option<Vec<usize>> {
     let (edges, ends) = edges(points, faces);
-    let starts = || std::iter::once(&0).chain(&ends);
-    let over = || {
-        starts()
-            .zip(&ends)
-            .map(|(from, to)| &edges[*from as usize..*to as usize])
-    };
-    let stretches = || over().flat_map(|own| own.chunk_by(|a, b| a.0 == b.0));
     let mut root: Vec<usize> = (0..faces.len()).collect();
-    for edge in stretches() {
-        if let [one, other] = edge {
-            let [a, b] = [one.2, other.2].map(|f| find(&mut root, f as usize));
-            root[a.max(b)] = a.min(b);
+    // The edges that more than two faces share.
+    let mut shared: Vec<&[Edge]> = vec![];
+    let mut from = 0;
+    for end in &ends {
+        let mut own = &edges[from..*end as usize];
+        from = *end as usize;
+        while let [first, rest @ ..] = own {
+            let count = 1 + rest.iter().take_while(|e| e.0 == first.0).count();
+            let (edge, after) = own.split_at(count);
+            own = after;
+            match edge {
+                [one, other] if one.1 != other.1 => {
+                    let [a, b] = [one.2, other.2].map(|f| find(&mut root, f as usize));
+                    root[a.max(b)] = a.min(b);
+                }
+                [_] | [_, _] => return None,
+                edge => shared.push(edge),
+            }
         }
     }
     let roots: Vec<usize> = (0..faces.len()).map(|f| find(&mut root, f)).collect();
-    // If more faces share an edge, each solid may have two of them.
-    for edge in stretches() {
-        if let [one, other] = edge
-            && one.1 != other.1
-        {
-            continue;
-        }
+    // Each solid may have two of the faces that share an edge.
+    for edge in shared {
         let mut of: Vec<(usize, bool)> = edge.iter().map(|e| (roots[e.2 as usize], e.1)).collect();
         of.sort_unstable();
         let pair = |c: &[(usize, bool)]| matches!(c, [(a, false), (b, true)] if a == b);

@@ -125,6 +125,12 @@ impl Plan {
         for side in self.sides(*area) {
             let (a, b) = (side.depth(from), side.depth(to));
             let beside = side.inward().dot(left);
+            let hair = beside.abs();
+            match (a > hair, a < -hair) {
+                (true, _) if b > hair => continue,
+                (_, true) if b < -hair => return [NOTHING; 2],
+                _ => {}
+            }
             // Whether it crosses is seen beside the edge, where it does so on the edge itself.
             let at = (a / (a - b)).clamp(0.0, 1.0);
             narrow(&mut spans[0], [a + beside > 0.0, b + beside > 0.0], at);
