@@ -138,16 +138,14 @@ impl HalfPlane {
 
     /// Returns the parts of a convex piece inside and outside; one may have no corners.
     pub(in crate::roof) fn halves(&self, piece: &[Corner]) -> [Convex; 2] {
-        let depths: SmallVec<[f64; 12]> = piece.iter().map(|c| self.depth(c.at)).collect();
-        [part(piece, &depths, 1.0), part(piece, &depths, -1.0)]
+        [part(piece, self, 1.0), part(piece, self, -1.0)]
     }
 
     /// Returns the part of a convex piece inside; it may have no corners.
     pub(in crate::roof) fn inside(&self, piece: &[Corner]) -> Convex {
-        let depths: SmallVec<[f64; 12]> = piece.iter().map(|c| self.depth(c.at)).collect();
-        match depths.iter().all(|d| *d > -CUT) {
+        match piece.iter().all(|c| self.depth(c.at) > -CUT) {
             true => Convex::from_slice(piece),
-            false => part(piece, &depths, 1.0),
+            false => part(piece, self, 1.0),
         }
     }
 
@@ -312,15 +310,12 @@ pub(in crate::roof) fn split_off<'s>(
     off: &mut Vec<Convex>,
 ) -> Option<Convex> {
     let mut inside = piece;
-    let mut depths: SmallVec<[f64; 12]> = SmallVec::new();
     for side in sides {
         if inside.iter().all(|c| side.depth(c.at) > -CUT) {
             continue;
         }
-        depths.clear();
-        depths.extend(inside.iter().map(|c| side.depth(c.at)));
-        let outer = part(&inside, &depths[..], -1.0);
-        inside = part(&inside, &depths[..], 1.0);
+        let outer = part(&inside, side, -1.0);
+        inside = part(&inside, side, 1.0);
         off.extend((area(&outer) > SLIVER).then_some(outer));
         if area(&inside) <= SLIVER {
             return None;
@@ -330,13 +325,16 @@ pub(in crate::roof) fn split_off<'s>(
 }
 
 /// Returns the part of a convex polygon where `sign * depth >= 0`.
-fn part(polygon: &[Corner], depths: &[f64], sign: f64) -> Convex {
-    let n = polygon.len();
+fn part(polygon: &[Corner], side: &HalfPlane, sign: f64) -> Convex {
     let mut kept = Convex::new();
-    for i in 0..n {
-        let j = if i + 1 == n { 0 } else { i + 1 };
-        let (p, q) = (polygon[i], polygon[j]);
-        let (dp, dq) = (sign * depths[i], sign * depths[j]);
+    let Some(first) = polygon.first() else {
+        return kept;
+    };
+    let mut ahead = sign * side.depth(first.at);
+    for (i, &p) in polygon.iter().enumerate() {
+        let q = *polygon.get(i + 1).unwrap_or(first);
+        let (dp, dq) = (ahead, sign * side.depth(q.at));
+        ahead = dq;
         if dp > -CUT {
             // An edge that leaves at its very start is replaced by the cut.
             let rim = p.rim && (dp >= CUT || dq > -CUT);

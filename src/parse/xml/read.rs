@@ -152,7 +152,7 @@ impl<'t> Reader<'t, '_> {
         element: &'t Element<'t>,
         content: &'static Content,
     ) -> Vec<AllowedChild<'t>> {
-        let mut nodes = vec![];
+        let mut nodes = Vec::with_capacity(element.children.len());
         self.collect(element, element.name, content, &mut nodes);
         nodes
     }

@@ -139,6 +139,24 @@ impl Plan {
         spans
     }
 
+    /// Returns the parts of an edge whose sides both lie in some areas.
+    fn within(&self, edge: &Edge, areas: &[Area]) -> Spans {
+        if let [only] = areas {
+            let [left, right] = self.beside(edge, only);
+            let common = [left[0].max(right[0]), left[1].min(right[1])];
+            let mut spans = Spans::new();
+            add(&mut spans, common);
+            return spans;
+        }
+        let mut spans = [Spans::new(), Spans::new()];
+        for area in areas {
+            let [left, right] = self.beside(edge, area);
+            add(&mut spans[0], left);
+            add(&mut spans[1], right);
+        }
+        both(spans)
+    }
+
     /// Leaves of some parts of an edge what goes through none of some areas. Of edges upon each other the first counts.
     fn leave(&self, edge: &Edge, [before, after]: [&[Area]; 2], spans: &mut Spans) {
         for other in before {
@@ -263,14 +281,7 @@ impl Region<'_> {
             part.near(&then[..n], before);
             part.near(&then[n + 1..], after);
             for edge in plan.edges(*part) {
-                // Its own part ends here where the others go on to both sides.
-                let mut spans = [Spans::new(), Spans::new()];
-                for other in with.iter() {
-                    let [left, right] = plan.beside(&edge, other);
-                    add(&mut spans[0], left);
-                    add(&mut spans[1], right);
-                }
-                let mut spans = both(spans);
+                let mut spans = plan.within(&edge, with);
                 if spans.is_empty() {
                     continue;
                 }

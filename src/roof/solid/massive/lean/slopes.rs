@@ -54,7 +54,7 @@ struct Borders {
 impl Borders {
     fn of(wings: &[Wing], plate: &Plate) -> Borders {
         let count = wings.iter().map(|w| w.slopes.len()).sum();
-        let mut plan = Plan::with_capacity(24 * count);
+        let mut plan = Plan::with_capacity(48 * count);
         let mut planes: Vec<Plane> = Vec::with_capacity(count);
         let mut areas: Vec<Areas<'_>> = Vec::with_capacity(count);
         let mut ends: SmallVec<[usize; 8]> = SmallVec::new();
