@@ -91,14 +91,14 @@ impl<const MOST: usize> Left<MOST> {
         for (known, number) in left.corners.iter_mut().zip(numbers) {
             known.number = number;
             known.at = ring[number as usize];
-            known.before = (left.given as u8).wrapping_sub(1);
+            known.before = left.given.saturating_sub(1) as u8;
             left.given += 1;
             known.after = left.given as u8;
         }
         left.count = left.given;
-        if let [first, .., last] = &mut left.corners[..left.given] {
-            first.before = left.given as u8 - 1;
-            last.after = 0;
+        if let Some(last) = left.given.checked_sub(1) {
+            left.corners[0].before = last as u8;
+            left.corners[last].after = 0;
         }
         (0..left.given).for_each(|i| left.look(i));
         left
@@ -356,6 +356,17 @@ pub(in crate::geometry) mod tests {
     fn a_concave_polygon_keeps_its_area() {
         let l = l_shape();
         assert!((area(&triangles(&l, &[])) - 64.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_ring_without_area_has_no_triangles() {
+        let (p, q) = (dvec2(1.0, 2.0), dvec2(4.0, 2.0));
+        for ring in [&[][..], &[p], &[p, q], &[p, p, p], &[p, q, p, q]] {
+            assert!(triangles(ring, &[]).is_empty(), "{ring:?}");
+        }
+        // Corners that are no numbers neither end in a loop.
+        let lost = [p, q, DVec2::NAN, dvec2(4.0, 9.0)];
+        assert!(triangles(&lost, &[]).len() < 3);
     }
 
     #[test]

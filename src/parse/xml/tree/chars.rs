@@ -33,9 +33,6 @@ pub(in crate::parse::xml) fn ends_name(c: char) -> bool {
 
 /// Returns true if XML allows the text as a name.
 pub(in crate::parse::xml) fn is_name(name: &str) -> bool {
-    if is_plain_name(name.as_bytes()) {
-        return true;
-    }
     let fits = |c: char| c.is_alphanumeric() || !c.is_ascii() || "_:-.".contains(c);
     name.starts_with(is_name_start) && name.chars().all(fits)
 }

@@ -126,6 +126,7 @@ impl Plan {
             let (a, b) = (side.depth(from), side.depth(to));
             let beside = side.inward().dot(left);
             let hair = beside.abs();
+            // Most edges lie wholly before or behind a line.
             match (a > hair, a < -hair) {
                 (true, _) if b > hair => continue,
                 (_, true) if b < -hair => return [NOTHING; 2],
