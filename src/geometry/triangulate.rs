@@ -45,8 +45,8 @@ pub fn triangles(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<[DVec2; 3]> {
 /// The corners of a ring, of which ears are cut off. What is known of a corner stays until a neighbour of it is cut off, or the
 /// corner that its triangle held.
 struct Left<const MOST: usize> {
-    /// How many are given, how many are left, and one of them.
     given: usize,
+    /// How many are left, and the index of one of them.
     count: usize,
     any: usize,
     corners: [Known; MOST],
@@ -57,7 +57,7 @@ struct Left<const MOST: usize> {
 struct Known {
     number: u32,
     at: DVec2,
-    /// The most that cutting it off next may be worth; no number if it is gone.
+    /// The most that cutting it off next may be worth; not a number once it is gone.
     worth: f64,
     before: u8,
     after: u8,
@@ -75,7 +75,7 @@ enum Kind {
     Unknown,
     /// Its triangle holds none.
     Ear,
-    /// Its triangle holds this one.
+    /// Its triangle holds the corner of this index.
     Blocked(u8),
 }
 

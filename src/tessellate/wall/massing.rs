@@ -28,7 +28,7 @@ use std::sync::LazyLock;
 /// Corners sharper than this many faces are not mitred to their point.
 const LONGEST: f64 = 4.0;
 
-/// The number of faces that most colours of a storey have at most.
+/// Room is made for so many faces of each colour of a storey; few have more.
 const USUAL: usize = 8;
 
 /// How much more of a post is seen because it stands before its wall and one looks along it, metres.

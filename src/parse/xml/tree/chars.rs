@@ -37,7 +37,7 @@ pub(in crate::parse::xml) fn is_name(name: &str) -> bool {
     name.starts_with(is_name_start) && name.chars().all(fits)
 }
 
-/// Returns true for a name of ASCII characters; nearly all are.
+/// Returns true for a name that XML allows, of ASCII characters alone; nearly all are.
 fn is_plain_name(name: &[u8]) -> bool {
     let starts = |byte: &u8| byte.is_ascii_alphabetic() || matches!(byte, b'_' | b':');
     let fits =

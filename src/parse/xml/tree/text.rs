@@ -168,7 +168,7 @@ impl<'a> Run<'a> {
         if range.is_empty() {
             return;
         }
-        // Nearly all text has no reference to look for, and most of that nothing that XML forbids.
+        // Nearly all text has no reference to resolve, and most of it no character that XML forbids.
         let bytes = &whole.as_bytes()[range.clone()];
         let special = |byte: &u8| matches!(byte, b'&' | b'<');
         let plain = |byte: &u8| matches!(byte, b' '..=b'~') && !special(byte);
