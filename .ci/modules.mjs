@@ -1,4 +1,4 @@
-// The npm modules of the checks: outside the tree, in the folder that `.ci/run` fills.
+// The npm modules of the checks: outside the tree, in the folder that `.ci/nightly` fills.
 // HSD_NODE sets a different folder that contains `node_modules`.
 import { createRequire } from 'node:module';
 import { homedir } from 'node:os';

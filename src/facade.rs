@@ -1,13 +1,13 @@
 //! The public interface, re-exported at the crate's root: compile house files, check and format them, write the model,
 //! roof an outline. Everything else is internal and may change with any release.
 
-use crate::building::Roof;
-use crate::diagnostic::Diagnostics;
-use crate::roof::shape::look::Look;
-use crate::roof::skeleton::Invalid;
-use crate::source::{Limits, Source};
-use crate::{print, roof};
 use glam::DVec2;
+use hsd_base::diagnostic::Diagnostics;
+use hsd_base::source::{Limits, Source};
+use hsd_ir::building::Roof;
+use hsd_roof::shape::look::Look;
+use hsd_roof::skeleton::Invalid;
+use hsd_syntax::print;
 
 /// Formats a source file in its own form of the language, with its own line ends. A legacy file must be free of
 /// errors, an XML file well-formed. Returns `None` if the meaning is in doubt; `out` receives the reason.
@@ -46,7 +46,7 @@ pub fn roof_over(
 ) -> Result<Roof, Invalid> {
     // The span and unit choose a default pitch only.
     let usual = Look::gable(None, &Default::default(), 6.0, 1.0);
-    roof::over(outline, courts, base, &Look { pitch, ..usual })
+    hsd_roof::over(outline, courts, base, &Look { pitch, ..usual })
 }
 
 #[cfg(feature = "models")]
@@ -54,10 +54,10 @@ pub use models::glb;
 
 #[cfg(feature = "models")]
 mod models {
-    use crate::backend::gltf;
-    use crate::diagnostic::Diagnostics;
-    use crate::driver::{self, Compiled, Options};
-    use crate::source::World;
+    use hsd_base::diagnostic::Diagnostics;
+    use hsd_base::source::World;
+    use hsd_driver::{Compiled, Options};
+    use hsd_export::gltf;
 
     /// Writes a compiled model as binary glTF 2.0 (`.glb`) with its textures inside. Part images that cannot be read
     /// are reported and left out.
@@ -81,9 +81,9 @@ mod models {
         let scene = &compiled.scene;
         let limits = &options.expand.limits;
         let building = &compiled.building;
-        let mut images = driver::pictures(&scene.pictures, building, world, limits, out);
+        let mut images = hsd_driver::pictures(&scene.pictures, building, world, limits, out);
         images.bake(&scene.baked);
-        driver::flaws(compiled, out);
+        hsd_driver::flaws(compiled, out);
         gltf::glb(scene, &images)
     }
 }

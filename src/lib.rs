@@ -12,13 +12,13 @@
 //! ```
 //!
 //! [`compile`] makes the model, [`glb`] writes it, [`check`](check()) only reports, [`format`](format()) formats a file, [`roof_over`]
-//! roofs an outline. These and the types they take are the public interface. The modules below are public only to the
-//! program, its tests, benchmarks and fuzz targets, which are crates of their own; they are hidden from this page and
-//! follow no semantic versioning.
+//! roofs an outline. These and the types they take are the public interface. Each step is a module of a crate `hsd-*`, which
+//! `docs/architecture.md` lists. Those crates are re-exported here, hidden, for the program, its tests, benchmarks and fuzz
+//! targets; they follow no semantic versioning.
 //!
 //! | feature | adds |
 //! |---|---|
-//! | `maps` | readers of maps: features out of files |
+//! | `maps` | readers of maps, towns |
 //! | `models` | scenes, textures, back ends; without it the chain ends with roofed buildings |
 //! | `cli` | the program `hsd` |
 //! | `view` | `hsd view`, `hsd render` |
@@ -53,135 +53,101 @@
 //! # Nouns and verbs
 //!
 //! The trees between the steps are noun modules: data, small accessors, invariants in their headers. The steps are
-//! verb modules. A noun uses no verb; a step uses its input, its output and the foundations. `tests/order.rs` holds
-//! the sources to that. The core does no input or output: images and included files come through [`source::World`];
-//! files are read by [`fs`] for the shells [`cli`], [`lsp`] and [`view`], and only [`cli`] prints.
+//! verb modules. A noun uses no verb; a step uses its input, its output and the foundations. Crates keep them
+//! apart, and `tests/order.rs` where several share a crate. The core does no input or output: images and included files come
+//! through [`source::World`]; [`fs`] reads files for the shells [`cli`], [`lsp`] and [`view`], and only [`cli`] prints.
 //!
 //! # Numbers
 //!
 //! Lengths are f64 until a back end writes f32. Plans are in U (3 shaku unless the house says otherwise) and exact on
 //! quarter units; roofs are divided on integers. No platform sine, no iteration over hash maps: same input, same bytes.
 
-#![cfg_attr(
-    not(all(feature = "cli", feature = "lsp", feature = "view")),
-    allow(dead_code)
-)] // items that shells use
+// The crates under the names of their modules, in reading order, for the program, its tests, benchmarks and fuzz targets.
 
-// Foundations.
+// Foundations, and the trees between the steps.
 #[doc(hidden)]
-pub mod source;
+pub use hsd_base::{diagnostic, geometry, lettering, rng, source, text};
 #[doc(hidden)]
-pub mod diagnostic;
-#[doc(hidden)]
-pub mod geometry;
-#[cfg(any(feature = "drawings", feature = "maps"))]
-#[doc(hidden)]
-pub mod lettering;
-#[doc(hidden)]
-pub mod rng;
-#[doc(hidden)]
-pub mod catalog;
-#[doc(hidden)]
-pub mod material;
+pub use hsd_ir::{ast, building, catalog, check, material, program};
 #[cfg(feature = "models")]
 #[doc(hidden)]
-pub mod texture;
+pub use hsd_scene as scene;
+#[cfg(feature = "models")]
 #[doc(hidden)]
-pub mod templates;
-#[cfg(feature = "maps")]
-#[doc(hidden)]
-pub mod map;
+pub use hsd_scene::texture;
 
-// The chain.
+// The chain: from a source file to a syntax tree,
 #[doc(hidden)]
-pub mod ast;
+pub use hsd_syntax::{parse, print, templates};
+
+// to fitted buildings,
 #[doc(hidden)]
-pub mod parse;
+pub use hsd_passes::{expand, fit, lower};
 #[doc(hidden)]
-pub mod program;
-#[doc(hidden)]
-pub mod expand;
-#[doc(hidden)]
-pub mod building;
-#[doc(hidden)]
-pub mod lower;
-#[doc(hidden)]
-pub mod roof;
-#[doc(hidden)]
-pub mod fit;
+pub use hsd_roof as roof;
+
+// to triangles and files,
 #[cfg(feature = "models")]
 #[doc(hidden)]
-pub mod scene;
+pub use hsd_mesh as tessellate;
+
 #[cfg(feature = "models")]
 #[doc(hidden)]
-pub mod tessellate;
+pub use hsd_export as backend;
+
+// all together.
 #[doc(hidden)]
-pub mod check;
+pub use hsd_driver as driver;
+#[cfg(feature = "models")]
+#[doc(hidden)]
+pub use hsd_driver::{fs, plan_file};
 
 // Around the chain.
-#[cfg(feature = "models")]
-#[doc(hidden)]
-pub mod render;
-#[doc(hidden)]
-pub mod print;
-#[cfg(feature = "models")]
-#[doc(hidden)]
-pub mod backend;
-#[doc(hidden)]
-pub mod driver;
-#[cfg(all(feature = "maps", feature = "models"))]
-#[doc(hidden)]
-pub mod town;
-#[cfg(all(feature = "maps", feature = "models"))]
-#[doc(hidden)]
-pub mod survey;
-#[cfg(all(feature = "maps", feature = "models"))]
-#[doc(hidden)]
-pub mod tiles;
-#[cfg(feature = "plans")]
-#[doc(hidden)]
-pub mod plan;
-#[cfg(feature = "plans")]
-#[doc(hidden)]
-pub mod front;
-#[cfg(any(feature = "plans", feature = "view"))]
-#[doc(hidden)]
-pub mod plan_file;
 #[cfg(feature = "drawings")]
 #[doc(hidden)]
-pub mod drawing;
-#[cfg(any(feature = "lsp", feature = "view"))]
+pub use hsd_drawing as drawing;
+#[cfg(feature = "maps")]
 #[doc(hidden)]
-pub mod ide;
+pub use hsd_map as map;
+#[cfg(feature = "models")]
+#[doc(hidden)]
+pub use hsd_render as render;
+#[cfg(feature = "maps")]
+#[doc(hidden)]
+pub use hsd_town as town;
+#[cfg(feature = "maps")]
+#[doc(hidden)]
+pub use hsd_town::{survey, tiles};
+#[cfg(feature = "plans")]
+#[doc(hidden)]
+pub use hsd_trace::{front, plan};
 
 // Shells.
 #[cfg(feature = "cli")]
 #[doc(hidden)]
-pub mod cli;
-#[cfg(feature = "models")]
-#[doc(hidden)]
-pub mod fs;
-#[cfg(feature = "lsp")]
-#[doc(hidden)]
-pub mod lsp;
-#[cfg(any(feature = "cli", feature = "view"))]
-#[doc(hidden)]
-pub mod report;
+pub use hsd_cli as cli;
 #[cfg(feature = "view")]
 #[doc(hidden)]
-pub mod view;
+pub use hsd_ide as ide;
+#[cfg(feature = "lsp")]
+#[doc(hidden)]
+pub use hsd_lsp as lsp;
+#[cfg(any(feature = "cli", feature = "view"))]
+#[doc(hidden)]
+pub use hsd_report as report;
+#[cfg(feature = "view")]
+#[doc(hidden)]
+pub use hsd_view as view;
 
 // The public interface.
 mod facade;
 
-pub use diagnostic::{Code, Diagnostic, Diagnostics, Language, Severity};
-pub use driver::{Checked, Options, check};
-#[cfg(feature = "models")]
-pub use driver::{Compiled, compile};
 pub use facade::*;
-#[cfg(feature = "models")]
-pub use fs::FolderWorld;
 pub use glam;
+pub use hsd_base::diagnostic::{Code, Diagnostic, Diagnostics, Language, Severity};
+pub use hsd_base::source::{FileId, NoFiles, Source, Span, World};
+pub use hsd_driver::{Checked, Options, check};
 #[cfg(feature = "models")]
-pub use scene::Detail;
-pub use source::{FileId, NoFiles, Source, Span, World};
+pub use hsd_driver::{Compiled, compile, fs::FolderWorld};
+#[cfg(feature = "models")]
+pub use hsd_scene::Detail;

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 /// Folders and files whose citations are checked.
 const CITING: &[&str] = &[
     "src",
+    "crates",
     "tests",
     "benches",
     "grammar",
@@ -185,7 +186,9 @@ fn paths(text: &str) -> impl Iterator<Item = &str> {
     let prose = text.split("```").step_by(2);
     let quoted = prose.flat_map(|p| p.split('`').skip(1).step_by(2));
     quoted.filter(|word| {
-        let folders = ["src/", "tests/", "grammar/", "library/", "docs/", ".ci/"];
+        let folders = [
+            "src/", "crates/", "tests/", "grammar/", "library/", "docs/", ".ci/",
+        ];
         folders.iter().any(|f| word.starts_with(f))
             && !word.contains([' ', ':'])
             && !word.contains("nnnn")
@@ -198,6 +201,7 @@ fn pages_for_contributors_lead_to_what_exists() {
         "CONTRIBUTING.md",
         "SECURITY.md",
         "docs/README.md",
+        "docs/architecture.md",
         "docs/contract.md",
         "docs/evidence.md",
         "docs/releasing.md",

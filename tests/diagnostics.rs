@@ -238,15 +238,21 @@ fn pages_in(folder: &str) -> BTreeMap<u16, String> {
 fn every_page_is_in_the_list() {
     let there = pages_there();
     let mut findings = vec![];
-    let listed: Vec<u16> = pages::PAGES.iter().map(|page| page.code.0).collect();
+    let listed: Vec<u16> = pages::codes().map(|code| code.0).collect();
     for code in listed.iter().filter(|code| !there.contains_key(code)) {
-        findings.push(format!("{} is in pages.rs, not in the folder", Code(*code)));
+        findings.push(format!(
+            "{} is in grammar/lib.rs, not in the folder",
+            Code(*code)
+        ));
     }
     for code in there.keys().filter(|code| !listed.contains(code)) {
-        findings.push(format!("{} is in the folder, not in pages.rs", Code(*code)));
+        findings.push(format!(
+            "{} is in the folder, not in grammar/lib.rs",
+            Code(*code)
+        ));
     }
     if !listed.is_sorted() {
-        findings.push("pages.rs is not in order".into());
+        findings.push("grammar/lib.rs is not in order".into());
     }
     for (&code, text) in &there {
         let name = Code(code);
@@ -263,13 +269,15 @@ fn every_page_is_in_the_list() {
 /// The files of the wording, by path.
 fn message_sources() -> Vec<(String, String)> {
     let mut found = vec![];
-    let mut folders = vec![root().join("src/diagnostic/messages")];
+    let mut folders = vec![root().join("crates")];
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(folder).expect("messages are there") {
             let path = entry.expect("can be listed").path();
+            let is_message = path.to_string_lossy().contains("/src/messages")
+                || path.to_string_lossy().contains("/diagnostic/messages");
             if path.is_dir() {
                 folders.push(path);
-            } else {
+            } else if is_message && path.extension().is_some_and(|e| e == "rs") {
                 let text = fs::read_to_string(&path).expect("messages are UTF-8");
                 let name = path.strip_prefix(root()).unwrap_or(&path);
                 found.push((name.display().to_string(), text));

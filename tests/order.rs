@@ -1,108 +1,34 @@
-//! The sources themselves: the order of the chain, headers, and sizes that a reader can hold in mind.
+//! What Cargo does not enforce: headers, sizes that a reader can hold in mind, modules and passes that use each other one
+//! way, and the graph of crates in `docs/architecture.md`.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 mod circles;
+mod graph;
 
-/// The modules in reading order: each may use those before it, as far as [`Part`] lets it.
-const ORDER: &[(&str, Part)] = &[
-    ("source", Foundation),
-    ("geometry", Foundation),
-    ("lettering", Foundation),
-    ("rng", Foundation),
-    ("diagnostic", Foundation),
-    ("map", Foundation),
-    ("ast", Noun),
-    ("material", Foundation),
-    ("catalog", Foundation),
-    ("program", Noun),
-    ("building", Noun),
-    ("scene", Noun),
-    ("check", Foundation),
-    ("texture", Foundation),
-    ("templates", Foundation),
-    ("parse", Verb),
-    ("expand", Verb),
-    ("lower", Verb),
-    ("roof", Verb),
-    ("fit", Verb),
-    ("tessellate", Verb),
-    ("render", Verb),
-    ("print", Verb),
-    ("backend", Verb),
-    ("driver", Shell),
-    ("town", Shell),
-    ("survey", Shell),
-    ("tiles", Shell),
-    ("plan", Shell),
-    ("front", Shell),
-    ("plan_file", Shell),
-    ("drawing", Shell),
-    ("facade", Shell),
-    ("ide", Shell),
-    ("report", Shell),
-    ("fs", Shell),
-    ("view", Shell),
-    ("lsp", Shell),
-    ("cli", Shell),
-    ("lib", Shell),
-    ("main", Shell),
-];
-
-/// The part that a module plays in the chain.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Part {
-    /// Used by all; uses foundations and plain types of nouns.
-    Foundation,
-    /// A tree between two passes: no verb.
-    Noun,
-    /// A pass: nouns and foundations, no other verb.
-    Verb,
-    /// Puts passes together.
-    Shell,
-}
-use Part::{Foundation, Noun, Shell, Verb};
-
-/// Uses that the order does not allow but a reason does: user, path, reason.
-const ALLOWED: &[(&str, &str, &str)] = &[
-    (
-        "tessellate",
-        "roof::solid",
-        "details without joinery show roofs that meet as one solid, made once for all roofs that share a mesh",
-    ),
-    (
-        "print",
-        "parse",
-        "legacy lines are laid out by the kinds that their reader finds, and a layout is checked by reading it again",
-    ),
-];
-
-/// Files that may be longer, since they are tables.
-const LONG_FILES: &[&str] = &[];
-
-/// Functions that may be longer, since they are tables: file and name.
-const LONG_FUNCTIONS: &[(&str, &str)] = &[];
-
-/// Files directly in a folder below `src/`.
-const FOLDER_FILES: usize = 16;
 const FILE_LINES: usize = 500;
 const FUNCTION_LINES: usize = 60;
 
+/// Passes that share a crate. None uses another, so that each can be read alone.
+const PASSES: [&str; 3] = ["expand", "lower", "fit"];
+
 struct File {
-    /// Path below `src/`.
+    /// Folder of the crate, such as `crates/hsd-roof`; `.` for the package `hsd`.
+    folder: String,
+    /// Path below the crate's `src/`.
     name: String,
     text: String,
 }
 
 impl File {
-    /// The top module: the first segment of the path without its ending.
-    fn module(&self) -> &str {
-        let end = self.name.find(['/', '.']).unwrap_or(self.name.len());
-        &self.name[..end]
+    /// Path from the root of the repository.
+    fn path(&self) -> String {
+        format!("{}/src/{}", self.folder, self.name)
     }
 
-    /// Whether it holds nothing but tests.
+    /// Returns true if the file contains only tests.
     fn is_test(&self) -> bool {
         self.name.ends_with("tests.rs") || self.name.contains("/tests/")
     }
@@ -117,24 +43,44 @@ impl File {
     }
 }
 
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Returns the folders of the crates with a `src/`, sorted.
+fn crates() -> Vec<String> {
+    let listed = fs::read_dir(root().join("crates")).expect("crates/ can be listed");
+    let names = listed.map(|entry| entry.expect("crates/ can be listed").file_name());
+    let mut folders: Vec<String> = names
+        .map(|name| format!("crates/{}", name.to_string_lossy()))
+        .collect();
+    folders.extend([".".to_owned(), "xtask".to_owned()]);
+    folders.sort();
+    folders
+}
+
+/// Returns the sources of all crates, sorted by path.
 fn sources() -> Vec<File> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut files = vec![];
-    let mut folders = vec![root.clone()];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(&folder).expect("src/ can be listed") {
-            let path: PathBuf = entry.expect("src/ can be listed").path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|e| e == "rs") {
-                let text = fs::read_to_string(&path).expect("sources are UTF-8");
-                let below = path.strip_prefix(&root).expect("is below src/");
-                let name = below.to_string_lossy().replace('\\', "/");
-                files.push(File { name, text });
+    for crate_folder in crates() {
+        let src = root().join(&crate_folder).join("src");
+        let mut folders = vec![src.clone()];
+        while let Some(folder) = folders.pop() {
+            for entry in fs::read_dir(&folder).expect("src/ can be listed") {
+                let path: PathBuf = entry.expect("src/ can be listed").path();
+                if path.is_dir() {
+                    folders.push(path);
+                } else if path.extension().is_some_and(|e| e == "rs") {
+                    let text = fs::read_to_string(&path).expect("sources are UTF-8");
+                    let below = path.strip_prefix(&src).expect("is below src/");
+                    let name = below.to_string_lossy().replace('\\', "/");
+                    let folder = crate_folder.clone();
+                    files.push(File { folder, name, text });
+                }
             }
         }
     }
-    files.sort_by(|a, b| a.name.cmp(&b.name));
+    files.sort_by_key(File::path);
     files
 }
 
@@ -188,54 +134,28 @@ fn group_members(group: &str) -> Vec<&str> {
     members
 }
 
-fn rank(module: &str) -> Option<usize> {
-    ORDER.iter().position(|(name, _)| *name == module)
-}
-
-/// Whether a file of `module` may use `path`.
-fn may_use(file: &str, module: &str, path: &str) -> bool {
-    let used = path.split("::").next().unwrap_or_default();
-    let Some(of_used) = rank(used) else {
-        return true; // an item of lib.rs, such as a function at the crate's root
-    };
-    let Some(own) = rank(module) else {
-        return false;
-    };
-    // Messages show what a pass found, so they name its plain types, never its functions.
-    let a_type = path
-        .rsplit("::")
-        .next()
-        .is_some_and(|last| last.starts_with(char::is_uppercase));
-    let verb_of_verb = ORDER[own].1 == Verb && ORDER[of_used].1 == Verb && own != of_used;
-    (of_used <= own && !verb_of_verb)
-        || (file.starts_with("diagnostic/messages/") && a_type)
-        || ALLOWED
-            .iter()
-            .any(|(user, what, _)| *user == module && path.starts_with(what))
-}
-
 #[test]
-fn modules_use_only_what_stands_before_them() {
+fn passes_do_not_use_each_other() {
     let mut findings = vec![];
+    let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
     for file in sources() {
-        let module = file.module();
-        if rank(module).is_none() {
-            findings.push(format!("src/{}: has no place in ORDER", file.name));
+        let module = &file.name[..file.name.find(['/', '.']).unwrap_or(file.name.len())];
+        let Some(own) = PASSES.iter().find(|pass| **pass == module) else {
+            continue;
+        };
+        if file.folder != "crates/hsd-passes" || file.is_test() {
             continue;
         }
-        if file.is_test() || module == "lib" {
-            continue;
-        }
+        *seen.entry(own).or_default() += 1;
         let code: Vec<&str> = file.code().map(|(_, line)| line).collect();
         for path in crate_paths(&code.join("\n")) {
-            if !may_use(&file.name, module, &path) {
-                findings.push(format!(
-                    "src/{}: `{module}` must not use `crate::{path}`",
-                    file.name
-                ));
+            let used = path.split("::").next().unwrap_or_default();
+            if used != *own && PASSES.contains(&used) {
+                findings.push(format!("{}: `{own}` must not use `{path}`", file.path()));
             }
         }
     }
+    assert_eq!(seen.len(), PASSES.len(), "all passes are in the crate");
     assert_none(&findings);
 }
 
@@ -244,7 +164,7 @@ fn every_file_has_a_header() {
     let findings: Vec<String> = sources()
         .iter()
         .filter(|file| !file.text.starts_with("//!"))
-        .map(|file| format!("src/{}: begins without a `//!` header", file.name))
+        .map(|file| format!("{}: begins without a `//!` header", file.path()))
         .collect();
     assert_none(&findings);
 }
@@ -253,24 +173,8 @@ fn every_file_has_a_header() {
 fn files_are_short() {
     let findings: Vec<String> = sources()
         .iter()
-        .filter(|file| !LONG_FILES.contains(&file.name.as_str()))
         .filter(|file| file.text.lines().count() > FILE_LINES)
-        .map(|file| format!("src/{}: {} lines", file.name, file.text.lines().count()))
-        .collect();
-    assert_none(&findings);
-}
-
-#[test]
-fn folders_are_small() {
-    let mut files: std::collections::BTreeMap<String, usize> = Default::default();
-    for file in sources() {
-        if let Some((folder, _)) = file.name.rsplit_once('/') {
-            *files.entry(folder.to_owned()).or_default() += 1;
-        }
-    }
-    let large = files.iter().filter(|(_, count)| **count > FOLDER_FILES);
-    let findings: Vec<String> = large
-        .map(|(folder, count)| format!("src/{folder}: {count} files"))
+        .map(|file| format!("{}: {} lines", file.path(), file.text.lines().count()))
         .collect();
     assert_none(&findings);
 }
@@ -314,11 +218,10 @@ fn functions_are_short() {
             if closes || declares {
                 open.pop();
                 let length = number - start + 1;
-                let a_table = LONG_FUNCTIONS.contains(&(file.name.as_str(), name));
-                if closes && length > FUNCTION_LINES && !a_table {
+                if closes && length > FUNCTION_LINES {
                     findings.push(format!(
-                        "src/{}:{start}: `{name}` has {length} lines",
-                        file.name
+                        "{}:{start}: `{name}` has {length} lines",
+                        file.path()
                     ));
                 }
             }
@@ -333,13 +236,4 @@ fn the_reader_of_paths_understands_groups() {
         crate_paths("use crate::{ast::{House, Row}, source::Span};\nlet x = crate::roof::cut(1);"),
         ["ast::House", "ast::Row", "source::Span", "roof::cut"]
     );
-    assert!(!may_use("scene.rs", "scene", "roof::cut"));
-    assert!(may_use("building.rs", "building", "geometry::plan::Cell"));
-    assert!(may_use(
-        "diagnostic/messages/plan.rs",
-        "diagnostic",
-        "lower::Fix"
-    ));
-    assert!(!may_use("lower/walk.rs", "lower", "roof::roof"));
-    assert!(!may_use("roof/house.rs", "roof", "lower::lower"));
 }

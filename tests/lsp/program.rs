@@ -4,7 +4,11 @@ use serde_json::{Value, json};
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
-use std::time::Duration;
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+/// Time limit for the program to end, after which the test fails.
+const PATIENCE: Duration = Duration::from_secs(60);
 
 pub struct Program {
     child: Child,
@@ -109,7 +113,10 @@ impl Program {
         Some((worked, line.split_whitespace().nth(1)?.parse().ok()?))
     }
 
-    /// Reads no more, asks once more and leaves the stream open; what the program returns then.
+    /// Closes the output, keeps the input open and repeats a request until the program ends. Returns its exit code.
+    ///
+    /// A single request is not enough. A process that another test starts at this moment holds a copy of the output until
+    /// it executes its program. The first answer then goes into the pipe without an error.
     #[allow(dead_code)] // not in the bench
     pub fn left_alone(self) -> Option<i32> {
         let Program {
@@ -119,19 +126,41 @@ impl Program {
         } = self;
         drop(output);
         let body = r#"{ "jsonrpc": "2.0", "id": 0, "method": "no/such/method" }"#;
-        let asked = write!(input, "Content-Length: {}\r\n\r\n{body}", body.len());
-        asked.expect("the program listens");
-        let status = child.wait().expect("it ends");
-        drop(input);
-        status.code()
+        let request = format!("Content-Length: {}\r\n\r\n{body}", body.len());
+        ended(&mut child, || {
+            // Fails if the program has just ended.
+            let _ = input.write_all(request.as_bytes());
+        })
     }
 
-    /// Ends the stream; what the program returns then.
+    /// Closes the input and returns the exit code of the program.
     pub fn end(self) -> Option<i32> {
         let Program {
-            mut child, input, ..
+            mut child,
+            input,
+            output: _unread,
         } = self;
         drop(input);
-        child.wait().expect("it ends").code()
+        ended(&mut child, || ())
     }
+}
+
+/// Waits until a program has ended and returns its exit code. Calls `ask` ten times per second.
+///
+/// # Panics
+/// If the program does not end in time. It is killed first.
+fn ended(child: &mut Child, mut ask: impl FnMut()) -> Option<i32> {
+    let begun = Instant::now();
+    while begun.elapsed() < PATIENCE {
+        ask();
+        for _ in 0..10 {
+            if let Some(status) = child.try_wait().expect("it can be waited for") {
+                return status.code();
+            }
+            sleep(Duration::from_millis(10));
+        }
+    }
+    let _ = child.kill();
+    let _ = child.wait();
+    panic!("the program does not end within {PATIENCE:?}");
 }

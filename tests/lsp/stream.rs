@@ -2,6 +2,8 @@
 
 use crate::lsp::program::Program;
 use serde_json::{Value, json};
+use std::process::Command;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 #[test]
 fn broken_messages_are_answered_and_the_next_ones_read() {
@@ -85,4 +87,30 @@ fn a_client_that_no_longer_reads_ends_the_program() {
     let mut program = Program::start();
     program.ask(1, "initialize", json!({ "capabilities": {} }));
     assert_eq!(program.left_alone(), Some(1));
+}
+
+/// A process that is starting holds a copy of every pipe of this one until it executes its program.
+#[test]
+fn a_client_that_is_gone_ends_the_program_while_processes_start() {
+    let is_done = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        for _ in 0..4 {
+            scope.spawn(|| {
+                // Bounded, so that a failure of the other thread ends this one.
+                for _ in 0..2_000 {
+                    if is_done.load(Ordering::Relaxed) {
+                        return;
+                    }
+                    let mut command = Command::new(env!("CARGO_BIN_EXE_hsd"));
+                    command.arg("-V").output().expect("the program runs");
+                }
+            });
+        }
+        for _ in 0..10 {
+            let mut program = Program::start();
+            program.ask(1, "initialize", json!({ "capabilities": {} }));
+            assert_eq!(program.left_alone(), Some(1));
+        }
+        is_done.store(true, Ordering::Relaxed);
+    });
 }

@@ -2,7 +2,6 @@
 // bottom).
 
 import { App } from './app.ts';
-import { attachInput, createCanvas } from './scene/canvas.ts';
 import { h } from './ui/dom.ts';
 import { FrontDesk } from './front/desk.ts';
 import { DrawTool } from './draw/draw-tool.ts';
@@ -23,6 +22,7 @@ import { sunPanel } from './panel/sun.ts';
 import { statisticsPanel } from './panel/statistics.ts';
 import { partTree } from './panel/part-tree.ts';
 import { PlanView } from './plan/plan-view.ts';
+import { attachInput, createCanvas } from './ui/canvas.ts';
 import { SourcePane } from './ui/source-pane.ts';
 import { toolbar } from './ui/toolbar.ts';
 import { strings } from './ui/strings.ts';
@@ -49,7 +49,7 @@ export function page(fronts: boolean): Page {
   const main = h('main', { class: 'panes' }, model);
   document.body.append(main); // Element sizes are known from here on.
   const app = new App(canvas);
-  model.append(app.measure.labels, walkPad(app));
+  model.append(app.renderer.measure.labels, walkPad(app.walk, app, app.renderer.viewport.canvas));
   const plan = new PlanView(app), text = new SourcePane(app);
   const draw = new DrawTool(app, plan), review = new Review(app, plan, () => { if (plan.element.hidden) bar.show(plan.element, true); });
   main.prepend(text.element);

@@ -2,7 +2,6 @@
 
 import * as THREE from 'three';
 import type { Page } from './page.ts';
-import { hitAt } from './scene/canvas.ts';
 import { trianglesIn } from './walk/surfaces.ts';
 
 declare global {
@@ -10,7 +9,7 @@ declare global {
 }
 
 export function scriptInterface({ app, plan, draw, review, front }: Page) {
-  const { viewport } = app;
+  const { viewport } = app.renderer;
   const camera = () => [...viewport.camera.position.toArray(), ...viewport.controls.target.toArray()];
   return {
     app, plan, draw, review, front, viewport,
@@ -32,21 +31,21 @@ export function scriptInterface({ app, plan, draw, review, front }: Page) {
       return part ? { number: app.selection, kind: part.kind, code: part.code?.trim() ?? null, storey: part.storey, span: part.span, name: part.name } : null;
     },
     /** Codes of the parts highlighted by the editor's cursor or the tree. */
-    get lit() { return app.pointed.parts.map(part => app.model!.parts[part]!.code?.trim() ?? app.model!.parts[part]!.kind); },
+    get lit() { return app.renderer.pointed.parts.map(part => app.model!.parts[part]!.code?.trim() ?? app.model!.parts[part]!.kind); },
     select: (part: number | null) => app.select(part),
     /** Indices of the parts with a code. */
     find: (code: string) => app.model?.parts.flatMap((part, i) => part.code?.trim() === code ? [i] : []) ?? [],
     /** The part at a position of the canvas, CSS pixels. */
-    pick: (x: number, y: number) => hitAt(app, x, y)?.part ?? null,
+    pick: (x: number, y: number) => app.renderer.hitAt(x, y)?.part ?? null,
     /** The point of the model at a position of the canvas, metres. */
-    hit: (x: number, y: number) => hitAt(app, x, y)?.point.toArray() ?? null,
+    hit: (x: number, y: number) => app.renderer.hitAt(x, y)?.point.toArray() ?? null,
     /** The first point of the town's tiles in a direction, metres. */
     surface: (from: number[], way: number[]) =>
       app.town.tiles?.pointAt(new THREE.Raycaster(new THREE.Vector3().fromArray(from), new THREE.Vector3().fromArray(way)))?.toArray() ?? null,
     /** A ray from a place in a direction. */
     ray: (from: number[], way: number[]) => new THREE.Raycaster(new THREE.Vector3().fromArray(from), new THREE.Vector3().fromArray(way)),
     /** The corners of all triangles that a walker may meet: nine numbers each. */
-    triangles: () => trianglesIn(new THREE.Box3(new THREE.Vector3().setScalar(-1e4), new THREE.Vector3().setScalar(1e4)), app.meshes()),
+    triangles: () => trianglesIn(new THREE.Box3(new THREE.Vector3().setScalar(-1e4), new THREE.Vector3().setScalar(1e4)), app.renderer.meshes()),
     /** Where the centre of a part is drawn, CSS pixels of the canvas. */
     positionOf(part: number) {
       const { x, y } = app.model!.parts[part]!.box.getCenter(viewport.camera.position.clone()).project(viewport.camera);

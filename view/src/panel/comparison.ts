@@ -17,7 +17,7 @@ export function comparisonPanel(app: App): HTMLElement {
   element.hidden = true;
   // The line over the view.
   const line = h('div', { class: 'split-line', 'aria-hidden': 'true', hidden: true });
-  app.viewport.canvas.parentElement?.append(line);
+  app.renderer.viewport.canvas.parentElement?.append(line);
   const place = () => { line.style.left = `${comparison.at * 100}%`; };
   const failed = (error: Error) => app.announce(strings.failed + error.message);
   let shown: unknown = null;

@@ -7,10 +7,10 @@ import { strings } from '../ui/strings.ts';
 import { collapsible } from './collapsible.ts';
 
 export function measuringPanel(app: App): HTMLElement {
-  const { measure } = app;
+  const { measure } = app.renderer;
   const on = checkbox(strings.measureOn, false, value => {
     measure.on = value;
-    app.viewport.canvas.classList.toggle('measuring', value);
+    app.renderer.viewport.canvas.classList.toggle('measuring', value);
   });
   const rows = h('tbody', {}), status = h('p', { class: 'quiet', role: 'status' });
   const table = h('table', { hidden: true }, h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, strings.measure),
@@ -31,7 +31,7 @@ export function measuringPanel(app: App): HTMLElement {
   app.on('shown', () => {
     if (!app.resetting) return;
     on.box.checked = measure.on = false;
-    app.viewport.canvas.classList.remove('measuring');
+    app.renderer.viewport.canvas.classList.remove('measuring');
     measure.clear();
   });
   return collapsible('measure', strings.measure, false, on, h('p', { class: 'quiet' }, strings.measureHelp), table, status,

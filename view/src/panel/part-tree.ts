@@ -43,7 +43,7 @@ export function partTree(app: App): HTMLElement {
     to.setAttribute('tabindex', '0');
     to.focus();
     app.highlight(app.locationOf(part!));
-    app.pointed.set(app.model, [part!]);
+    app.renderer.pointed.set(app.model, [part!]);
   };
   const toggle = (part: number, on: boolean) => {
     if (on) open.add(place(part)); else open.delete(place(part));

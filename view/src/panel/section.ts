@@ -7,7 +7,7 @@ import { strings } from '../ui/strings.ts';
 import { collapsible } from './collapsible.ts';
 
 export function sectionPanel(app: App): HTMLElement {
-  const { section } = app;
+  const { section } = app.renderer;
   const on = checkbox(strings.sectionOn, section.cut.on, value => set({ on: value }));
   const axis = h('select', { onchange: () => set({ axis: axis.value as Axis, on: true }) },
     ...(['x', 'y', 'z'] as const).map(name => h('option', { value: name, selected: name === section.cut.axis }, strings.axisName[name])));

@@ -12,8 +12,8 @@ export function statisticsPanel(app: App): HTMLElement {
   let shown = '';
   const show = () => {
     if (!element.open) return;
-    const { calls, triangles, ms } = app.viewport.stats, reload = app.reloadTimes;
-    const { mirrors } = app, { seen, drawn, calls: own, triangles: mirrored } = mirrors.stats;
+    const { calls, triangles, ms } = app.renderer.viewport.stats, reload = app.reloadTimes;
+    const { mirrors } = app.renderer, { seen, drawn, calls: own, triangles: mirrored } = mirrors.stats;
     const rows: [string, string][] = [
       [strings.drawCalls, `${calls}`], [strings.triangles, triangles.toLocaleString('en')], [strings.frameMs, `${ms.toFixed(1)} ms`],
       ...(reload ? [[strings.reloadMs, `${reload.painted.toFixed(0)} ms`] as [string, string]] : []),
@@ -27,7 +27,7 @@ export function statisticsPanel(app: App): HTMLElement {
   };
   let soon = 0;
   const later = () => { soon ||= window.setTimeout(() => { soon = 0; show(); }, 150); };
-  app.viewport.onFrame.push(later);
+  app.renderer.viewport.onFrame.push(later);
   app.on('reload', later);
   element.addEventListener('toggle', show);
   return element;

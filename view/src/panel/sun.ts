@@ -16,9 +16,9 @@ export function sunPanel(app: App): HTMLElement {
     const day = parseDate(date.value);
     if (!day) return;
     const sun = sunPosition(day, hour.valueAsNumber, KYOTO);
-    app.viewport.environment.light(sun);
+    app.renderer.viewport.environment.light(sun);
     app.town.turn(day);
-    app.viewport.updateShadows();
+    app.renderer.viewport.updateShadows();
     time.textContent = formatHour(hour.valueAsNumber);
     hour.setAttribute('aria-valuetext', time.textContent);
     where.textContent = strings.sunAt(sun.azimuth.toFixed(1), sun.altitude.toFixed(1)) + (sun.altitude < 0 ? ` (${strings.night})` : '');

@@ -144,7 +144,7 @@ export class PlanView {
   }
 
   #light() {
-    const { selection, pointed } = this.#app, lit = new Set(pointed.parts);
+    const { selection, renderer: { pointed } } = this.#app, lit = new Set(pointed.parts);
     for (const shape of this.drawn.units.keys()) {
       shape.classList.remove('selected', 'pointed');
     }

@@ -3,7 +3,8 @@
 
 import * as THREE from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
-import type { App } from '../app.ts';
+import type { EventBus } from '../event-bus.ts';
+import type { PageRenderer } from '../renderer.ts';
 import { fetchFace, fetchFeature, fetchPlace, fetchSkipped, townFiles, type Decision, type EnvelopeFace, type MapPlace, type Skipped, type TownFeature, type TownProgress, type TownState } from '../server/api.ts';
 import { EYE_HEIGHT } from '../scene/views.ts';
 import { strings } from '../ui/strings.ts';
@@ -48,7 +49,16 @@ export class Town {
   ground: GroundPlace | null = null;
   skipped: { total: number; list: Skipped[] } = { total: 0, list: [] };
   tiles: TownTiles | null = null;
-  #app: App;
+  /** Called when other tiles are shown. */
+  readonly onTiles: (() => void)[] = [];
+  /** Called when the town is removed from the view. */
+  readonly onClear: (() => void)[] = [];
+  /** Called when the first tiles of the town are shown. */
+  onFirstTiles: () => void = () => {};
+  /** Tiles of the kept edition in a comparison; null without one. */
+  keptTiles: () => TownTiles | null = () => null;
+  #events: EventBus;
+  #renderer: PageRenderer;
   /** The tiles that are about to take the place of the shown ones. */
   #next: TownTiles | null = null;
   #root = '';
@@ -57,9 +67,11 @@ export class Town {
   #box: THREE.Box3 | null = null;
   #timer = 0;
 
-  constructor(app: App) {
-    this.#app = app;
-    const { viewport } = app;
+  constructor(events: EventBus, renderer: PageRenderer) {
+    this.#events = events;
+    this.#renderer = renderer;
+    const { viewport } = renderer;
+    renderer.tileMeshes = () => this.tiles?.meshes() ?? null;
     viewport.beforeFrame.push(() => { this.tiles?.update(); this.#next?.update(); });
     viewport.controls.addEventListener('change', () => this.#later());
   }
@@ -84,56 +96,56 @@ export class Town {
     const { selected } = this;
     if (state && selected) void this.choose(selected.layer, selected.key);
     document.body.classList.toggle('town', state !== null);
-    this.#app.emit('town');
+    this.#events.emit('town');
   }
 
   /** Hears how far the build is. */
   hear(progress: TownProgress) {
     const before = this.progress?.phase;
     this.progress = progress.phase === 'done' ? null : progress;
-    if (progress.phase !== before) this.#app.announce(strings.townPhase[progress.phase]);
-    this.#app.emit('town');
+    if (progress.phase !== before) this.#events.announce(strings.townPhase[progress.phase]);
+    this.#events.emit('town');
   }
 
   #clear() {
-    this.#app.comparison.clear();
+    for (const then of this.onClear) then();
     this.tiles?.dispose();
     this.#next?.dispose();
     this.tiles = this.#next = this.#box = null;
     this.#root = '';
     this.progress = this.selected = this.ground = null;
     this.skipped = { total: 0, list: [] };
-    this.#app.viewport.extent = null;
+    this.#renderer.viewport.extent = null;
     this.#mark();
   }
 
   async #load(root: string) {
-    const { viewport } = this.#app, { TownTiles } = await import('./tiles.ts');
+    const { viewport } = this.#renderer, { TownTiles } = await import('./tiles.ts');
     if (root !== this.#root) return;
     this.#next?.dispose();
     const tiles = this.#next = new TownTiles(root, viewport.camera, viewport.renderer, material => this.look(material));
     tiles.onChange = () => { this.#change(); viewport.draw(); };
-    tiles.onTiles = () => { this.#app.walk.forget(); this.#later(); };
-    tiles.onError = message => this.#app.announce(strings.failed + message);
+    tiles.onTiles = () => { for (const then of this.onTiles) then(); this.#later(); };
+    tiles.onError = message => this.#events.announce(strings.failed + message);
     tiles.onRoot = () => { if (!this.tiles) this.#change(true); };
     viewport.draw();
   }
 
   /** Gives a material of a tile the look that it has here. */
   look(material: THREE.Material) {
-    this.#app.viewport.dim(material);
+    this.#renderer.viewport.dim(material);
     colourLeaves(material, this.#day);
   }
 
   /** Shows the trees as they are on a day. */
   turn(day: { month: number; day: number }) {
     this.#day = day;
-    for (const tiles of [this.tiles, this.#next, this.#app.comparison.kept?.tiles]) for (const material of tiles?.materials() ?? []) colourLeaves(material, day);
+    for (const tiles of [this.tiles, this.#next, this.keptTiles()]) for (const material of tiles?.materials() ?? []) colourLeaves(material, day);
   }
 
   /** Shows the next tiles once they are all there, so that the ones before do not vanish first. */
   #change(now = false) {
-    const { viewport } = this.#app, next = this.#next;
+    const { viewport } = this.#renderer, next = this.#next;
     if (!next || !now && next.busy) return;
     if (next.box.isEmpty()) return this.#drop(next);
     const first = !this.tiles;
@@ -142,8 +154,8 @@ export class Town {
     this.#next = null;
     viewport.scene.add(next.group);
     viewport.showExtent(next.box);
-    if (first) this.#app.look('above');
-    this.#app.emit('town');
+    if (first) this.onFirstTiles();
+    this.#events.emit('town');
     this.#later();
   }
 
@@ -152,7 +164,7 @@ export class Town {
     next.dispose();
     this.#next = null;
     this.#root = '';
-    this.#app.emit('town');
+    this.#events.emit('town');
   }
 
   /** What preset views show: the town, or the part in the middle of a large one. */
@@ -168,7 +180,7 @@ export class Town {
     if (!this.tiles) return;
     clearTimeout(this.#timer);
     this.#timer = window.setTimeout(() => {
-      const { viewport } = this.#app;
+      const { viewport } = this.#renderer;
       if (!this.tiles) return;
       const far = viewport.camera.position.distanceTo(viewport.controls.target);
       viewport.environment.shade(viewport.controls.target, THREE.MathUtils.clamp(far * 1.3, 40, 500));
@@ -182,11 +194,11 @@ export class Town {
     const { selected, tiles } = this;
     const found = selected && tiles ? tiles.shapeOf(selected.layer, selected.key) : null;
     const place = selected && !found ? placeOf(selected.decision, 'x', 'y') : null;
-    this.#app.selected.show(found ? [found.shape] : place ? [pin(place)] : this.ground ? [pin(this.ground.point, 1)] : []);
+    this.#renderer.selected.show(found ? [found.shape] : place ? [pin(place)] : this.ground ? [pin(this.ground.point, 1)] : []);
     this.#box = found?.shape.boundingBox ?? this.#box;
     if (found && selected && !selected.house) {
       selected.house = found.feature;
-      this.#app.emit('town');
+      this.#events.emit('town');
     }
   }
 
@@ -205,23 +217,23 @@ export class Town {
     if (!state) return;
     this.ground = ground;
     this.#mark();
-    this.#app.emit('town');
+    this.#events.emit('town');
     ground.place = await fetchPlace(state.id, point.x, -point.z).catch(() => null);
     if (this.ground !== ground) return;
-    this.#app.emit('town');
-    this.#app.announce(placeText(ground));
+    this.#events.emit('town');
+    this.#events.announce(placeText(ground));
   }
 
   /** The point of a house, or else of the ground, that a ray meets first. */
   surfaceAt(ray: THREE.Raycaster): THREE.Vector3 | null {
-    const { level } = this.#app.viewport.environment, ground = new THREE.Plane(new THREE.Vector3(0, 1, 0), -level);
+    const { level } = this.#renderer.viewport.environment, ground = new THREE.Plane(new THREE.Vector3(0, 1, 0), -level);
     return this.tiles?.pointAt(ray) ?? ray.ray.intersectPlane(ground, new THREE.Vector3());
   }
 
   clearSelection() {
     this.selected = this.ground = this.#box = null;
     this.#mark();
-    this.#app.emit('town');
+    this.#events.emit('town');
   }
 
   /** Selects a feature, or the face of its envelope at a place; returns false if there is none. */
@@ -236,8 +248,8 @@ export class Town {
     this.#box = this.ground = null;
     this.selected = { house, layer: own, key, decision, face: face && at && { ...face, height: at.y } };
     this.#mark();
-    this.#app.emit('town');
-    this.#app.announce(strings.selected + this.title());
+    this.#events.emit('town');
+    this.#events.announce(strings.selected + this.title());
     return true;
   }
 
@@ -258,7 +270,7 @@ export class Town {
 
   /** Looks at the selected feature from above. */
   lookAtSelected() {
-    const decision = this.selected?.decision, { viewport } = this.#app;
+    const decision = this.selected?.decision, { viewport } = this.#renderer;
     const target = this.#box?.getCenter(new THREE.Vector3()) ?? placeOf(decision, 'x', 'y');
     if (!target) return;
     const far = Math.max(NEAR, (this.#box?.getSize(new THREE.Vector3()).length() ?? 0) * 1.6);
@@ -268,7 +280,7 @@ export class Town {
 
   /** Stands on the street before the front of the selected feature; false if it has none. */
   standBefore(): boolean {
-    const decision = this.selected?.decision, { viewport } = this.#app;
+    const decision = this.selected?.decision, { viewport } = this.#renderer;
     const one = placeOf(decision, 'front_x1', 'front_y1'), two = placeOf(decision, 'front_x2', 'front_y2');
     if (!one || !two || !decision?.['facing']) return false;
     const azimuth = Number(decision['facing']) * Math.PI / 180, ground = this.#box?.min.y ?? 0;
@@ -283,7 +295,7 @@ export class Town {
     const skipped = state.skipped > 0 ? await fetchSkipped(state.id).catch(() => null) : { total: 0, list: [] };
     if (!skipped || this.state !== state) return;
     this.skipped = skipped;
-    this.#app.emit('town');
+    this.#events.emit('town');
   }
 }
 

@@ -1,9 +1,10 @@
 // The source pane: numbered lines with diagnostics underlined, and the selected part and the part at the editor's cursor
 // highlighted. Read-only; the text is edited in the user's editor.
 
-import type { App, SourceLocation } from '../app.ts';
+import type { App } from '../app.ts';
 import { field, h } from './dom.ts';
 import { type ByteRange, displayName, sourceOf } from '../server/api.ts';
+import type { SourceLocation } from '../state.ts';
 import { strings } from './strings.ts';
 
 /** A highlighted range, in characters. */
@@ -63,7 +64,7 @@ export class SourcePane {
   }
 
   #render() {
-    const { state, model, selection, pointed, offsets } = this.#app, here = offsets.get(this.#id);
+    const { state, model, selection, offsets, renderer: { pointed } } = this.#app, here = offsets.get(this.#id);
     if (!here || !state) { this.#show([]); return; }
     const marks: Mark[] = [];
     const mark = (span: ByteRange, name: string) => {

@@ -36,19 +36,19 @@ export function toolbar(app: App, { panes, panel, changed }: Panes): HTMLElement
   };
   const walk = toggleButton(strings.walk, on => {
     if (!on) return app.walk.leave();
-    if (app.walk.start()) app.viewport.canvas.focus();
+    if (app.walk.start()) app.renderer.viewport.canvas.focus();
   }, 'walk');
   app.on('walk', () => walk.setAttribute('aria-pressed', `${app.walk.on}`));
-  app.on('shown', () => turn.setAttribute('aria-pressed', `${app.turntable.on}`));
+  app.on('shown', () => turn.setAttribute('aria-pressed', `${app.renderer.turntable.on}`));
   const turn = toggleButton(strings.turntable, on => {
-    app.turntable.set(on);
+    app.renderer.turntable.set(on);
     turn.setAttribute('aria-pressed', `${on}`);
   }, 'turntable');
   const views = h('select', { 'aria-label': strings.views, 'data-do': 'view', onchange: () => {
     if (views.value) app.look(views.value as (typeof VIEWS)[number]);
   } }, h('option', { value: '' }, strings.views), ...VIEWS.map(view => h('option', { value: view }, strings.view[view])));
   // Moving the camera leaves the preset view.
-  app.viewport.controls.addEventListener('change', () => { if (!app.movingToView) views.value = ''; });
+  app.renderer.viewport.controls.addEventListener('change', () => { if (!app.movingToView) views.value = ''; });
   const bar = h('div', { class: 'toolbar', role: 'toolbar', 'aria-label': strings.tools },
     h('h1', { class: 'brand' }, h('b', {}, 'hsd'), ' ', h('span', { class: 'title' })),
     h('div', { class: 'group', role: 'group', 'aria-label': strings.show }, ...switches.map(({ button }) => button)),
@@ -64,8 +64,8 @@ export function toolbar(app: App, { panes, panel, changed }: Panes): HTMLElement
 
 /** Downloads an image of the current view. */
 export async function screenshot(app: App) {
-  app.viewport.frame();
-  const blob = await new Promise<Blob | null>(done => app.viewport.canvas.toBlob(done, 'image/png'));
+  app.renderer.viewport.frame();
+  const blob = await new Promise<Blob | null>(done => app.renderer.viewport.canvas.toBlob(done, 'image/png'));
   if (!blob) return;
   const name = (app.file ?? 'house').split(/[\\/]/).pop()!.replace(/\.[^.]*$/, '');
   download(blob, `${name}.png`);

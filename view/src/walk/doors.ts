@@ -2,9 +2,11 @@
 // beside it, and is in nobody's way there. A roller shutter goes up into its box.
 
 import * as THREE from 'three';
-import type { App } from '../app.ts';
 import { hit } from '../model/parts.ts';
 import { type Model, type Part, rangesOf } from '../model/model.ts';
+import type { Viewport } from '../scene/viewport.ts';
+import type { PageState } from '../state.ts';
+import type { Town } from '../town/town.ts';
 import { strings } from '../ui/strings.ts';
 
 /** The box for shutters, which stays, and shutters that are rolled up. */
@@ -42,15 +44,21 @@ interface Moved {
 }
 
 export class Doors {
-  #app: App;
+  /** Called when a door has moved. */
+  onMoved: () => void = () => {};
+  #state: PageState;
+  #viewport: Viewport;
+  #town: Town;
   #model: Model | null = null;
   #moved = new Map<number, Moved>();
   #sliding = new Set<Moved>();
   #last = 0;
 
-  constructor(app: App) {
-    this.#app = app;
-    app.on('model', () => this.shut());
+  constructor(state: PageState, viewport: Viewport, town: Town) {
+    this.#state = state;
+    this.#viewport = viewport;
+    this.#town = town;
+    state.on('model', () => this.shut());
   }
 
   /** True while one slides. */
@@ -74,17 +82,17 @@ export class Doors {
   press(ray: THREE.Raycaster): boolean { return this.#slide(this.#along(ray, FAR)); }
 
   /** The parts that are doors. */
-  get all(): number[] { return this.#app.model?.parts.flatMap((door, part) => this.#opens(door) ? [part] : []) ?? []; }
+  get all(): number[] { return this.#state.model?.parts.flatMap((door, part) => this.#opens(door) ? [part] : []) ?? []; }
 
   #opens({ kind, code, box }: Part): boolean {
     const known = code?.trim() ?? '';
-    return kind === 'part' && this.#app.doors.has(known) && !known.startsWith(BOX) && !box.isEmpty();
+    return kind === 'part' && this.#state.doors.has(known) && !known.startsWith(BOX) && !box.isEmpty();
   }
 
   /** The nearest door on a ray, before which nothing else stands; open ones count where they were shut. */
   #along(ray: THREE.Raycaster, reach: number): number | null {
-    const { model } = this.#app, at = new THREE.Vector3();
-    if (!model || this.#app.town.state) return null;
+    const { model } = this.#state, at = new THREE.Vector3();
+    if (!model || this.#town.state) return null;
     let found: number | null = null, least = Math.min(reach, (hit(model, ray, () => true)?.distance ?? Infinity) + 0.15);
     for (const part of this.all) {
       const far = ray.ray.intersectBox(model.parts[part]!.box, at)?.distanceTo(ray.ray.origin) ?? Infinity;
@@ -95,8 +103,8 @@ export class Doors {
 
   /** The nearest door before a walker who looks a little beside it. */
   #beside({ ray: { origin, direction } }: THREE.Raycaster): number | null {
-    const { model } = this.#app, at = new THREE.Vector3();
-    if (!model || this.#app.town.state) return null;
+    const { model } = this.#state, at = new THREE.Vector3();
+    if (!model || this.#town.state) return null;
     let found: number | null = null, least = NEAR;
     for (const part of this.all) {
       const { box } = model.parts[part]!;
@@ -109,7 +117,7 @@ export class Doors {
   }
 
   #slide(part: number | null): boolean {
-    const { model } = this.#app;
+    const { model } = this.#state;
     if (part === null || !model) return false;
     if (this.#model !== model) { this.shut(); this.#model = model; }
     const moved = this.#moved.get(part) ?? this.#movable(model, part);
@@ -123,8 +131,8 @@ export class Doors {
       this.#last = performance.now();
       requestAnimationFrame(this.#step);
     }
-    const { code, name } = model.parts[part]!, label = this.#app.names.get(code?.trim() ?? '') ?? code?.trim() ?? name;
-    this.#app.announce(moved.open ? strings.doorOpened(label) : strings.doorShut(label));
+    const { code, name } = model.parts[part]!, label = this.#state.names.get(code?.trim() ?? '') ?? code?.trim() ?? name;
+    this.#state.announce(moved.open ? strings.doorOpened(label) : strings.doorShut(label));
     return true;
   }
 
@@ -140,8 +148,8 @@ export class Doors {
 
   #put(moved: Moved, at: number) {
     place(moved, at);
-    this.#app.walk.forget();
-    this.#app.viewport.refresh();
+    this.onMoved();
+    this.#viewport.refresh();
   }
 
   /** The leaves of a door, shut and open. */

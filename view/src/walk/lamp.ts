@@ -1,7 +1,8 @@
 // A lamp that a walker carries: warm, and no brighter than to see a dark room by.
 
 import * as THREE from 'three';
-import type { App } from '../app.ts';
+import type { EventBus } from '../event-bus.ts';
+import type { Viewport } from '../scene/viewport.ts';
 import { strings } from '../ui/strings.ts';
 
 /** Colour, candela, how far it reaches in metres, and how fast it fades. */
@@ -9,19 +10,23 @@ const LAMP = [0xffc58a, 9, 12, 1.4] as const;
 
 export class Lamp {
   on = false;
-  #app: App;
+  #events: EventBus;
+  #viewport: Viewport;
   #light = new THREE.PointLight(...LAMP);
 
-  constructor(app: App) { this.#app = app; }
+  constructor(events: EventBus, viewport: Viewport) {
+    this.#events = events;
+    this.#viewport = viewport;
+  }
 
   set(on: boolean) {
     if (on === this.on) return;
     this.on = on;
-    const { scene } = this.#app.viewport;
+    const { scene } = this.#viewport;
     if (on) scene.add(this.#light); else scene.remove(this.#light);
-    this.#app.viewport.draw();
-    this.#app.announce(on ? strings.lampOn : strings.lampOff);
-    this.#app.emit('walk');
+    this.#viewport.draw();
+    this.#events.announce(on ? strings.lampOn : strings.lampOff);
+    this.#events.emit('walk');
   }
 
   /** Holds it beside the eyes. */

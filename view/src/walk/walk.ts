@@ -1,9 +1,10 @@
 // Walking: the camera is at the eyes of someone who stands on the ground and goes where nothing is in the way.
 
 import * as THREE from 'three';
-import type { App } from '../app.ts';
+import type { PageRenderer } from '../renderer.ts';
+import type { PageState } from '../state.ts';
+import type { Town } from '../town/town.ts';
 import { strings } from '../ui/strings.ts';
-import { rayAt } from '../scene/canvas.ts';
 import { Doors } from './doors.ts';
 import { Lamp } from './lamp.ts';
 import { CROWN, Obstacles, type Spot } from './obstacles.ts';
@@ -61,7 +62,9 @@ export class Walk {
   on = false;
   readonly doors: Doors;
   readonly lamp: Lamp;
-  #app: App;
+  #state: PageState;
+  #renderer: PageRenderer;
+  #town: Town;
   #held = new Set<Way>();
   #fast = false;
   #obstacles: Obstacles | null = null;
@@ -82,12 +85,17 @@ export class Walk {
   #own = false;
   #ended = new AbortController();
 
-  constructor(app: App) {
-    this.#app = app;
-    this.doors = new Doors(app);
-    this.lamp = new Lamp(app);
+  constructor(state: PageState, renderer: PageRenderer, town: Town) {
+    this.#state = state;
+    this.#renderer = renderer;
+    this.#town = town;
+    const { viewport } = renderer;
+    this.doors = new Doors(state, viewport, town);
+    this.doors.onMoved = () => this.forget();
+    this.lamp = new Lamp(state, viewport);
+    town.onTiles.push(() => this.forget());
     // Whatever else moves the camera ends the walk.
-    app.viewport.controls.addEventListener('change', () => { if (this.on && !this.#own) this.leave(); });
+    viewport.controls.addEventListener('change', () => { if (this.on && !this.#own) this.leave(); });
   }
 
   /** Where one stands: x, height of the ground, z; metres. */
@@ -95,7 +103,7 @@ export class Walk {
 
   #gather([x, z]: Spot, reach: number, low: number, high: number): Obstacles {
     const box = new THREE.Box3(new THREE.Vector3(x - reach, low, z - reach), new THREE.Vector3(x + reach, high, z + reach));
-    return new Obstacles(trianglesIn(box, this.#app.meshes()), [x, z], reach, this.#app.viewport.environment.level);
+    return new Obstacles(trianglesIn(box, this.#renderer.meshes()), [x, z], reach, this.#renderer.viewport.environment.level);
   }
 
   /** What matters to where a walk begins. */
@@ -103,7 +111,7 @@ export class Walk {
 
   /** Begins near what is looked at, or before the selected house; false if there is no room. */
   start(): boolean {
-    const { viewport: { camera, controls, environment, canvas }, town, turntable } = this.#app;
+    const { viewport: { camera, controls, environment, canvas }, turntable } = this.#renderer, town = this.#town;
     if (this.on) return true;
     turntable.set(false);
     if (town.selected) town.standBefore();
@@ -112,11 +120,11 @@ export class Walk {
     const { x, y, z } = camera.position, room = startIndoors(this.#around([x, z]), [x, z], y, facing);
     let spot: Spot = [place.x, place.z], around = this.#around(spot);
     // Among houses rather than on open land.
-    const house = !low && around.none && nearestCorner(place, this.#app.meshes());
+    const house = !low && around.none && nearestCorner(place, this.#renderer.meshes());
     if (house) around = this.#around(spot = [house.x, house.z]);
     const start = room ?? startNear(around, spot, facing);
     if (!start) {
-      this.#app.announce(strings.noRoomToWalk);
+      this.#state.announce(strings.noRoomToWalk);
       return false;
     }
     this.on = true;
@@ -131,15 +139,15 @@ export class Walk {
     this.#listen(canvas, this.#ended.signal);
     canvas.setAttribute('aria-label', strings.walkCanvas);
     this.#look(FOV);
-    this.#app.announce(strings.walking);
-    this.#app.emit('walk');
+    this.#state.announce(strings.walking);
+    this.#state.emit('walk');
     return true;
   }
 
   /** Ends the walk; the camera stays where it is. */
   leave() {
     if (!this.on) return;
-    const { viewport } = this.#app, { canvas, controls } = viewport;
+    const { viewport } = this.#renderer, { canvas, controls } = viewport;
     this.on = false;
     this.lamp.set(false);
     this.#ended.abort();
@@ -149,8 +157,8 @@ export class Walk {
     canvas.setAttribute('aria-label', strings.canvas);
     viewport.setFieldOfView(null);
     viewport.draw();
-    this.#app.announce(strings.walked);
-    this.#app.emit('walk');
+    this.#state.announce(strings.walked);
+    this.#state.emit('walk');
   }
 
   /** Forgets the surfaces nearby, since others are shown. */
@@ -187,11 +195,11 @@ export class Walk {
   }
 
   /** Slides the door ahead, or tells that there is none. */
-  useDoor() { if (this.on && !this.doors.use(this.#ahead())) this.#app.announce(strings.noDoor); }
+  useDoor() { if (this.on && !this.doors.use(this.#ahead())) this.#state.announce(strings.noDoor); }
 
   #ahead(): THREE.Raycaster {
-    const { canvas } = this.#app.viewport;
-    return rayAt(this.#app, canvas.clientWidth / 2, canvas.clientHeight / 2);
+    const { canvas } = this.#renderer.viewport;
+    return this.#renderer.rayAt(canvas.clientWidth / 2, canvas.clientHeight / 2);
   }
 
   #listen(canvas: HTMLCanvasElement, signal: AbortSignal) {
@@ -264,7 +272,7 @@ export class Walk {
 
   /** Puts the camera to the eyes. */
   #look(fov?: number) {
-    const { viewport } = this.#app, { camera, controls } = viewport, level = Math.cos(this.#tilt);
+    const { viewport } = this.#renderer, { camera, controls } = viewport, level = Math.cos(this.#tilt);
     const ahead = new THREE.Vector3(Math.sin(this.#heading) * level, Math.sin(this.#tilt), -Math.cos(this.#heading) * level);
     this.#own = true;
     if (fov) viewport.setFieldOfView(fov);

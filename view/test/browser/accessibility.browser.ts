@@ -155,7 +155,7 @@ test('a session by keyboard: choose a file, hide a roof, cut, set the sun, measu
   await enter('section');
   await tabTo('[data-fold=section] input[type=range]');
   await page.keyboard.press('ArrowRight');
-  assert.ok(await page.evaluate(() => hsd.app.section.cut.on && hsd.app.section.cut.at === 0.505));
+  assert.ok(await page.evaluate(() => hsd.app.renderer.section.cut.on && hsd.app.renderer.section.cut.at === 0.505));
   await enter('sun');
   await tabTo('[data-fold=sun] input[type=range]');
   await page.keyboard.press('Home');
@@ -164,7 +164,7 @@ test('a session by keyboard: choose a file, hide a roof, cut, set the sun, measu
   await enter('measure');
   await tabTo('[data-fold=measure] input[type=checkbox]');
   await page.keyboard.press('Space');
-  assert.ok(await page.evaluate(() => hsd.app.measure.on));
+  assert.ok(await page.evaluate(() => hsd.app.renderer.measure.on));
   await page.context().close();
 });
 

@@ -21,7 +21,7 @@ after(async () => { await preview?.close(); });
 
 /** What is shown on either side of the line, as it is painted. */
 const sides = () => page.evaluate(() => {
-  const { split, scene } = hsd.app.viewport, found: string[] = [];
+  const { split, scene } = hsd.app.renderer.viewport, found: string[] = [];
   for (const left of [true, false]) {
     split?.show(left);
     found.push(scene.children.filter(child => child.name === 'town' && child.visible).map(child => hsd.app.comparison.kept?.tiles.group === child ? 'kept' : 'built').join());
@@ -31,7 +31,7 @@ const sides = () => page.evaluate(() => {
 
 test('without a kept town one scene fills the view', async () => {
   assert.equal(await page.locator('[data-do="end-comparison"]').isVisible(), false);
-  assert.equal(await page.evaluate(() => hsd.app.viewport.split), null);
+  assert.equal(await page.evaluate(() => hsd.app.renderer.viewport.split), null);
 });
 
 test('another year stands beside the kept town, and what differs is listed', async () => {
@@ -78,6 +78,6 @@ test('nothing stands in the way of the panel', async () => {
 
 test('the comparison ends', async () => {
   await page.locator('[data-do="end-comparison"]').click();
-  await until(() => page.evaluate(() => hsd.app.viewport.split === null && hsd.app.comparison.kept === null), 'one scene again', 120_000);
+  await until(() => page.evaluate(() => hsd.app.renderer.viewport.split === null && hsd.app.comparison.kept === null), 'one scene again', 120_000);
   assert.equal(await page.evaluate(() => hsd.app.town.tiles!.group.visible), true);
 });

@@ -27,7 +27,7 @@ after(async () => { await preview?.close(); });
 
 /** Where faces of an envelope that slope or lie level are drawn, CSS pixels of the page, each with how steep it is. */
 const faces = (page: Page, key: string) => page.evaluate(key => {
-  const { viewport, town } = hsd.app, { shape } = town.tiles!.shapeOf('lots', key)!, { canvas, camera } = viewport, { left, top } = canvas.getBoundingClientRect();
+  const { renderer: { viewport }, town } = hsd.app, { shape } = town.tiles!.shapeOf('lots', key)!, { canvas, camera } = viewport, { left, top } = canvas.getBoundingClientRect();
   const corners = shape.getAttribute('position'), corner = () => camera.position.clone(), found = [];
   for (let i = 0; i < corners.count; i += 3) {
     const [a, b, c] = [0, 1, 2].map(k => corner().fromBufferAttribute(corners, i + k)) as [typeof camera.position, typeof camera.position, typeof camera.position];

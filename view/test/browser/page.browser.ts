@@ -60,7 +60,7 @@ test('the section plane cuts on each axis, on either side, and bodies look solid
   const kept = (x: number, y: number, z: number) => page.evaluate(([x, y, z]) => {
     const { min, max } = hsd.app.model!.box, at = min.clone();
     at.set(min.x + (max.x - min.x) * x!, min.y + (max.y - min.y) * y!, min.z + (max.z - min.z) * z!);
-    return hsd.app.section.keeps(at);
+    return hsd.app.renderer.section.keeps(at);
   }, [x, y, z]);
   await section.getByLabel('Axis').selectOption('y');
   await section.getByLabel('Position').fill('0.3');
@@ -74,7 +74,7 @@ test('the section plane cuts on each axis, on either side, and bodies look solid
     return hsd.pixels(places).filter(([r, g, b]) => Math.abs(r! - 0x8c) < 3 && Math.abs(g! - 0x3b) < 3 && Math.abs(b! - 0x2a) < 3).length;
   });
   assert.ok(await caps() > 20, `${await caps()} places of cut bodies`);
-  const metres = await page.evaluate(() => hsd.app.section.position());
+  const metres = await page.evaluate(() => hsd.app.renderer.section.position());
   assert.equal(await section.locator('output').textContent(), `${metres.toFixed(2)} m`);
   // Parts that are cut away cannot be picked.
   const roof = await page.evaluate(() => hsd.pick(hsd.viewport.canvas.clientWidth / 2, hsd.viewport.canvas.clientHeight / 3));
@@ -88,7 +88,7 @@ test('the section plane cuts on each axis, on either side, and bodies look solid
   assert.ok(await kept(0.5, 0.5, 0.4) && !await kept(0.5, 0.5, 0.2));
   await section.getByLabel('Cut the model').uncheck();
   assert.ok(await kept(0.5, 0.5, 0.2));
-  assert.equal(await page.evaluate(() => hsd.app.section.caps), 0);
+  assert.equal(await page.evaluate(() => hsd.app.renderer.section.caps), 0);
   assert.equal(differ(whole, await brightness(page)), 0);
 });
 
@@ -137,7 +137,7 @@ test('measuring snaps to vertices and shows metres, shaku and ken', async () => 
   assert.equal(places.length, 3);
   for (const [x, y] of places) await canvas.click({ position: { x, y } });
   const { points, vertices } = await page.evaluate(() => {
-    const { points } = hsd.app.measure, seen = new Set<string>();
+    const { points } = hsd.app.renderer.measure, seen = new Set<string>();
     const key = (p: { x: number; y: number; z: number }) => [p.x, p.y, p.z].map(n => n.toFixed(4)).join();
     for (const { mesh } of hsd.app.model!.chunks) {
       const at = mesh.geometry.getAttribute('position');
@@ -157,7 +157,7 @@ test('measuring snaps to vertices and shows metres, shaku and ken', async () => 
   // At the pixel of a vertex, the vertex itself is chosen.
   await section.getByRole('button', { name: 'Clear' }).click();
   const corner = await page.evaluate(() => {
-    const { model, viewport } = hsd.app, { clientWidth: w, clientHeight: h } = viewport.canvas;
+    const { model, renderer: { viewport } } = hsd.app, { clientWidth: w, clientHeight: h } = viewport.canvas;
     for (const { mesh } of model!.chunks) {
       const at = mesh.geometry.getAttribute('position');
       for (let i = 0; i < at.count; i += 7) {
@@ -172,7 +172,7 @@ test('measuring snaps to vertices and shows metres, shaku and ken', async () => 
   assert.ok(corner, 'a corner is seen');
   await canvas.click({ position: corner! });
   const far = await page.evaluate(() => {
-    const p = hsd.app.measure.points[0]!;
+    const p = hsd.app.renderer.measure.points[0]!;
     let least = Infinity;
     for (const { mesh } of hsd.app.model!.chunks) {
       const at = mesh.geometry.getAttribute('position');
@@ -187,11 +187,11 @@ test('measuring snaps to vertices and shows metres, shaku and ken', async () => 
   await page.keyboard.press('Enter');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Enter');
-  assert.equal(await page.evaluate(() => hsd.app.measure.points.length), 2);
+  assert.equal(await page.evaluate(() => hsd.app.renderer.measure.points.length), 2);
   await section.getByRole('button', { name: 'Undo last point' }).click();
-  assert.equal(await page.evaluate(() => hsd.app.measure.points.length), 1);
+  assert.equal(await page.evaluate(() => hsd.app.renderer.measure.points.length), 1);
   await reset();
-  assert.equal(await page.evaluate(() => hsd.app.measure.points.length), 0);
+  assert.equal(await page.evaluate(() => hsd.app.renderer.measure.points.length), 0);
   assert.ok(!await section.getByLabel('Measure', { exact: true }).isChecked());
 });
 

@@ -37,7 +37,7 @@ test('after a save, camera, toggles, section and selection stay', async () => {
   assert.equal(now?.code, 'TOD');
   assert.equal(now!.span![0], before!.span![0] + new TextEncoder().encode('# 町家\n').length);
   assert.ok((await page.evaluate(() => hsd.camera)).every((n, i) => Math.abs(n - camera[i]!) < 1e-9), 'the camera stays');
-  assert.ok(await page.evaluate(() => hsd.app.section.cut.on && hsd.app.section.cut.at === 0.8 && hsd.app.section.caps > 0));
+  assert.ok(await page.evaluate(() => hsd.app.renderer.section.cut.on && hsd.app.renderer.section.cut.at === 0.8 && hsd.app.renderer.section.caps > 0));
   assert.ok(await page.evaluate(() => hsd.app.model!.chunks.every(c => c.mesh.visible !== (hsd.app.layerOf(c) === 'roof 2'))));
   assert.equal((await page.locator('.source-line .selected').textContent())?.trim(), 'TOD');
   assert.ok(await page.evaluate(() => hsd.viewport.renderer.info.memory.textures) <= pictures + 3, 'textures are kept');

@@ -40,26 +40,26 @@ test('screenshots are rendered and posted, then the end is reported', async () =
 test('reflections can be switched, with a chosen depth', async () => {
   const page = await preview.open('?file=two.hsd', { viewport: { width: 900, height: 560 } });
   const glass = await unfold(page, 'glass');
-  assert.ok(await page.evaluate(() => hsd.app.mirrors.walls.length > 0));
+  assert.ok(await page.evaluate(() => hsd.app.renderer.mirrors.walls.length > 0));
   // A view in which glass has something to reflect.
   for (const view of ['front', 'above', 'back', 'left', 'right']) {
     await does(page, 'view').selectOption(view);
     await page.evaluate(() => hsd.settled());
-    if (await page.evaluate(() => hsd.app.mirrors.stats.drawn > 0)) break;
+    if (await page.evaluate(() => hsd.app.renderer.mirrors.stats.drawn > 0)) break;
   }
-  assert.ok(await page.evaluate(() => hsd.app.mirrors.stats.drawn > 0), 'visible mirrors');
+  assert.ok(await page.evaluate(() => hsd.app.renderer.mirrors.stats.drawn > 0), 'visible mirrors');
   const mirrored = await brightness(page), calls = await page.evaluate(() => hsd.stats.calls);
   await glass.getByLabel('Reflect neighbouring buildings').uncheck();
   const plain = await brightness(page);
-  assert.equal(await page.evaluate(() => hsd.app.mirrors.stats.drawn), 0);
+  assert.equal(await page.evaluate(() => hsd.app.renderer.mirrors.stats.drawn), 0);
   assert.ok(await page.evaluate(() => hsd.stats.calls) < calls, 'fewer draw calls');
   assert.ok(differ(mirrored, plain, 0.01) > 0, 'the image changes');
   await glass.getByLabel('Reflect neighbouring buildings').check();
   assert.equal(differ(mirrored, await brightness(page), 0.01), 0);
   await glass.getByLabel('Reflection depth').fill('3');
-  assert.equal(await page.evaluate(() => hsd.app.mirrors.options.depth), 3);
+  assert.equal(await page.evaluate(() => hsd.app.renderer.mirrors.options.depth), 3);
   await does(page, 'reset').click();
-  assert.equal(await page.evaluate(() => hsd.app.mirrors.options.depth), 1);
+  assert.equal(await page.evaluate(() => hsd.app.renderer.mirrors.options.depth), 1);
   const stats = await unfold(page, 'stats');
   await until(async () => /Visible mirrors\d+ \/ \d+/.test(await stats.textContent() ?? ''), 'statistics of mirrors');
   await page.context().close();

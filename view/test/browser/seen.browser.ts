@@ -48,9 +48,9 @@ test('the lit part is cut with the model', async () => {
   await page.evaluate(() => hsd.select(hsd.app.model!.parts.findIndex(part => part.kind === 'roof' && part.storey === 2)));
   const whole = await lit();
   assert.ok(whole > 100, `${whole} places are lit`);
-  await page.evaluate(() => hsd.app.section.set({ on: true, axis: 'y', at: 0.2, flip: false }));
+  await page.evaluate(() => hsd.app.renderer.section.set({ on: true, axis: 'y', at: 0.2, flip: false }));
   const cut = await lit();
-  await page.evaluate(() => { hsd.app.section.set({ on: false }); hsd.select(null); });
+  await page.evaluate(() => { hsd.app.renderer.section.set({ on: false }); hsd.select(null); });
   assert.ok(cut < whole / 10, `${cut} of ${whole} places are lit above the cut`);
 });
 

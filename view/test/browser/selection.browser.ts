@@ -40,7 +40,7 @@ test('a click on a part shows its details and source, and opens it in the editor
   assert.equal(await card.locator('pre').textContent(), preview.read('machiya.hsd').split('\n')[line - 1]);
   assert.equal(await page.locator('.source-line .selected').textContent(), 'MMU 2');
   assert.equal(await page.locator('.source-line:has(.selected)').getAttribute('data-line'), `${line}`);
-  assert.ok(await page.evaluate(() => hsd.app.selected.drawn) > 0, 'it is highlighted in the model');
+  assert.ok(await page.evaluate(() => hsd.app.renderer.selected.drawn) > 0, 'it is highlighted in the model');
   assert.match(await page.locator('.live').textContent() ?? '', /Selected: Part, MMU 2, Storey 2/);
   await does(page, 'open').click();
   const text = preview.read('machiya.hsd'), begun = text.split('\n').slice(0, line - 1).join('\n').length + 1;
@@ -214,7 +214,7 @@ test('the editor\'s cursor highlights its part', async () => {
   });
   await other.goto(`${preview.url}?file=machiya.hsd`);
   await until(() => other.evaluate(() => globalThis.hsd?.lit.join() === 'GDE 2'), 'the part at the cursor is highlighted');
-  assert.ok(await other.evaluate(() => hsd.app.pointed.drawn) > 0);
+  assert.ok(await other.evaluate(() => hsd.app.renderer.pointed.drawn) > 0);
   await does(other, 'text').click();
   assert.equal(await other.locator('.source-line .pointed').textContent(), 'GDE 2');
   await does(other, 'plan').click();

@@ -27,7 +27,7 @@ async function shown(page: Page) {
 
 /** Where the middle of a house is drawn, CSS pixels of the page. */
 const placeOf = (page: Page, key: string) => page.evaluate(key => {
-  const { viewport, town } = hsd.app, { shape } = town.tiles!.shapeOf('houses', key)!, { canvas, camera } = viewport;
+  const { renderer: { viewport }, town } = hsd.app, { shape } = town.tiles!.shapeOf('houses', key)!, { canvas, camera } = viewport;
   const { x, y } = shape.boundingBox!.getCenter(camera.position.clone()).project(camera), { left, top } = canvas.getBoundingClientRect();
   shape.dispose();
   return { x: left + (x + 1) / 2 * canvas.clientWidth, y: top + (1 - y) / 2 * canvas.clientHeight };
@@ -65,7 +65,7 @@ test('a click on a house tells its feature, type, parameters and evidence, and l
   await until(() => card(page).isVisible(), 'the card is shown');
   const text = await card(page).innerText();
   for (const word of ['houses', 'frontage=', 'drawn for this example', 'Front faces']) assert.ok(text.includes(word), `${word} in ${text}`);
-  assert.ok(await page.evaluate(() => hsd.app.selected.drawn) > 0, 'it is marked');
+  assert.ok(await page.evaluate(() => hsd.app.renderer.selected.drawn) > 0, 'it is marked');
   const { key, house } = await page.evaluate(() => hsd.app.town.selected!);
   assert.equal(text.split('\n')[0], key);
   const line = preview.read(TOWN).split('\n')[house!.line - 1]!;
@@ -118,7 +118,7 @@ test('what was skipped leads to its place and to its rule', async () => {
   assert.match(await card(page).innerText(), /skipped: a shed/);
   const target = await page.evaluate(() => ({ at: hsd.app.town.skipped.list[0]!.at!, target: hsd.camera.slice(3) }));
   assert.ok(Math.abs(target.target[0]! - target.at[0]) < 0.1 && Math.abs(target.target[2]! + target.at[1]) < 0.1, JSON.stringify(target));
-  assert.ok(await page.evaluate(() => hsd.app.selected.drawn) > 0, 'its place is marked');
+  assert.ok(await page.evaluate(() => hsd.app.renderer.selected.drawn) > 0, 'its place is marked');
   await until(async () => (await page.locator('.source-line .spot').first().innerText()).includes("use = 'shed'"), 'its rule is marked');
 });
 

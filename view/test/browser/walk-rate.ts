@@ -19,7 +19,7 @@ await page.waitForFunction(() => hsd.app.town.state?.whole && !hsd.app.town.busy
 
 type Way = 'walking' | 'full' | 'no shadows' | 'plain';
 const turn = (way: Way) => page.evaluate(async ({ east, north, way }) => {
-  const { viewport, town } = hsd.app, { camera, controls, renderer, scene } = viewport, steps = 24, eyes = viewport.environment.level + 1.6;
+  const { renderer: { viewport }, town } = hsd.app, { camera, controls, renderer, scene } = viewport, steps = 24, eyes = viewport.environment.level + 1.6;
   const settled = () => new Promise<void>(done => { const wait = () => { if (town.busy) setTimeout(wait, 50); else done(); }; setTimeout(wait, 300); });
   const look = (step: number) => {
     const angle = step / steps * 2 * Math.PI;

@@ -139,13 +139,13 @@ test('distances are measured in a town: by clicks in metres, and from the crossh
   assert.equal(await page.evaluate(() => hsd.app.town.selected), null, 'a click measures and selects nothing');
   await page.locator('canvas.viewport').focus();
   await page.keyboard.press('Enter');
-  assert.equal(await page.evaluate(() => hsd.app.measure.points.length), 3);
+  assert.equal(await page.evaluate(() => hsd.app.renderer.measure.points.length), 3);
   await page.keyboard.press('Backspace');
-  assert.equal(await page.evaluate(() => hsd.app.measure.points.length), 2);
+  assert.equal(await page.evaluate(() => hsd.app.renderer.measure.points.length), 2);
 });
 
 test('a measured point snaps to the corner of a house', async () => {
-  await page.evaluate(() => { hsd.app.measure.clear(); return hsd.app.town.goTo('houses', 's1'); });
+  await page.evaluate(() => { hsd.app.renderer.measure.clear(); return hsd.app.town.goTo('houses', 's1'); });
   await atRest(page);
   const corner = await page.evaluate(() => {
     const { shape } = hsd.app.town.tiles!.shapeOf('houses', 's1')!, { canvas, camera } = hsd.viewport, { left, top } = canvas.getBoundingClientRect();
@@ -163,7 +163,7 @@ test('a measured point snaps to the corner of a house', async () => {
   assert.ok(corner, 'a corner is seen');
   await page.mouse.click(corner.x, corner.y);
   const off = await page.evaluate(() => {
-    const [point] = hsd.app.measure.points, { shape } = hsd.app.town.tiles!.shapeOf('houses', 's1')!, position = shape.getAttribute('position');
+    const [point] = hsd.app.renderer.measure.points, { shape } = hsd.app.town.tiles!.shapeOf('houses', 's1')!, position = shape.getAttribute('position');
     let least = Infinity;
     for (let i = 0; i < position.count; i++) least = Math.min(least, Math.hypot(position.getX(i) - point!.x, position.getY(i) - point!.y, position.getZ(i) - point!.z));
     return least;

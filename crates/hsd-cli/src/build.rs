@@ -1,0 +1,461 @@
+//! `hsd build`: builds 3D models from house files.
+
+mod bake;
+pub(crate) mod facade;
+mod format;
+pub(crate) mod draw;
+mod job;
+pub(crate) mod plan;
+mod statistics;
+mod steps;
+pub(crate) mod streamed;
+pub(crate) mod init;
+mod tiled;
+pub(crate) mod town;
+mod variants;
+pub(crate) mod watch;
+
+use super::options::{DetailArgs, InputArgs, exit};
+use super::{Failure, Outcome};
+use crate::files::input::{Inputs, STDIN};
+use crate::files::messages::{MessageArgs, Teller, Told};
+use crate::files::output;
+use crate::files::output::Model;
+use crate::files::terminal::counted;
+use clap::Args;
+use hsd_base::diagnostic::{Diagnostic, Diagnostics, Language, Noun, Text, noun};
+use hsd_base::source::Source;
+use hsd_base::text;
+use hsd_driver::Compiled;
+#[cfg(feature = "compress")]
+use hsd_export::gltf::{Glb, Ktx2};
+use hsd_export::images::Library;
+use hsd_export::spool::in_memory;
+use hsd_scene::{Detail, Scene};
+use indicatif::{ProgressBar, ProgressStyle};
+use job::{Job, each};
+use statistics::{statistics, summary};
+use std::cell::OnceCell;
+use std::io::{self, IsTerminal, Write};
+use std::num::NonZeroU32;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+use streamed::{Finished, Started};
+
+/// Build 3D models from house files.
+///
+/// The extension of OUT selects the format: .glb (everything in one file), .gltf, .obj or .stl. Without -o, each
+/// model is written as .glb beside its source file. No model is written for a source file with errors.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  hsd build shop.hsd -o shop.glb          one house, textures embedded
+  hsd build street/*.hsd -o models/       one model per source file, in the folder `models`")]
+pub(super) struct Build {
+    #[command(flatten)]
+    pub(super) input_args: InputArgs,
+
+    /// Write the model to this file, one model per source file into this folder (`models/`), or to standard output (`-`).
+    ///
+    /// Several source files and one output file make one scene.
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+
+    /// Set the format if OUT is a folder or standard output.
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    format: Option<Model>,
+
+    /// Write the textures of a .glb to a folder beside it instead of embedding them.
+    #[arg(long)]
+    textures_beside: bool,
+
+    /// Write a .glb for the web: several times smaller, but requires instancing, meshopt and KTX2 support.
+    ///
+    /// Houses, storeys and parts have no nodes of their own and no extras. Encoding the textures takes some seconds.
+    /// Blender, as of 5.1, cannot read such a file.
+    #[arg(long, conflicts_with = "textures_beside")]
+    compress: bool,
+
+    /// Join houses at detail 0: some hundred of them in one mesh of a .glb, with a feature id each.
+    ///
+    /// For cities: a fraction of the nodes, half the bytes. Vertices carry the number of their house (EXT_mesh_features); its
+    /// name and its place in the source file are in the extras of the node.
+    #[arg(long, conflicts_with_all = ["compress", "variants"])]
+    join: bool,
+
+    /// Build N variants of each source file with consecutive random seeds.
+    ///
+    /// The variants stand in rows in one model; if OUT is a folder, each gets a model of its own. The first seed is
+    /// that of --seed, or 0.
+    #[arg(long, value_name = "N", conflicts_with = "watch")]
+    variants: Option<NonZeroU32>,
+
+    /// Draw a contact sheet (.png or .jpg) of the variants with their seeds.
+    ///
+    /// Without -o, no model is written.
+    #[arg(long, value_name = "FILE", requires = "variants")]
+    sheet: Option<PathBuf>,
+
+    #[command(flatten)]
+    detail_args: DetailArgs,
+
+    #[command(flatten)]
+    bake_args: bake::BakeArgs,
+
+    #[command(flatten)]
+    format_args: format::FormatArgs,
+
+    #[command(flatten)]
+    message_args: MessageArgs,
+
+    /// Rebuild whenever a source file or an image changes, until interrupted.
+    #[arg(long)]
+    watch: bool,
+
+    /// Print the size of the model and the duration of each stage.
+    #[arg(long)]
+    stats: bool,
+
+    /// Print only diagnostics.
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// The message for a build without the `compress` feature.
+const NO_COMPRESS: Noun = noun(
+    "this hsd was built without --compress; to build one with it (requires a C++ compiler): \
+     `cargo build --release --features compress`",
+    "この hsd は --compress なしでビルドされています。C++ コンパイラーがあれば、\
+     `cargo build --release --features compress` で使えるようになります",
+);
+
+const MODEL: Noun = noun("model", "モデル{}個");
+
+impl Build {
+    pub(super) fn run(&self, language: Language) -> Outcome {
+        self.input_args.check_folders()?;
+        self.check_inputs()?;
+        if let Some(sheet) = &self.sheet {
+            variants::check_sheet(sheet, self.variants)?;
+        }
+        let jobs = self.jobs()?;
+        for job in &jobs {
+            self.check_compress(job)?;
+            self.check_join(job)?;
+            self.format_args.check(job)?;
+            job.check_overwrite()?;
+            job.check_terminal()?;
+            self.message_args.check(&job.output)?;
+        }
+        if self.watch {
+            return watch::run(self, &jobs, language);
+        }
+        let built = self.all(&jobs, language)?;
+        match &self.sheet {
+            Some(sheet) => Ok(built.worse(self.contact_sheet(sheet, jobs.is_empty(), language)?)),
+            None => Ok(built),
+        }
+    }
+
+    /// Runs all jobs; a failed job does not stop the others.
+    pub(super) fn all(&self, jobs: &[Job], language: Language) -> Outcome {
+        let teller = self.message_args.teller(language);
+        let progress = Progress::new(self.quiet, jobs.len(), teller);
+        let (mut spoiled, mut failure) = (0, None);
+        for job in jobs {
+            match self.one(job, &progress) {
+                Ok(true) => spoiled += 1,
+                Ok(false) => {}
+                Err(Failure::Io(message)) => {
+                    if let Some(Failure::Io(before)) = failure.replace(Failure::Io(message)) {
+                        progress.line(&text!([before] "hsd: {before}", "hsd: {before}"))?;
+                    }
+                }
+                Err(stop) => return Err(stop),
+            }
+            progress.advance()?;
+        }
+        progress.finish();
+        if let Some(stop) = failure {
+            return Err(stop);
+        }
+        if jobs.len() > 1 && !progress.quiet {
+            let written = counted(jobs.len() - spoiled, MODEL);
+            let unwritten = counted(spoiled, MODEL);
+            progress.line(&match spoiled {
+                0 => text!([written] "wrote {written}", "{written}を書きました"),
+                _ => text!([written, unwritten]
+                    "wrote {written}, {unwritten} not written",
+                    "{written}を書きました。{unwritten}は書いていません"
+                ),
+            })?;
+        }
+        Ok(exit(spoiled > 0))
+    }
+
+    /// Runs one job; returns whether its source files have errors.
+    fn one(&self, job: &Job, progress: &Progress) -> Result<bool, Failure> {
+        match self.streams(job) {
+            true => self.stream(job, progress),
+            false => self.whole(job, progress),
+        }
+    }
+
+    /// Runs one job with the whole scene in memory; returns whether its source files have errors.
+    fn whole(&self, job: &Job, progress: &Progress) -> Result<bool, Failure> {
+        let start = Instant::now();
+        let mut out = Diagnostics::new();
+        let limits = self.input_args.limits();
+        let inputs = Inputs::read(&job.inputs, limits.bytes, &mut out)?;
+        let world = self.input_args.world(&job.inputs);
+        let options = self.options(job.seed, &inputs, &mut out)?;
+        let mut compiled = hsd_driver::compile(&inputs.accepted(), &world, &options, &mut out);
+        let Compiled {
+            building, scene, ..
+        } = &compiled;
+        let paths = &scene.pictures;
+        let mut library = hsd_driver::pictures(paths, building, &world, &limits, &mut out);
+        library.bake(&scene.baked);
+        hsd_driver::flaws(&compiled, &mut out);
+        if job.model == Model::Stl {
+            self.format_args.print_scene(scene.whole(), &mut out)?;
+        }
+        let list = out.into_sorted();
+        let beside = compiled.included.iter().map(Source::name);
+        let beside = beside.chain(paths.iter().map(String::as_str));
+        let read = job.inputs.iter().cloned();
+        let read: Vec<PathBuf> = read.chain(beside.map(PathBuf::from)).collect();
+        let included = std::mem::take(&mut compiled.included);
+        let told = progress.report(&inputs.and(included), &list)?;
+        if list.iter().any(|d| self.input_args.spoils(d.severity)) {
+            progress.teller.built(&told, None, &read)?;
+            return Ok(true);
+        }
+        let mut times = std::mem::take(&mut compiled.times);
+        // Only the scene is needed from here on; frees the memory of a town's walls and roofs.
+        let houses = std::mem::take(&mut compiled.building).houses.len();
+        if self.bake_args.bake {
+            hsd_driver::timed(&mut times, "bake", || {
+                self.bake_args.run(&mut compiled.scene, &mut library);
+            });
+        }
+        let scene = &compiled.scene;
+        let size = hsd_driver::timed(&mut times, "write", || {
+            if self.compress {
+                return compressed(scene, &library, &job.output);
+            }
+            let mut model = Started::new(job.model, self, &in_memory)?;
+            model.add(scene.whole(), &library)?;
+            let made = Finished::scene(scene, &library);
+            let files = model.finish(made, &job.output, self.textures_beside)?;
+            output::write_model(&job.output, files, &read)
+        })?;
+        progress.teller.built(&told, Some(&job.output), &read)?;
+        if progress.verbose || self.stats {
+            let counts = (houses, scene.stats().triangles);
+            progress.line(&summary(&job.output, counts, size, start.elapsed()))?;
+        }
+        if self.stats {
+            let counts = (scene.stats(), scene.materials.len());
+            progress.line(&statistics(counts, &[], &times))?;
+        }
+        Ok(false)
+    }
+
+    /// Returns the compiler options, for all variants or only the one with `seed`.
+    pub(super) fn options(
+        &self,
+        seed: Option<u64>,
+        inputs: &Inputs,
+        out: &mut Diagnostics,
+    ) -> Result<hsd_driver::Options, Failure> {
+        let mut options = hsd_driver::Options {
+            detail: self.detail_args.detail(),
+            shown: self.detail_args.shown(),
+            ..self.input_args.options(inputs, out)?
+        };
+        match seed {
+            Some(_) => options.expand.seed = seed,
+            None => options.variants = self.variants,
+        }
+        Ok(options)
+    }
+
+    /// Fails if an input is a model: its name was meant for `-o`.
+    fn check_inputs(&self) -> Result<(), Failure> {
+        let is_model = |i: &&PathBuf| Model::of_extension(i).is_some();
+        match self.input_args.inputs.iter().find(is_model) {
+            Some(model) => {
+                let shown = model.display();
+                Err(Failure::Usage(text!([shown]
+                    "{shown} is a model, not a source file: name the output with -o, as in `-o {shown}`",
+                    "{shown} はテキストではなくモデルです。出力先は `-o {shown}` のように -o で指定してください"
+                )))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Fails if `--compress` is given but not supported by the format or this build.
+    fn check_compress(&self, job: &Job) -> Result<(), Failure> {
+        let message = match (self.compress, job.model) {
+            (false, _) => return Ok(()),
+            (true, Model::Glb) if cfg!(feature = "compress") => return Ok(()),
+            (true, Model::Glb) => NO_COMPRESS,
+            (true, _) => noun(
+                "--compress writes .glb only",
+                "--compress で書けるのは .glb だけです",
+            ),
+        };
+        Err(Failure::Usage(message.into()))
+    }
+
+    /// Fails if `--join` is given but the model has no joined houses.
+    fn check_join(&self, job: &Job) -> Result<(), Failure> {
+        let glb = job.model == Model::Glb && self.streams(job);
+        let joins = glb && self.detail_args.detail() == Detail::Body;
+        match self.join && !joins {
+            true => Err(Failure::Usage(text!(
+                "--join needs --detail 0 and writes .glb only",
+                "--join は --detail 0 とともに使い、.glb だけを書きます"
+            ))),
+            false => Ok(()),
+        }
+    }
+
+    /// Returns the models to build.
+    fn jobs(&self) -> Result<Vec<Job>, Failure> {
+        let inputs = &self.input_args.inputs;
+        let stdin = inputs.iter().filter(|i| i.as_os_str() == STDIN).count();
+        if stdin > 1 || (stdin > 0 && self.watch) {
+            return Err(Failure::stdin_twice());
+        }
+        if self.sheet.is_some() && self.output.is_none() {
+            return Ok(vec![]);
+        }
+        let Some(output) = &self.output else {
+            let model = self.format.unwrap_or_default();
+            return each(inputs, model, |input| match input.as_os_str() == STDIN {
+                true => input.to_owned(),
+                false => input.with_extension(model.extension()),
+            });
+        };
+        let text = output.to_string_lossy();
+        if output.is_dir() || text.ends_with(['/', std::path::MAIN_SEPARATOR]) {
+            let made = std::fs::create_dir_all(output);
+            made.map_err(|e| Failure::at(output.display(), e))?;
+            let model = self.format.unwrap_or_default();
+            let jobs = each(inputs, model, |input| {
+                let stem = if input.as_os_str() == STDIN {
+                    Path::new("stdin")
+                } else {
+                    input
+                };
+                let name = stem.file_name().map(PathBuf::from).unwrap_or_default();
+                output.join(name.with_extension(model.extension()))
+            })?;
+            return self.each_variant(jobs);
+        }
+        let stdout = output.as_os_str() == STDIN;
+        let model = match self.format {
+            Some(model) => model,
+            None if stdout => Model::Glb,
+            None => Model::of(output)?,
+        };
+        let several = self.textures_beside || matches!(model, Model::Gltf | Model::Obj);
+        if stdout && several {
+            return Err(Failure::Usage(text!(
+                "only a single file can be written to standard output: .glb or .stl, with textures embedded",
+                "標準出力に書けるのは単一のファイル (.glb か .stl、テクスチャーは埋め込み) だけです"
+            )));
+        }
+        Ok(vec![Job {
+            inputs: inputs.clone(),
+            output: output.clone(),
+            model,
+            seed: None,
+        }])
+    }
+}
+
+/// Writes a compressed model and returns its size in bytes.
+#[cfg(feature = "compress")]
+fn compressed(scene: &Scene, library: &Library, output: &Path) -> Result<u64, Failure> {
+    let pictures = Ktx2::new(scene, library);
+    let glb = Glb::compressed(scene, &pictures);
+    output::write(output, output::Files::glb(glb))
+}
+
+#[cfg(not(feature = "compress"))]
+fn compressed(_: &Scene, _: &Library, _: &Path) -> Result<u64, Failure> {
+    Err(Failure::Usage(NO_COMPRESS.into()))
+}
+
+/// Progress on standard error; with a progress bar if there are several jobs, they take long and it is a terminal.
+struct Progress {
+    teller: Teller,
+    /// True if only messages are told.
+    quiet: bool,
+    /// True if a line is printed for each model.
+    verbose: bool,
+    start: Instant,
+    jobs: usize,
+    done: std::cell::Cell<u64>,
+    bar: OnceCell<ProgressBar>,
+}
+
+impl Progress {
+    fn new(quiet: bool, jobs: usize, teller: Teller) -> Progress {
+        let quiet = quiet || teller.is_program();
+        Progress {
+            teller,
+            quiet,
+            verbose: !quiet && jobs == 1,
+            start: Instant::now(),
+            jobs,
+            done: 0.into(),
+            bar: OnceCell::new(),
+        }
+    }
+
+    fn line(&self, text: &Text) -> Result<(), Failure> {
+        let text = text.in_language(self.teller.language);
+        self.above(|| writeln!(io::stderr(), "{text}"))?;
+        Ok(())
+    }
+
+    fn report(&self, sources: &[Source], list: &[Diagnostic]) -> Result<Told, Failure> {
+        self.above(|| self.teller.report(sources, list))
+    }
+
+    /// Writes above the progress bar.
+    fn above<T>(&self, write: impl FnOnce() -> T) -> T {
+        match self.bar.get() {
+            Some(bar) => bar.suspend(write),
+            None => write(),
+        }
+    }
+
+    fn advance(&self) -> Result<(), Failure> {
+        self.done.set(self.done.get() + 1);
+        if self.jobs > 1 {
+            self.teller.progress(self.done.get() as usize, self.jobs)?;
+        }
+        let long = self.start.elapsed() > Duration::from_secs(1);
+        if self.jobs > 1 && long && !self.quiet && io::stderr().is_terminal() {
+            let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {eta}");
+            let bar = self.bar.get_or_init(|| {
+                let bar = ProgressBar::new(self.jobs as u64);
+                style.map_or(bar.clone(), |style| bar.with_style(style))
+            });
+            bar.set_position(self.done.get());
+        }
+        Ok(())
+    }
+
+    fn finish(&self) {
+        if let Some(bar) = self.bar.get() {
+            bar.finish_and_clear();
+        }
+    }
+}

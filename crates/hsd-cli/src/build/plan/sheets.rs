@@ -1,0 +1,249 @@
+//! The sheets of `hsd plan`: legends and plans, as they are opened and read.
+
+use super::{Plan, SHAKU, name_of};
+use crate::Failure;
+use crate::files::output;
+use glam::DVec2;
+use hsd_base::diagnostic::Diagnostics;
+use hsd_base::source::{FileId, Source};
+use hsd_base::text;
+use hsd_trace::messages::drawn as say;
+use hsd_trace::plan::drawing::{self, Content, Unopened};
+use hsd_trace::plan::flatten::{Given, project};
+use hsd_trace::plan::legend::Legend;
+use hsd_trace::plan::vector::{self, lines::Lines, roles::Roles};
+use hsd_trace::plan::{self, Found, LEGENDS, Options, Picture, Stopped, said};
+
+/// Names in the comment of a house, the most.
+const NAMED: usize = 12;
+
+/// A sheet that was read.
+pub(super) struct Sheet {
+    /// The name of its file.
+    pub(super) file: String,
+    /// The plan on it.
+    pub(super) found: Found,
+    /// Pixels of the file in one of the picture that was read.
+    pub(super) shrink: f64,
+    /// Whether it is a drawing, not a picture.
+    is_drawing: bool,
+    /// Shaku in a unit of its grid, if it says so.
+    pub(super) shaku: Option<f64>,
+    /// Layers that stand for nothing.
+    unknown: Vec<String>,
+}
+
+impl Sheet {
+    /// Units of a pixel, or of a place in a drawing.
+    pub(super) fn units_of(&self, place: DVec2) -> DVec2 {
+        let back = self.found.flat.to_picture.inverse();
+        let pixel = project(back, place / self.shrink);
+        self.found.grid.units_of(pixel)
+    }
+
+    /// Where it comes from, for the comment of the house.
+    pub(super) fn told(&self) -> String {
+        let legend = &self.found.legend;
+        let scale = self.found.flat.to_picture.transform_vector2(DVec2::X);
+        let (unit, of) = match self.is_drawing {
+            true => (
+                self.found.grid.unit * scale.length(),
+                "units of the drawing",
+            ),
+            false => (self.found.grid.unit * self.shrink, "pixels"),
+        };
+        let file = &self.file;
+        let read =
+            format!("Read by hsd plan from {file}: legend {legend}, half a ken is {unit:.1} {of}");
+        let names: Vec<&str> = self
+            .unknown
+            .iter()
+            .take(NAMED)
+            .map(String::as_str)
+            .collect();
+        match names.is_empty() {
+            true => read,
+            false => format!("{read}; of no meaning to it: {}", names.join(", ")),
+        }
+    }
+}
+
+/// What the input files hold.
+pub(super) enum Read {
+    /// Plans, one a storey.
+    Sheets(Vec<Sheet>),
+    /// A house that `hsd draw` had drawn: its text.
+    House(String),
+}
+
+/// Legends of pictures, and of drawings.
+pub(super) struct Legends {
+    symbols: Vec<Legend>,
+    roles: Roles,
+}
+
+impl Plan {
+    /// The legends that were asked for, or all; drawings are read by those of CAD too.
+    pub(super) fn legends(
+        &self,
+        sources: &mut Vec<Source>,
+        out: &mut Diagnostics,
+    ) -> Result<Option<Legends>, Failure> {
+        let known = |name: &str| LEGENDS.iter().find(|legend| legend.0 == name);
+        let mut texts: Vec<(String, Vec<u8>)> = vec![];
+        for name in self.legends.iter().filter(|name| *name != "cad") {
+            let text = match known(name) {
+                Some((_, text)) => text.as_bytes().to_vec(),
+                None => std::fs::read(name).map_err(|e| Failure::at(name, e))?,
+            };
+            texts.push((name.clone(), text));
+        }
+        let mut legends = Legends {
+            symbols: vec![],
+            roles: Roles::default(),
+        };
+        for (name, text) in texts {
+            let source = Source::new(FileId(sources.len() as u32), name, &text);
+            match Legend::read(source.text()) {
+                Ok(legend) => legends.symbols.push(legend),
+                Err(wrong) => out.push(say::legend(source.span(wrong.at.clone()), &wrong.what)),
+            }
+            match Roles::read(source.text()) {
+                Ok(roles) => legends.roles = std::mem::take(&mut legends.roles).or(roles),
+                // That is told already.
+                Err(vector::Refused::NotXml { .. }) => {}
+                Err(wrong) => out.push(said::drawing(&source, &wrong)),
+            }
+            sources.push(source);
+        }
+        // A legend may name layers alone.
+        legends.symbols.retain(|legend| !legend.symbols.is_empty());
+        if legends.symbols.is_empty() {
+            let all = LEGENDS
+                .iter()
+                .filter_map(|(_, text)| Legend::read(text).ok());
+            legends.symbols = all.collect();
+        }
+        if let Ok(cad) = Roles::read(vector::CAD) {
+            legends.roles = legends.roles.or(cad);
+        }
+        Ok((!out.has_errors()).then_some(legends))
+    }
+
+    /// Reads all files; `None` if one of them has no plan.
+    pub(super) fn sheets(
+        &self,
+        legends: Option<&Legends>,
+        sources: &mut Vec<Source>,
+        out: &mut Diagnostics,
+    ) -> Result<Option<Read>, Failure> {
+        let mut sheets = vec![];
+        let mut pages = self.pages.iter().copied().chain(std::iter::repeat(1));
+        for (k, path) in self.inputs.iter().enumerate() {
+            let bytes = std::fs::read(path).map_err(|e| Failure::at(path.display(), e))?;
+            let page = match drawing::is_pdf(&bytes) {
+                true => pages.next().unwrap_or(1),
+                false => 1,
+            };
+            let opened = drawing::open(&bytes, page);
+            // What is told of a picture has no place in its bytes.
+            let is_text = matches!(opened, Ok(Content::Lines(_)) | Err(Unopened::Drawing(_)));
+            let text = if is_text { &bytes[..] } else { b"" };
+            let name = path.display().to_string();
+            let source = Source::new(FileId(sources.len() as u32), name, text);
+            let file = name_of(path);
+            match (opened, legends) {
+                (Err(why), _) => out.push(said::unopened(&source, &why)),
+                (Ok(_), None) => {}
+                (Ok(Content::House(text)), _) if self.inputs.len() == 1 => {
+                    return Ok(Some(Read::House(text)));
+                }
+                (Ok(Content::House(_)), _) => out.push(say::whole_house(source.span(0..0))),
+                (Ok(Content::Picture(picture)), Some(legends)) => {
+                    match self.picture(&picture, file, legends) {
+                        Ok(sheet) => sheets.push(sheet),
+                        Err(stopped) => {
+                            output::write_all(self.steps(k, (&*stopped).into())?)?;
+                            out.push(said::refused(source.span(0..0), stopped.why));
+                        }
+                    }
+                }
+                (Ok(Content::Lines(lines)), Some(legends)) => {
+                    self.is_for_drawings(&file)?;
+                    match self.drawing(lines, file, legends) {
+                        Ok(sheet) => sheets.push(sheet),
+                        Err(refused) => out.push(said::drawing(&source, &refused)),
+                    }
+                }
+            }
+            sources.push(source);
+        }
+        Ok((sheets.len() == self.inputs.len()).then_some(Read::Sheets(sheets)))
+    }
+
+    fn picture(
+        &self,
+        picture: &Picture,
+        file: String,
+        legends: &Legends,
+    ) -> Result<Sheet, Box<Stopped>> {
+        let shrink = picture.shrink;
+        Ok(Sheet {
+            found: plan::find(picture, &legends.symbols, &self.options(shrink))?,
+            file,
+            shrink,
+            is_drawing: false,
+            shaku: None,
+            unknown: vec![],
+        })
+    }
+
+    /// Fails if something was given that only pictures have.
+    fn is_for_drawings(&self, file: &str) -> Result<(), Failure> {
+        let given = [
+            ("--unit-px", self.unit_px.is_some()),
+            ("--ken", self.ken.is_some()),
+            ("--corners", self.corners.is_some()),
+            ("--turn", self.turn.is_some()),
+        ];
+        let Some((option, _)) = given.into_iter().find(|(_, is_given)| *is_given) else {
+            return Ok(());
+        };
+        Err(Failure::Usage(text!([file, option]
+            "`{option}` is for pictures, and {file} is a drawing; `--unit` sets the length of half a ken",
+            "`{option}` は画像用で、{file} は線の図面です。半間の長さは `--unit` で指定してください"
+        )))
+    }
+
+    fn drawing(
+        &self,
+        lines: Lines,
+        file: String,
+        legends: &Legends,
+    ) -> Result<Sheet, vector::Refused> {
+        let unit_mm = self.unit.map(|shaku| shaku * SHAKU * 1000.0);
+        let front = self.front.into();
+        let drawn = drawing::find(lines, &legends.roles, unit_mm, &legends.symbols, front)?;
+        Ok(Sheet {
+            found: drawn.found,
+            file,
+            shrink: 1.0,
+            is_drawing: true,
+            shaku: drawn.shaku,
+            unknown: drawn.unknown,
+        })
+    }
+
+    /// The options for a picture, in pixels of the reduced picture: `shrink` is how many pixels of the file one of its pixels covers.
+    fn options(&self, shrink: f64) -> Options {
+        let unit = self.unit_px.or(self.ken.map(|ken| ken.unit));
+        Options {
+            given: Given {
+                corners: self.corners.map(|c| c.map(|p| p / shrink)),
+                turn: self.turn,
+            },
+            unit: unit.map(|u| u / shrink),
+            front: self.front.into(),
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! A folder that keeps the files of tiles, each whole or not at all.
+
+use crate::files::temporary::Temporary;
+use hsd_export::pieces::Pieces;
+use hsd_export::tileset::TreeFiles;
+use hsd_town::tiles::TileStore;
+use hsd_town::tiles::work;
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
+
+/// The folders in which a town's own files stand; what else is in them is swept away.
+const OF_TOWN: &[&str] = &["tiles", "textures"];
+
+/// A folder that takes the files of tiles.
+pub(in crate::build) struct Folder {
+    path: PathBuf,
+    own: &'static [&'static str],
+}
+
+impl Folder {
+    /// Makes the folder of a town.
+    pub(in crate::build) fn of_town(path: &Path) -> io::Result<Folder> {
+        Folder::made(path, OF_TOWN)
+    }
+
+    /// Makes the folder of a town that is made in steps.
+    pub(in crate::build) fn of_work(path: &Path) -> io::Result<Folder> {
+        Folder::made(path, &work::FOLDERS)
+    }
+
+    /// Returns the folder of planned work, which is there.
+    pub(in crate::build) fn of_planned(path: &Path) -> Folder {
+        Folder {
+            path: path.to_owned(),
+            own: &work::FOLDERS,
+        }
+    }
+
+    fn made(path: &Path, own: &'static [&'static str]) -> io::Result<Folder> {
+        for folder in own {
+            fs::create_dir_all(path.join(folder))?;
+        }
+        let path = path.to_owned();
+        Ok(Folder { path, own })
+    }
+
+    /// Removes the files that are none of `own` or `branches`: of other inputs, or left by a run that was killed.
+    pub(in crate::build) fn sweep(
+        &self,
+        own: &BTreeSet<String>,
+        branches: &BTreeSet<String>,
+    ) -> io::Result<()> {
+        for entry in fs::read_dir(&self.path)? {
+            let entry = entry?;
+            let name = entry.file_name().to_string_lossy().into_owned();
+            if TreeFiles::is_branch(&name) && !branches.contains(&name) {
+                gone(&entry.path())?;
+            }
+        }
+        self.own
+            .iter()
+            .try_for_each(|folder| self.sweep_in(folder, own))
+    }
+
+    /// Removes the files in one of its folders that are none of `own`.
+    pub(in crate::build) fn sweep_in(
+        &self,
+        folder: &str,
+        own: &BTreeSet<String>,
+    ) -> io::Result<()> {
+        for entry in fs::read_dir(self.path.join(folder))? {
+            let entry = entry?;
+            let name = format!("{folder}/{}", entry.file_name().to_string_lossy());
+            if !own.contains(&name) && entry.file_type()?.is_file() {
+                gone(&entry.path())?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes over a file of another folder under the same name, without a copy where the system can.
+    pub(in crate::build) fn adopt(&self, from: &Folder, name: &str) -> io::Result<()> {
+        let (source, target) = (from.path.join(name), self.path.join(name));
+        match fs::hard_link(&source, &target) {
+            Ok(()) => Ok(()),
+            Err(error) if error.kind() == ErrorKind::AlreadyExists && one(&source, &target) => {
+                Ok(())
+            }
+            // It is there already, which `commit` looks at, or lies on another disk.
+            Err(_) => self.commit(name, &fs::read(&source)?.into()),
+        }
+    }
+}
+
+/// Removes a file, which another process may have removed.
+fn gone(path: &Path) -> io::Result<()> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+/// Returns true if two paths are known to be of one file.
+fn one(a: &Path, b: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        let place = |path: &Path| fs::metadata(path).map(|m| (m.dev(), m.ino()));
+        matches!((place(a), place(b)), (Ok(a), Ok(b)) if a == b)
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = (a, b);
+        false
+    }
+}
+
+impl TileStore for Folder {
+    fn read(&self, name: &str) -> Option<Vec<u8>> {
+        fs::read(self.path.join(name)).ok()
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.path.join(name).is_file()
+    }
+
+    fn commit(&self, name: &str, bytes: &Pieces) -> io::Result<()> {
+        let target = self.path.join(name);
+        let folder = target.parent().unwrap_or(&self.path);
+        let mut file = Temporary::new_in(folder)?;
+        bytes.write(file.as_file_mut())?;
+        file.as_file_mut().sync_all()?;
+        if file.persist_new(&target)? || bytes.are(&fs::read(&target)?) {
+            return Ok(());
+        }
+        // An image that has changed since.
+        let mut file = Temporary::new_in(folder)?;
+        bytes.write(file.as_file_mut())?;
+        file.as_file_mut().sync_all()?;
+        file.persist(&target)
+    }
+}

@@ -1,0 +1,140 @@
+//! `hsd town` to a `.hsd`: the houses of a town as one source file.
+
+use crate::Failure;
+use crate::build::tiled::{FEATURE, Progress, tables};
+use crate::files::messages::Teller;
+use crate::files::output::write_all;
+use crate::files::terminal::{HOUSE, counted};
+use hsd_base::diagnostic::{Diagnostics, Language};
+use hsd_base::source::{FileId, Source, Span};
+use hsd_base::text;
+use hsd_driver::Read;
+use hsd_syntax::print;
+use hsd_town::stream::{Ledger, TownStream};
+use hsd_town::{Plan, TownInput};
+use std::io::{self, Write};
+use std::path::Path;
+
+/// Writes the houses of a town as a source file; returns whether something is missing that the author wanted, the files
+/// that were read, and what was found.
+pub(super) fn build(
+    (path, quiet): (&Path, bool),
+    input: TownInput<'_>,
+    (read, plan): (Read, &Plan),
+    mut out: Diagnostics,
+    teller: Teller,
+) -> Result<(bool, Vec<Source>, Diagnostics), Failure> {
+    let input = TownInput {
+        texts: true,
+        ..input
+    };
+    let limits = &input.options.expand.limits;
+    let progress = Progress::new(plan.features(), quiet, teller);
+    let advance = |n| progress.advance(n);
+    let mut town = TownStream::new(input, plan).telling(&advance);
+    let mut file = head(input, plan);
+    for part in read.documents.iter().flat_map(|document| &document.parts) {
+        file.push_str(written(
+            part.whole.unwrap_or_default(),
+            input.source,
+            &read.included,
+        ));
+        file.push('\n');
+    }
+    let (mut count, mut open, mut unwritten) = (0, 0, vec![]);
+    for house in town.by_ref() {
+        if house.house.fittings.outdoors.is_some() {
+            open += 1;
+            continue;
+        }
+        let text = house.text.as_ref().map_or("", |text| text.text());
+        if text.is_empty() {
+            unwritten.push(house.name);
+            continue;
+        }
+        count += 1;
+        file.push_str(text);
+        file.push('\n');
+    }
+    file.push_str("</Houses>\n");
+    let source = Source::new(FileId(0), path.to_string_lossy(), file.as_bytes());
+    let laid_out = print::format(&source, limits, &mut Diagnostics::new());
+    let file = laid_out.unwrap_or(file);
+    let (mut ledger, included) = town.finish(&mut out);
+    progress.finish()?;
+    write_all(vec![(path.to_owned(), file.into_bytes())])?;
+    tables(path, &mut ledger)?;
+    let failed = |error| Failure::at(path.display(), error);
+    let language = teller.language;
+    not_written(&unwritten, language).map_err(failed)?;
+    left_out(open, language).map_err(failed)?;
+    if !quiet {
+        summary(path, &ledger, count, language).map_err(failed)?;
+    }
+    Ok((
+        ledger.is_incomplete() || !unwritten.is_empty(),
+        included,
+        out,
+    ))
+}
+
+/// Tells of houses that cannot be written by themselves.
+fn not_written(names: &[String], language: Language) -> io::Result<()> {
+    let Some(first) = names.first() else {
+        return Ok(());
+    };
+    let number = names.len();
+    let line = text!([first, number]
+        "{number} houses cannot be written by themselves, the first of them `{first}`",
+        "{number} 棟は単独のテキストにできません。最初は `{first}` です"
+    );
+    writeln!(io::stderr(), "{}", line.in_language(language))
+}
+
+/// Prints how many things are no houses.
+fn left_out(open: usize, language: Language) -> io::Result<()> {
+    if open == 0 {
+        return Ok(());
+    }
+    let line = text!([open]
+        "{open} pieces of road, rows of trees and the like are no houses, and are left out",
+        "道や木などの {open} 件は建物ではないため書きません"
+    );
+    writeln!(io::stderr(), "{}", line.in_language(language))
+}
+
+/// Prints what was written.
+fn summary(path: &Path, ledger: &Ledger, count: usize, language: Language) -> io::Result<()> {
+    let (name, report) = (path.display(), &ledger.report);
+    let (features, built) = (counted(report.features, FEATURE), report.built);
+    let houses = counted(count, HOUSE);
+    let line = text!([name, features, built, houses]
+        "{name}: {features}, {built} of them built, {houses}",
+        "{name}: {features}、うち {built} 件に{houses}"
+    );
+    writeln!(io::stderr(), "{}", line.in_language(language))
+}
+
+/// Returns the start of the file.
+fn head(input: TownInput<'_>, plan: &Plan) -> String {
+    let town = Path::new(input.source.name())
+        .file_name()
+        .unwrap_or_default();
+    let town = town.to_string_lossy().replace("--", "- -");
+    let (crs, origin) = (&plan.frame.crs, plan.frame.origin);
+    let (east, north) = (origin.x, origin.y);
+    let plane = crs.name.replace("--", "- -");
+    format!(
+        "<!-- The houses of {town}: metres east and north of {east} {north} in the plane {plane}. -->\n<Houses>\n"
+    )
+}
+
+/// Returns what is written at a place.
+fn written<'s>(span: Span, town: &'s Source, included: &'s [Source]) -> &'s str {
+    let sources = std::iter::once(town).chain(included);
+    let source = sources.into_iter().find(|source| source.id() == span.file);
+    let range = span.start as usize..span.end as usize;
+    source
+        .and_then(|source| source.text().get(range))
+        .unwrap_or_default()
+}

@@ -1,0 +1,6 @@
+//! Messages about the plan of a house and its fittings.
+
+pub mod fittings;
+pub mod outline;
+pub mod pictures;
+pub mod plan;

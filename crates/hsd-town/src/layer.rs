@@ -1,0 +1,353 @@
+//! The layers of a town: features of its maps in the frame of the town, with the fields that rules ask for.
+
+pub mod divide;
+mod divided;
+mod files;
+mod ground;
+mod join;
+mod kept;
+mod outlined;
+mod packed;
+mod raw;
+
+pub use files::{MapFile, NoFiles, files};
+pub use ground::{Ground, GroundLayer, NoGround};
+pub use join::{Joined, NoJoin, Unjoined};
+pub use kept::KeptMaps;
+pub use outlined::NoOutlines;
+pub use raw::{NotPlaced, Raw, read};
+
+pub(crate) use files::part;
+
+use super::grid::{Bounds, bounds};
+use super::shape::{area, centroid, cleaned};
+use glam::DVec2;
+use hsd_ir::ast::town::{FieldType, Known, Layer};
+use hsd_ir::ast::{self, Value};
+use hsd_map::{Crs, Fault, Faults, Geometry};
+use hsd_syntax::parse::fields::{FieldTest, NoTruth};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// A feature in the frame of the town.
+#[derive(Clone, Debug)]
+pub struct Lot {
+    /// Its number in its layer, after what the layer leaves out.
+    pub number: u32,
+    /// Its name in the layer.
+    pub key: Box<str>,
+    /// Its geometry.
+    pub shape: Shape,
+    /// Its fields, by column, ascending.
+    fields: Vec<(usize, hsd_map::Value)>,
+    /// The mean height of its points, metres.
+    pub z: f64,
+    /// The number of parts of its geometry that are left out, since a house has one outline.
+    pub parts_left: usize,
+}
+
+/// The geometry of a feature.
+#[derive(Clone, Debug)]
+pub enum Shape {
+    /// A ring, counter-clockwise, with holes.
+    Area(Vec<DVec2>, Vec<Vec<DVec2>>),
+    /// Lines.
+    Lines(Vec<Vec<DVec2>>),
+    /// A point.
+    Point(DVec2),
+}
+
+impl Lot {
+    /// Returns its fields as the file has them, by column.
+    pub(super) fn fields(&self) -> &[(usize, hsd_map::Value)] {
+        &self.fields
+    }
+
+    /// Gives its fields the columns of a layer of several files.
+    pub(crate) fn renumber(&mut self, columns: &BTreeMap<usize, usize>) {
+        for (column, _) in &mut self.fields {
+            *column = columns.get(column).copied().unwrap_or(*column);
+        }
+        self.fields.sort_by_key(|(column, _)| *column);
+    }
+}
+
+impl Shape {
+    /// Returns the centroid.
+    pub fn centre(&self) -> DVec2 {
+        match self {
+            Shape::Area(ring, _) => centroid(ring),
+            Shape::Lines(lines) => {
+                let mut weighted = (DVec2::ZERO, 0.0);
+                for ends in lines.iter().flat_map(|line| line.windows(2)) {
+                    let length = ends[0].distance(ends[1]);
+                    weighted.0 += ends[0].midpoint(ends[1]) * length;
+                    weighted.1 += length;
+                }
+                match weighted.1 > 0.0 {
+                    true => weighted.0 / weighted.1,
+                    false => lines.iter().flatten().next().copied().unwrap_or_default(),
+                }
+            }
+            Shape::Point(point) => *point,
+        }
+    }
+
+    /// Returns the ring of an area.
+    pub fn ring(&self) -> Option<&[DVec2]> {
+        match self {
+            Shape::Area(ring, _) => Some(ring),
+            Shape::Lines(_) | Shape::Point(_) => None,
+        }
+    }
+
+    /// Returns the box around it.
+    pub fn bounds(&self) -> Bounds {
+        let found = match self {
+            Shape::Area(ring, _) => bounds(ring.iter().copied()),
+            Shape::Lines(lines) => bounds(lines.iter().flatten().copied()),
+            Shape::Point(point) => Some([*point; 2]),
+        };
+        found.unwrap_or_default()
+    }
+}
+
+/// A layer that has been read.
+#[derive(Clone, Debug)]
+pub struct Lots {
+    /// As written.
+    pub layer: Layer,
+    /// In the order of the file; none once the features of the town wait in a spool.
+    pub lots: Vec<Lot>,
+    /// The box of those that wait in a spool since they were read.
+    pub bounds: Option<Bounds>,
+    /// Columns of the file by name.
+    columns: BTreeMap<Box<str>, usize>,
+    /// What is wrong with the map, counted by kind.
+    pub faults: Faults,
+    /// The features that cannot be read.
+    pub unread: Vec<Fault>,
+    /// The path of the file.
+    file: Arc<str>,
+}
+
+/// The frame of a town.
+#[derive(Clone, Debug)]
+pub struct TownFrame {
+    /// The plane.
+    pub crs: Crs,
+    /// Metres east and north in it that are 0 0 of the model.
+    pub origin: DVec2,
+}
+
+/// Returns the key of a feature in a layer of several files.
+fn led(lead: Option<&str>, key: &str) -> Box<str> {
+    match lead {
+        Some(lead) => format!("{lead}:{key}").into(),
+        None => key.into(),
+    }
+}
+
+fn parts(geometry: &Geometry) -> usize {
+    match geometry {
+        Geometry::Areas(areas) => areas.len().max(1),
+        Geometry::Lines(_) | Geometry::Points(_) => 1,
+    }
+}
+
+fn height(geometry: &Geometry) -> f64 {
+    let heights = geometry.chains().flat_map(|chain| &chain.heights);
+    let (sum, count) = heights.fold((0.0, 0usize), |(sum, n), z| (sum + z, n + 1));
+    if count > 0 { sum / count as f64 } else { 0.0 }
+}
+
+/// Returns the geometry that a house can stand on: of several areas the largest.
+fn shape(geometry: Geometry) -> Shape {
+    match geometry {
+        Geometry::Points(chain) => Shape::Point(chain.points.first().copied().unwrap_or_default()),
+        Geometry::Lines(lines) => Shape::Lines(lines.into_iter().map(|l| l.points).collect()),
+        Geometry::Areas(areas) => {
+            let size = |a: &hsd_map::Area| area(&a.outline.points, &[]);
+            let largest = areas.into_iter().reduce(|best, next| {
+                if size(&next) > size(&best) {
+                    next
+                } else {
+                    best
+                }
+            });
+            let largest = largest.unwrap_or_default();
+            let ring = cleaned(&largest.outline.points);
+            let holes = largest.holes.iter().map(|h| cleaned(&h.points));
+            Shape::Area(ring, holes.filter(|h| h.len() > 2).collect())
+        }
+    }
+}
+
+/// Returns a value as rules and tables see it; `None` for none.
+pub(super) fn as_text(value: &hsd_map::Value) -> Option<String> {
+    match value {
+        hsd_map::Value::Null => None,
+        hsd_map::Value::Bool(truth) => Some(if *truth { "yes" } else { "no" }.to_owned()),
+        hsd_map::Value::Integer(n) => Some(n.to_string()),
+        hsd_map::Value::Number(n) => Some(n.to_string()),
+        hsd_map::Value::Text(text) => Some(text.to_string()),
+    }
+}
+
+impl Lots {
+    /// Adds the features of another file of the layer.
+    pub fn append(&mut self, mut other: Lots) {
+        let lots = std::mem::take(&mut other.lots);
+        let columns = self.adopt(&other);
+        self.lots.extend(lots.into_iter().map(|mut lot| {
+            lot.renumber(&columns);
+            lot
+        }));
+        self.merge_faults(other);
+    }
+
+    /// Adds the columns of another file of the layer; returns the numbers that they have here.
+    pub(crate) fn adopt(&mut self, other: &Lots) -> BTreeMap<usize, usize> {
+        let mut next = self.columns.values().max().map_or(0, |last| last + 1);
+        let mut columns = BTreeMap::new();
+        for (name, column) in &other.columns {
+            let own = *self.columns.entry(name.clone()).or_insert_with(|| {
+                next += 1;
+                next - 1
+            });
+            columns.insert(*column, own);
+        }
+        // What concerns them all is said of the layer's files as they are written.
+        self.file = self.layer.src.value.as_str().into();
+        columns
+    }
+
+    /// Adds what is wrong with another file of the layer.
+    pub(crate) fn merge_faults(&mut self, other: Lots) {
+        self.faults.append(other.faults);
+        self.unread.extend(other.unread);
+    }
+
+    /// Returns the layer without features and faults.
+    pub(crate) fn head(&self) -> Lots {
+        Lots {
+            layer: self.layer.clone(),
+            lots: vec![],
+            bounds: None,
+            columns: self.columns.clone(),
+            faults: Faults::default(),
+            unread: vec![],
+            file: self.file.clone(),
+        }
+    }
+
+    /// Returns whether a feature passes a test.
+    ///
+    /// # Errors
+    /// If the test has no truth.
+    pub(crate) fn passes(&self, lot: &Lot, test: &FieldTest) -> Result<bool, NoTruth> {
+        test.holds(|name| self.field(lot, name))
+    }
+
+    /// Leaves out the features that do not pass a test; returns how many there were.
+    ///
+    /// # Errors
+    /// If the test has no truth.
+    pub fn keep(&mut self, test: &FieldTest) -> Result<usize, NoTruth> {
+        let before = self.lots.len();
+        let lots = std::mem::take(&mut self.lots);
+        let mut kept = vec![];
+        for lot in lots {
+            if self.passes(&lot, test)? {
+                kept.push(lot);
+            }
+        }
+        self.lots = kept;
+        Ok(before)
+    }
+
+    /// Returns the value of a field of a feature, after what the layer says of it.
+    pub fn field(&self, lot: &Lot, name: &str) -> Known {
+        let rule = self.layer.fields.iter().find(|f| f.name.value == name);
+        let from = rule.map_or(name, |rule| &rule.from.value);
+        let column = self.columns.get(from);
+        let found = column.and_then(|column| {
+            let at = lot.fields.binary_search_by_key(column, |f| f.0).ok()?;
+            as_text(&lot.fields[at].1).filter(|text| !text.trim().is_empty())
+        });
+        let Some(rule) = rule else {
+            return match (column, found) {
+                (None, _) => Known::Unknown,
+                (_, None) => Known::Missing,
+                (_, Some(text)) => Known::Value(Value::read(&text)),
+            };
+        };
+        let mapped = found.map(|text| {
+            let other = rule.map.iter().find(|(from, _)| *from == text.trim());
+            other.map_or(text, |(_, to)| to.clone())
+        });
+        let value = mapped.and_then(|text| typed(&text, rule.kind));
+        match value.or_else(|| rule.default.clone()) {
+            Some(value) => Known::Value(value),
+            None => Known::Missing,
+        }
+    }
+
+    /// Returns the columns of the file by name.
+    pub(super) fn columns(&self) -> impl Iterator<Item = (&str, usize)> {
+        self.columns.iter().map(|(name, column)| (&**name, *column))
+    }
+
+    /// Returns the names of all fields.
+    pub fn names(&self) -> Vec<String> {
+        let own = self.layer.fields.iter().map(|f| f.name.value.clone());
+        let words = self.columns.keys().map(|name| name.to_string());
+        own.chain(words.filter(|name| is_name(name))).collect()
+    }
+
+    /// Returns the number that a field gives.
+    pub fn number(&self, lot: &Lot, name: &str) -> Option<f64> {
+        match self.field(lot, name) {
+            Known::Value(ast::Value::Number(number)) => Some(number),
+            _ => None,
+        }
+    }
+
+    /// Returns the text that a field gives.
+    pub fn word(&self, lot: &Lot, name: &str) -> Option<String> {
+        match self.field(lot, name) {
+            Known::Value(value) => Some(value.to_string()),
+            Known::Missing | Known::Unknown => None,
+        }
+    }
+}
+
+/// Returns true if expressions can name a field.
+pub(super) fn is_name(name: &str) -> bool {
+    let first = name
+        .chars()
+        .next()
+        .is_some_and(|c| c.is_alphabetic() || c == '_');
+    first && name.chars().all(|c| c.is_alphanumeric() || c == '_')
+}
+
+/// Returns a text as a value of a type; `None` if it is none.
+fn typed(text: &str, kind: Option<FieldType>) -> Option<Value> {
+    let read = Value::read(text);
+    match (kind, &read) {
+        (Some(FieldType::Text), _) => Some(Value::Text(text.to_owned())),
+        (Some(FieldType::Number), Value::Number(_)) | (Some(FieldType::Truth), Value::Truth(_)) => {
+            Some(read)
+        }
+        // "12.5 m" and "3階" are numbers for whoever reads them.
+        (Some(FieldType::Number), _) => {
+            let end = text
+                .trim()
+                .find(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
+            let number = text.trim()[..end.unwrap_or(text.trim().len())].parse().ok();
+            number.map(Value::Number)
+        }
+        (Some(FieldType::Truth), _) => None,
+        (None, _) => Some(read),
+    }
+}

@@ -1,0 +1,57 @@
+//! The water that the rules of a town make: streams and ponds know where others flow into them.
+
+use super::roads::Roads;
+use crate::grid::{Bounds, Grid, bounds, wider};
+use glam::DVec2;
+use hsd_map::pack::{Packer, Unpacker};
+use std::io;
+
+/// How far from the features of a part its ponds are kept, metres.
+const PACKED: f64 = 120.0;
+
+/// All water of a town.
+#[derive(Debug, Default)]
+pub struct Waters {
+    /// Along lines: the borders of a piece are its bank and its water.
+    pub streams: Roads,
+    ponds: Vec<Vec<DVec2>>,
+    index: Grid,
+}
+
+impl Waters {
+    /// Collects streams, and ponds as convex rings.
+    pub fn new(streams: Roads, ponds: Vec<Vec<DVec2>>) -> Waters {
+        let boxes = ponds.iter().map(|ring| bounds(ring.iter().copied()));
+        Waters {
+            streams,
+            index: Grid::new(boxes.map(Option::unwrap_or_default).collect()),
+            ponds,
+        }
+    }
+
+    /// Returns the convex rings of ponds within `far` of a box.
+    pub fn ponds_near(&self, bounds: Bounds, far: f64) -> Vec<&Vec<DVec2>> {
+        let found = self.index.near(wider(bounds, far)).into_iter();
+        found.map(|n| &self.ponds[n as usize]).collect()
+    }
+
+    /// Adds the water near a box.
+    pub(crate) fn pack(&self, bounds: Bounds, out: &mut Packer<'_>) {
+        self.streams.pack(bounds, out);
+        let ponds = self.ponds_near(bounds, PACKED);
+        out.count(ponds.len());
+        for ring in ponds {
+            out.points(ring);
+        }
+    }
+
+    /// Takes water from the start of bytes.
+    ///
+    /// # Errors
+    /// If the bytes are not those that were written.
+    pub(crate) fn unpack(from: &mut Unpacker<'_, '_>) -> io::Result<Waters> {
+        let streams = Roads::unpack(from)?;
+        let ponds = (0..from.count()?).map(|_| from.points());
+        Ok(Waters::new(streams, ponds.collect::<io::Result<_>>()?))
+    }
+}

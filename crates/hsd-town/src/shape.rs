@@ -1,0 +1,195 @@
+//! Plane geometry of outlines: segments, rings, distances. Rings run counter-clockwise and do not repeat their first point.
+
+use glam::DVec2;
+use hsd_base::geometry::area2;
+use hsd_base::geometry::overlap::Area;
+
+/// A straight line between two points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Segment {
+    /// Its start.
+    pub from: DVec2,
+    /// Its end.
+    pub to: DVec2,
+}
+
+impl Segment {
+    /// Creates a segment.
+    pub fn new(from: DVec2, to: DVec2) -> Segment {
+        Segment { from, to }
+    }
+
+    /// Returns its length.
+    pub fn length(self) -> f64 {
+        self.from.distance(self.to)
+    }
+
+    /// Returns its direction; zero for a point.
+    pub fn direction(self) -> DVec2 {
+        (self.to - self.from).normalize_or_zero()
+    }
+
+    /// Returns the normal on its right: outwards, for a side of a ring.
+    pub fn normal(self) -> DVec2 {
+        let d = self.direction();
+        DVec2::new(d.y, -d.x)
+    }
+
+    /// Returns its middle.
+    pub fn middle(self) -> DVec2 {
+        self.from.midpoint(self.to)
+    }
+
+    /// Returns the nearest point of it.
+    pub fn nearest(self, to: DVec2) -> DVec2 {
+        let way = self.to - self.from;
+        let square = way.length_squared();
+        if square == 0.0 {
+            return self.from;
+        }
+        self.from + way * ((to - self.from).dot(way) / square).clamp(0.0, 1.0)
+    }
+
+    /// Returns true if both have a point in common.
+    pub fn meets(self, other: Segment) -> bool {
+        let side = |s: Segment, p: DVec2| (s.to - s.from).perp_dot(p - s.from);
+        let divides = |s: Segment, t: Segment| side(s, t.from) * side(s, t.to) <= 0.0;
+        let ([a, b], [c, d]) = (self.bounds(), other.bounds());
+        a.cmple(d).all() && c.cmple(b).all() && divides(self, other) && divides(other, self)
+    }
+
+    /// Returns the distance between both.
+    pub fn distance(self, other: Segment) -> f64 {
+        if self.meets(other) {
+            return 0.0;
+        }
+        let ends = [
+            self.nearest(other.from).distance(other.from),
+            self.nearest(other.to).distance(other.to),
+            other.nearest(self.from).distance(self.from),
+            other.nearest(self.to).distance(self.to),
+        ];
+        ends.into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Returns its box.
+    pub fn bounds(self) -> [DVec2; 2] {
+        [self.from.min(self.to), self.from.max(self.to)]
+    }
+}
+
+/// Returns the sides of a ring.
+pub fn sides(ring: &[DVec2]) -> impl Iterator<Item = Segment> + Clone + '_ {
+    let next = ring.iter().cycle().skip(1);
+    ring.iter().zip(next).map(|(p, q)| Segment::new(*p, *q))
+}
+
+/// Returns the area of a ring with holes.
+pub fn area(ring: &[DVec2], holes: &[Vec<DVec2>]) -> f64 {
+    let of = |ring: &[DVec2]| {
+        let from = ring.first().copied().unwrap_or_default();
+        let about: Vec<DVec2> = ring.iter().map(|p| *p - from).collect();
+        area2(&about).abs() / 2.0
+    };
+    of(ring) - holes.iter().map(|hole| of(hole)).sum::<f64>()
+}
+
+/// Returns the centroid of a ring, or of its corners if it has no area.
+pub fn centroid(ring: &[DVec2]) -> DVec2 {
+    let Some(&from) = ring.first() else {
+        return DVec2::ZERO;
+    };
+    let (mut sum, mut area) = (DVec2::ZERO, 0.0);
+    for side in sides(ring) {
+        let (p, q) = (side.from - from, side.to - from);
+        let cross = p.perp_dot(q);
+        sum += (p + q) * cross;
+        area += cross;
+    }
+    match area.abs() > 1e-9 {
+        true => from + sum / (3.0 * area),
+        false => ring.iter().copied().sum::<DVec2>() / ring.len() as f64,
+    }
+}
+
+/// Returns true if a point lies in a ring.
+pub fn contains(ring: &[DVec2], p: DVec2) -> bool {
+    let crossed = sides(ring).filter(|s| {
+        let between = (s.from.y > p.y) != (s.to.y > p.y);
+        between && p.x < s.from.x + (p.y - s.from.y) / (s.to.y - s.from.y) * (s.to.x - s.from.x)
+    });
+    crossed.count() % 2 == 1
+}
+
+/// Returns the distance of a point from the line of a ring.
+pub fn distance(ring: &[DVec2], p: DVec2) -> f64 {
+    let distances = sides(ring).map(|s| s.nearest(p).distance(p));
+    distances.fold(f64::INFINITY, f64::min)
+}
+
+/// Returns the area that two rings share.
+pub fn shared(one: &[DVec2], two: &[DVec2]) -> f64 {
+    let from = one.first().copied().unwrap_or_default();
+    let (mut a, mut b) = (Area::default(), Area::default());
+    a.add(one, false, from);
+    b.add(two, false, from);
+    a.shared(&b)
+}
+
+/// Returns the angle between two directions, degrees from 0 to 180.
+pub fn angle(one: DVec2, two: DVec2) -> f64 {
+    libm::atan2(one.perp_dot(two).abs(), one.dot(two)).to_degrees()
+}
+
+/// Returns the compass direction of a vector, degrees from 0 to 360.
+pub fn azimuth(way: DVec2) -> f64 {
+    let degrees = libm::atan2(way.x, way.y).to_degrees();
+    if degrees < 0.0 {
+        degrees + 360.0
+    } else {
+        degrees
+    }
+}
+
+/// Returns true if all corners are within 10 degrees of right angles.
+pub fn is_orthogonal(ring: &[DVec2]) -> bool {
+    const RIGHT: f64 = 10.0;
+    let all: Vec<Segment> = sides(ring).collect();
+    (0..all.len()).all(|n| {
+        let next = &all[(n + 1) % all.len()];
+        (angle(all[n].direction(), next.direction()) - 90.0).abs() <= RIGHT
+    })
+}
+
+/// Removes doubled points, spikes and corners that turn by less than half a degree; returns the ring counter-clockwise and
+/// the largest distance that a removed corner had from it.
+pub fn cleaned(ring: &[DVec2]) -> Vec<DVec2> {
+    const NEAR: f64 = 0.01;
+    const STRAIGHT: f64 = 0.5;
+    let mut kept: Vec<DVec2> = ring.to_vec();
+    kept.dedup_by(|a, b| a.distance(*b) < NEAR);
+    while kept.len() > 1 && kept[0].distance(kept[kept.len() - 1]) < NEAR {
+        kept.pop();
+    }
+    loop {
+        let n = kept.len();
+        if n < 4 {
+            break;
+        }
+        let useless = (0..n).find(|i| {
+            let (p, q, r) = (kept[(i + n - 1) % n], kept[*i], kept[(i + 1) % n]);
+            let turn = angle(q - p, r - q);
+            !(STRAIGHT..=180.0 - STRAIGHT).contains(&turn) || q.distance(r) < NEAR
+        });
+        match useless {
+            Some(at) => kept.remove(at),
+            None => break,
+        };
+    }
+    let from = kept.first().copied().unwrap_or_default();
+    let about: Vec<DVec2> = kept.iter().map(|p| *p - from).collect();
+    if area2(&about) < 0.0 {
+        kept.reverse();
+    }
+    kept
+}

@@ -1,0 +1,246 @@
+//! Outdoor objects of a town (docs/contract.md 10.4): a rule turns a feature into shapes on the ground, or a fence as runs of parts.
+
+mod arcades;
+mod bands;
+mod basins;
+mod envelopes;
+mod fences;
+mod lines;
+mod lone;
+mod poles;
+mod rails;
+mod roads;
+mod signals;
+mod signs;
+mod solids;
+mod trees;
+
+use super::law::EnvelopeRow;
+use super::{Footing, LotSite};
+use crate::grid::{Bounds, bounds, meet, wider};
+use crate::layer::Shape;
+use crate::shape::{Segment, contains, distance};
+use crate::street::Piece;
+use glam::{DVec2, DVec3};
+use hsd_base::diagnostic::Text;
+use hsd_base::geometry::clip::on_grid;
+use hsd_base::rng::Place;
+use hsd_base::source::{Span, Spanned};
+use hsd_ir::ast::{House, Outdoor, Outdoors, Settings, Sheet, Tree, Value};
+use std::collections::BTreeSet;
+
+/// The place of what lies on the ground is a multiple of this, so that textures go on from piece to piece, metres.
+const TURN: f64 = 1024.0;
+/// Ground under roads is looked at in steps of this, metres.
+const STEP: f64 = 4.0;
+/// The name of the layer of all streets.
+const NO_LAYER: &str = "";
+
+/// What became of a wish.
+pub struct Laid {
+    /// Houses in the sense of the model: pieces of road, trees, fences.
+    pub houses: Vec<House>,
+    /// What the table of decisions tells.
+    pub parameters: Vec<(String, Value)>,
+    /// What the table of envelopes tells.
+    pub envelope: Option<EnvelopeRow>,
+    /// True if it is to line heights up but knows none.
+    pub no_guiding_height: bool,
+}
+
+impl Laid {
+    /// Returns shapes with what the table of decisions tells of them.
+    fn new(houses: Vec<House>, parameters: Vec<(String, Value)>) -> Laid {
+        Laid {
+            houses,
+            parameters,
+            envelope: None,
+            no_guiding_height: false,
+        }
+    }
+}
+
+impl LotSite<'_> {
+    /// Makes what a rule wants of the feature; `draws` keys what is drawn.
+    ///
+    /// # Errors
+    /// Why nothing can be made.
+    pub fn lay(&self, wish: &Outdoor, span: Span, draws: Place) -> Result<Laid, Text> {
+        match wish {
+            Outdoor::Road(road) => self.road(road, span),
+            Outdoor::Rail(rail) => self.rail(rail, span),
+            Outdoor::Tree(tree) => self.trees(tree, span, draws),
+            Outdoor::Fence(fence) => self.fence(fence, span),
+            Outdoor::Lone(lone) => self.lone(lone, span),
+            Outdoor::Poles(poles) => self.poles(poles, span),
+            Outdoor::Wire(wire) => self.wires(wire, span),
+            Outdoor::Signal(signal) => self.signal(signal, span, draws),
+            Outdoor::Sign(sign) => self.sign(sign, span),
+            Outdoor::Arcade(arcade) => self.arcade(arcade, span),
+            Outdoor::Water(water) => self.water(water, span),
+            Outdoor::Farmland(farmland) => self.farmland(farmland, span),
+            Outdoor::Zone(zone) => self.zone(zone),
+            Outdoor::Envelope(wish) => self.envelope(wish, span),
+        }
+    }
+
+    /// Returns the seed of the town.
+    pub fn seed(&self) -> u64 {
+        self.plan.town.seed
+    }
+
+    /// Returns the lines of the feature, without points that repeat the one before.
+    fn ways(&self) -> Vec<Vec<DVec2>> {
+        let lines = match &self.lot().shape {
+            Shape::Lines(lines) => lines.clone(),
+            Shape::Area(..) | Shape::Point(_) => vec![],
+        };
+        let distinct = |mut line: Vec<DVec2>| {
+            line.dedup_by(|a, b| a.distance(*b) < 0.01);
+            line
+        };
+        let lines = lines.into_iter().map(distinct);
+        lines.filter(|line| line.len() > 1).collect()
+    }
+
+    /// Returns the pieces of streets round the feature.
+    fn street_pieces(&self) -> Vec<Piece> {
+        self.plan.pieces(self.lot(), NO_LAYER)
+    }
+
+    /// Returns the walls of the houses round the feature.
+    fn walls(&self) -> Walls<'_> {
+        Walls::new(self.neighbours().rings.iter().copied())
+    }
+
+    /// Returns the place from which shapes of the feature count.
+    fn base(&self) -> DVec2 {
+        (self.lot().shape.centre() / TURN).floor() * TURN
+    }
+
+    /// Returns true if the town has a ground.
+    fn has_ground(&self) -> bool {
+        !self.plan.ground.is_empty()
+    }
+
+    /// Returns the height of the ground at a place.
+    fn height(&self, at: DVec2) -> f64 {
+        let ground = &self.plan.ground;
+        if ground.is_empty() {
+            return self.lot().z;
+        }
+        if let Some(height) = ground.at(at) {
+            return height;
+        }
+        match ground.near(at) {
+            Some(height) => {
+                self.footing.set(Footing::Near);
+                height
+            }
+            None => {
+                self.footing.set(Footing::Lost);
+                self.lot().z
+            }
+        }
+    }
+
+    /// Lays convex rings on the ground, raised by a height.
+    fn lie(&self, rings: &[Vec<DVec2>], raised: f64) -> Vec<Vec<DVec3>> {
+        let base = self.base();
+        let lay = |ring: &Vec<DVec2>| -> Vec<DVec3> {
+            ring.iter()
+                .map(|p| (*p - base).extend(self.height(*p) + raised))
+                .collect()
+        };
+        if !self.has_ground() {
+            return rings.iter().map(lay).collect();
+        }
+        let mut faces = vec![];
+        for ring in rings.iter().flat_map(|ring| on_grid(ring, STEP)) {
+            let laid = lay(&ring);
+            // The ground is not plane.
+            faces.extend((1..laid.len() - 1).map(|i| vec![laid[0], laid[i], laid[i + 1]]));
+        }
+        faces
+    }
+
+    /// Returns faces of a surface, shown from a level of detail on.
+    fn sheet(&self, finish: &'static str, least: u8, faces: Vec<Vec<DVec3>>) -> Sheet {
+        Sheet {
+            finish,
+            least,
+            most: Sheet::MOST,
+            on_ground: self.has_ground(),
+            faces,
+        }
+    }
+
+    /// Returns a house of shapes on the ground.
+    fn open(&self, span: Span, word: &'static str, sheets: Vec<Sheet>, trees: Vec<Tree>) -> House {
+        let base = self.base();
+        let at = |value: f64| Some(Spanned::new(value, span));
+        let mut house = House {
+            span,
+            ..House::default()
+        };
+        house.settings = Settings {
+            x: at(base.x),
+            y: at(base.y),
+            ..Settings::default()
+        }
+        .into();
+        house.fittings.outdoors = Some(Box::new(Outdoors {
+            span,
+            word,
+            sheets,
+            trees,
+        }));
+        house
+    }
+}
+
+/// The outlines of houses, with their boxes.
+struct Walls<'t>(Vec<(Bounds, &'t [DVec2])>);
+
+impl<'t> Walls<'t> {
+    fn new(rings: impl Iterator<Item = &'t [DVec2]>) -> Walls<'t> {
+        let boxed = rings.filter_map(|ring| Some((bounds(ring.iter().copied())?, ring)));
+        Walls(boxed.collect())
+    }
+
+    /// Returns true if a place lies in a house or no farther than `far` from its walls.
+    fn near(&self, at: DVec2, far: f64) -> bool {
+        self.0.iter().any(|(box_of, ring)| {
+            meet(wider(*box_of, far), [at; 2]) && (contains(ring, at) || distance(ring, at) < far)
+        })
+    }
+}
+
+/// Returns the sides of faces that no other face continues, each down by a depth.
+fn edges(faces: &[Vec<DVec3>], depth: f64) -> Vec<Vec<DVec3>> {
+    let key = |p: DVec3| (p * 1000.0).round().to_array().map(|x| x as i64);
+    let sides = |face: &Vec<DVec3>| {
+        let n = face.len();
+        let face = face.clone();
+        (0..n).map(move |i| [face[i], face[(i + 1) % n]])
+    };
+    let all = faces.iter().flat_map(sides);
+    let known: BTreeSet<[[i64; 3]; 2]> = all.map(|[p, q]| [key(p), key(q)]).collect();
+    let free = faces.iter().flat_map(sides);
+    let free = free.filter(|[p, q]| p.distance(*q) > 0.01 && !known.contains(&[key(*q), key(*p)]));
+    let down = DVec3::Z * depth;
+    free.map(|[p, q]| vec![p - down, q - down, q, p]).collect()
+}
+
+/// Returns a value of the table of decisions.
+fn told(name: &str, value: f64) -> (String, Value) {
+    (
+        name.to_owned(),
+        Value::Number((value * 100.0).round() / 100.0),
+    )
+}
+
+/// Returns the segments of a line.
+fn segments(line: &[DVec2]) -> impl Iterator<Item = Segment> + '_ {
+    line.windows(2).map(|ends| Segment::new(ends[0], ends[1]))
+}

@@ -1,0 +1,63 @@
+//! Why a drawing has no plan.
+
+use crate::plan::Unreadable;
+use std::ops::Range;
+
+/// Why a drawing has no plan: what was looked for, and what was found.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refused {
+    /// The file is not the XML of an SVG.
+    NotXml {
+        /// Offset of the fault, bytes.
+        at: u64,
+        /// Reason.
+        what: String,
+    },
+    /// The file is not a DXF.
+    NotDxf {
+        /// Line of the fault, from 1.
+        line: usize,
+        /// Reason.
+        what: String,
+    },
+    /// The DXF ends too early.
+    Truncated {
+        /// Number of lines that were read.
+        line: usize,
+    },
+    /// The file exceeds a limit.
+    TooLarge {
+        /// What is counted.
+        what: &'static str,
+        /// Limit.
+        most: usize,
+    },
+    /// No PDF that can be read, and why.
+    NotPdf(String),
+    /// The PDF does not have the requested page.
+    NoPage {
+        /// Requested page, from 1.
+        asked: usize,
+        /// Number of pages.
+        pages: usize,
+    },
+    /// A PDF with one picture that cannot be read.
+    Picture(Unreadable),
+    /// The legend is not valid.
+    Legend {
+        /// Bytes of the fault.
+        at: Range<usize>,
+        /// Reason.
+        what: String,
+    },
+    /// Drawn by `hsd draw` and changed so that it cannot be read: what is not as it should be.
+    Unclear(String),
+    /// Nothing that is drawn.
+    Blank,
+    /// No stroke that stands for a wall; the layers and classes that were found.
+    NoRoles(Vec<String>),
+    /// Walls that keep to no grid: of so many strokes.
+    NoGrid(usize),
+    /// No walls that close.
+    NoHouse,
+}
