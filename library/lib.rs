@@ -1,7 +1,7 @@
 //! The house types of `hsd new` and the definitions that they share.
 
 /// Files of `library/`: names without the ending, and contents.
-pub const FILES: &[(&str, &str)] = &[
+pub static FILES: &[(&str, &str)] = &[
     ("block", include_str!("block.hsd")),
     ("buke-bei", include_str!("buke-bei.hsd")),
     ("buke-nagaya", include_str!("buke-nagaya.hsd")),
@@ -31,32 +31,3 @@ pub const FILES: &[(&str, &str)] = &[
     ("temple", include_str!("temple.hsd")),
     ("ura-nagaya", include_str!("ura-nagaya.hsd")),
 ];
-
-/// Returns the contents of a file by its name without the ending.
-///
-/// # Panics
-/// If there is no such file. Evaluate it in a constant, so that a missing file is a compile error.
-pub const fn text(name: &str) -> &'static str {
-    let mut i = 0;
-    while i < FILES.len() {
-        if is_same(FILES[i].0.as_bytes(), name.as_bytes()) {
-            return FILES[i].1;
-        }
-        i += 1;
-    }
-    panic!("library/ has no such file")
-}
-
-const fn is_same(a: &[u8], b: &[u8]) -> bool {
-    if a.len() != b.len() {
-        return false;
-    }
-    let mut i = 0;
-    while i < a.len() {
-        if a[i] != b[i] {
-            return false;
-        }
-        i += 1;
-    }
-    true
-}

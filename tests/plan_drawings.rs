@@ -174,6 +174,7 @@ mod own_checks {
     }
 
     #[test]
+    #[ignore = "takes long; `.ci/nightly tests` runs it"]
     fn ink_lies_where_the_truth_says_in_every_quality() {
         for convention in [Convention::Survey, Convention::Sashizu, Convention::Itazu] {
             for way in [

@@ -137,6 +137,7 @@ fn round(path: &Path, wanted: &[Wanted], scale: u32) -> Vec<String> {
 }
 
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn plans_come_back_as_they_went_out() {
     let paths: Vec<_> = ["examples", "library"]
         .into_iter()

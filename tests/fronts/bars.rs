@@ -212,16 +212,19 @@ fn hold_unlike(seeds: &[u64]) {
 const FEW: [u64; 8] = [0, 1, 3, 13, 35, 47, 63, 83];
 
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn drawn_scenes_are_read_without_being_told_anything() {
     hold(Facade::new, &FEW);
 }
 
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn models_are_read_without_being_told_anything() {
     hold(model::facade, &FEW);
 }
 
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn storeys_of_unlike_heights_are_read() {
     hold_unlike(&FEW);
 }

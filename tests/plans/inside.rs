@@ -116,26 +116,31 @@ fn holds(convention: Convention, way: Degradation, least: usize) {
 }
 
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn things_are_found_in_survey_drawings() {
     holds(Convention::Survey, Degradation::Clean, 65);
 }
 
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn things_are_found_in_scans() {
     holds(Convention::Survey, Degradation::Scanned, 50);
 }
 
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn things_are_found_in_sashizu() {
     holds(Convention::Sashizu, Degradation::Clean, 60);
 }
 
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn things_are_found_in_photographs() {
     holds(Convention::Sashizu, Degradation::Photographed, 50);
 }
 
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn next_to_nothing_is_found_where_nothing_is_drawn() {
     for way in [Degradation::Clean, Degradation::Scanned] {
         let score = trial(Convention::Itazu, way);

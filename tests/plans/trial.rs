@@ -237,6 +237,7 @@ fn holds(
 /// A narrow house whose few lines of one direction fit many grids; posts that are squares beside thick walls, with mats on one
 /// side of most lines; a row of rooms that only an open front joins to the house; dashes on a board, which are no lattice.
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn outlines_that_were_misread_stay_exact() {
     for (convention, seed) in [
         (Convention::Survey, 7123),
@@ -252,6 +253,7 @@ fn outlines_that_were_misread_stay_exact() {
 }
 
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn survey_drawings_are_read() {
     holds(
         Convention::Survey,
@@ -261,6 +263,7 @@ fn survey_drawings_are_read() {
 }
 
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn scans_of_survey_drawings_are_read() {
     holds(
         Convention::Survey,
@@ -270,6 +273,7 @@ fn scans_of_survey_drawings_are_read() {
 }
 
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn sashizu_are_read() {
     holds(
         Convention::Sashizu,
@@ -279,6 +283,7 @@ fn sashizu_are_read() {
 }
 
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn photographs_of_sashizu_are_read() {
     holds(
         Convention::Sashizu,
@@ -288,6 +293,7 @@ fn photographs_of_sashizu_are_read() {
 }
 
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn itazu_are_read() {
     holds(
         Convention::Itazu,
@@ -297,6 +303,7 @@ fn itazu_are_read() {
 }
 
 #[test]
+#[ignore = "takes long; `.ci/nightly tests` runs it"]
 fn scans_of_itazu_are_read() {
     holds(
         Convention::Itazu,

@@ -16,8 +16,6 @@ mod square;
 mod text;
 mod walk;
 
-pub use close::ClosingFix;
-
 use crate::messages::plan;
 use glam::{DVec2, dvec2};
 use hsd_base::diagnostic::Diagnostics;

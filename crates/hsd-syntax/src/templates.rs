@@ -20,34 +20,35 @@ pub struct Template {
     pub en: &'static str,
     /// Other names by which a search finds it, separated by commas.
     pub aliases: &'static str,
-    text: &'static str,
 }
 
-/// The definitions that some templates include, and the lines that include them.
+/// Files that some templates include, and the lines that include them.
 const INCLUDED: [(&str, &str); 3] = [
     (
-        "  <include href=\"fronts.hsd\"/>\n",
-        hsd_library::text("fronts"),
+        "  <include href=\"fronts.hsd\"/>
+",
+        "fronts",
     ),
     (
-        "  <include href=\"plans.hsd\"/>\n",
-        hsd_library::text("plans"),
+        "  <include href=\"plans.hsd\"/>
+",
+        "plans",
     ),
     (
-        "  <include href=\"outlines.hsd\"/>\n",
-        hsd_library::text("outlines"),
+        "  <include href=\"outlines.hsd\"/>
+",
+        "outlines",
     ),
 ];
 
 macro_rules! templates {
-    ($folder:ident $($word:literal $ja:literal $romaji:literal $en:literal $aliases:literal)*) => {
+    ($($word:literal $ja:literal $romaji:literal $en:literal $aliases:literal)*) => {
         &[$(Template {
             word: $word,
             ja: $ja,
             romaji: $romaji,
             en: $en,
             aliases: $aliases,
-            text: $folder::text($word),
         }),*]
     };
 }
@@ -59,11 +60,10 @@ pub static GROUNDS: Template = Template {
     romaji: "yashiki to machi",
     en: "residences and blocks",
     aliases: "",
-    text: hsd_library::text("grounds"),
 };
 
 /// The house types of `library/`: the seven of Kyoto's town houses (000-11) first.
-pub static TYPES: &[Template] = templates! { hsd_library
+pub static TYPES: &[Template] = templates! {
     "so-nikai" "総二階" "sō-nikai" "town house of two full storeys"
     "町家, 京町家, 商家, 本二階, machiya, kyō-machiya, shōka, merchant house, shop"
     "chu-nikai" "中二階" "chū-nikai" "town house with a low upper floor"
@@ -115,7 +115,7 @@ pub static TYPES: &[Template] = templates! { hsd_library
 };
 
 /// Finished houses of `examples/` that search finds as well; they have no parameters.
-pub static EXAMPLES: &[Template] = templates! { hsd_examples
+pub static EXAMPLES: &[Template] = templates! {
     "omotedana" "表店" "omotedana" "shop on the street of an Edo town block"
     "町家, 商家, 店, 店蔵, machiya, shōka, mise, misegura, merchant house, shop, store"
     "l-house" "鉤屋" "kagiya" "house with a wing"
@@ -161,11 +161,11 @@ const SOURCES: &str = "hsd:";
 impl Template {
     /// Returns the content of the source file, which includes no other file.
     pub fn text(&self) -> String {
-        let copied = |text: String, (line, file): &(&str, &str)| match text.contains(line) {
-            true => text.replacen(line, &pieces(file), 1),
+        let copied = |text: String, (line, name): &(&str, &str)| match text.contains(line) {
+            true => text.replacen(line, &pieces(file(name)), 1),
             false => text,
         };
-        INCLUDED.iter().fold(self.text.to_owned(), copied)
+        INCLUDED.iter().fold(file(self.word).to_owned(), copied)
     }
 
     /// Returns its name among the sources of a file that places it: no path, since it is part of the program.
@@ -226,6 +226,13 @@ impl Template {
         let own = [self.word, self.ja, self.romaji, self.en];
         own.into_iter().chain(listed(self.aliases))
     }
+}
+
+/// Returns the contents of a file of `library/` or `examples/` by its name without the ending; a test reads all.
+fn file(name: &str) -> &'static str {
+    let mut all = hsd_library::FILES.iter().chain(hsd_examples::FILES);
+    all.find(|(own, _)| *own == name)
+        .map_or("", |(_, text)| text)
 }
 
 fn listed(names: &'static str) -> impl Iterator<Item = &'static str> {
@@ -379,8 +386,9 @@ mod tests {
     }
 
     #[test]
-    fn copies_include_nothing() {
-        for t in TYPES {
+    fn copies_have_contents_and_include_nothing() {
+        for t in TYPES.iter().chain(EXAMPLES).chain([&GROUNDS]) {
+            assert!(!t.text().is_empty(), "{}", t.word);
             assert!(!t.text().contains("<include"), "{}", t.word);
         }
     }

@@ -1,7 +1,6 @@
 //! Messages about parts and operations (HSD03xx).
 
-use crate::catalog::PartDef;
-use hsd_base::diagnostic::messages::words::{any_of, shortened};
+use hsd_base::diagnostic::messages::words::any_of;
 use hsd_base::diagnostic::{Diagnostic, Text};
 use hsd_base::source::Span;
 use hsd_base::text;
@@ -14,12 +13,12 @@ fn units(width: f64) -> String {
 }
 
 /// The title of a fix that replaces a code.
-fn written(code: &str) -> Text {
+pub fn written(code: &str) -> Text {
     text!([code] "Write `{code}`", "`{code}` と書く")
 }
 
 /// A code as it stands in a place: in five columns, or without its last blanks where what stood there had none.
-fn in_cells(place: Span, code: &str) -> &str {
+pub fn in_cells(place: Span, code: &str) -> &str {
     match place.end - place.start {
         0..5 => code.trim_end(),
         _ => code,
@@ -71,31 +70,6 @@ pub fn part_name(span: Span, name: &str, code: &str, cells: Span) -> Diagnostic 
             "`{name}` の部材コードは `{code}` です。五桁で書いてください"
         ))
         .fix(written(code), cells, in_cells(cells, code))
-}
-
-/// A word that the names of some parts have; it stands in place of a code.
-#[cold]
-pub fn part_meaning(span: Span, word: &str, parts: &[&PartDef]) -> Diagnostic {
-    let word = shortened(word);
-    let message = text!([word]
-        "`{word}` is what parts are called, not a code",
-        "`{word}` は部材の呼び名で、部材コードではありません"
-    );
-    let offer = |part: &&PartDef| {
-        let (code, en, ja) = (part.code().trim_end(), &part.en, &part.ja);
-        text!([code, en, ja] "`{code}` ({en})", "`{code}` ({ja})")
-    };
-    let offers = Text::joined(parts.iter().map(offer).collect(), " or ", "か ");
-    let found = Diagnostic::error(301, span, message).help(text!([offers, word]
-        "write {offers}; `hsd parts {word}` finds others",
-        "{offers} と書いてください。ほかは `hsd parts {word}` で探せます"
-    ));
-    // A part of another width would open the walls.
-    let usual = parts.iter().filter(|part| part.width() == 1.0);
-    usual.fold(found, |found, part| {
-        let code = part.code();
-        found.fix(written(code.trim_end()), span, in_cells(span, code))
-    })
 }
 
 /// A turn letter that slipped into a code whose blanks were lost; `ends`: a turn may be written there.

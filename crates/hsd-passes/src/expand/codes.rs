@@ -1,6 +1,7 @@
 //! The meaning of a code: a part of the catalogue, otherwise an image, otherwise the nearest part and an error.
 
 use super::Pass;
+use crate::messages::meanings;
 use hsd_base::source::{PictureFile, Span, World};
 use hsd_ir::ast::CodeText;
 use hsd_ir::catalog::{Catalog, PartDef, PartId, Query, ScopeId};
@@ -385,7 +386,7 @@ impl Pass<'_, '_> {
                     };
                     say::unknown_code(span, bare, &near)
                 }
-                (None, meant) => say::part_meaning(span, bare, meant),
+                (None, meant) => meanings::part_meaning(span, bare, meant),
             });
         }
         self.codes.stand_in(bare)

@@ -2,12 +2,11 @@
 
 use super::text;
 use super::walk::Walk;
-use crate::messages::plan;
+use crate::messages::plan::{self, ClosingFix};
 use glam::{DVec2, dvec2};
 use hsd_base::diagnostic::Diagnostics;
 use hsd_base::diagnostic::Edit;
 use hsd_base::geometry::{Heading, SAME, area2};
-use hsd_base::source::Span;
 use hsd_ir::building::Wall;
 use hsd_ir::program::Drawn;
 use std::ops::Range;
@@ -173,18 +172,6 @@ fn moved_turn(walk: &Walk, written: f64) -> Option<usize> {
         let end = walk.end - (line.to - line.from) * 2.0;
         fits && end.distance(start) < SAME
     })
-}
-
-/// A wall whose length, changed by `by` units, closes the gap along its direction.
-pub struct ClosingFix {
-    /// Line to change.
-    pub line: Span,
-    /// Length of the line as written, U.
-    pub length: f64,
-    /// Change of the length, positive if longer, U.
-    pub by: f64,
-    /// Text edit that applies the change; `None` if the line cannot be edited that way.
-    pub edit: Option<Edit>,
 }
 
 /// Returns the edits that reverse the turns of some line ends; none if one of them cannot be changed.

@@ -1,14 +1,16 @@
 //! Messages about walls, outlines and storeys (HSD04xx).
 
+mod closing;
 mod meeting;
 mod purpose;
 pub(crate) mod fixtures;
 pub(crate) mod rooms;
 
+pub(crate) use closing::ClosingFix;
 pub(crate) use meeting::{Meeting, walls_meet};
 pub use purpose::no_use;
 
-use crate::lower::ClosingFix;
+use closing::{change, closing, gap_words};
 use glam::DVec2;
 use hsd_base::diagnostic::messages::words::quote;
 use hsd_base::diagnostic::{Diagnostic, Edit, Text};
@@ -16,66 +18,9 @@ use hsd_base::source::Span;
 use hsd_base::text;
 
 /// A number of units without needless decimals.
-fn units(n: f64) -> Text {
+pub(super) fn units(n: f64) -> Text {
     let n = (n * 1000.0).round() / 1000.0;
     text!([n] "{n} U", "{n} U")
-}
-
-/// A gap as "2 U to the left and 1 U to the front".
-fn gap_words(gap: DVec2) -> Text {
-    let across = if gap.x > 0.0 {
-        text!("to the left", "左")
-    } else {
-        text!("to the right", "右")
-    };
-    let along = if gap.y > 0.0 {
-        text!("to the back", "奥")
-    } else {
-        text!("to the front", "手前")
-    };
-    let words = [(gap.x, across), (gap.y, along)];
-    let words: Vec<Text> = words
-        .iter()
-        .filter(|(by, _)| by.abs() > hsd_base::geometry::SAME)
-        .map(|(by, side)| {
-            let far = units(by.abs());
-            text!([far, side] "{far} {side}", "{side}へ {far}")
-        })
-        .collect();
-    Text::joined(words, " and ", "、")
-}
-
-/// The change of a line: "the line of 3 U 1 U longer", and "1 U longer".
-fn change(fix: &ClosingFix) -> (Text, Text) {
-    let (by, length) = (units(fix.by.abs()), units(fix.length));
-    let words = if fix.by > 0.0 {
-        text!([by] "{by} longer", "{by} 長く")
-    } else {
-        text!([by] "{by} shorter", "{by} 短く")
-    };
-    let line =
-        text!([length, words] "the line of {length} {words}", "長さ {length} の行を {words}");
-    (line, words)
-}
-
-/// Offers to change one line for each direction of the gap: the first that serve, then the second.
-fn closing(mut found: Diagnostic, axes: &[Vec<ClosingFix>]) -> Diagnostic {
-    let most = axes.iter().map(Vec::len).max().unwrap_or(0);
-    for n in 0..most {
-        let lines = axes
-            .iter()
-            .map(|axis| axis.get(n.min(axis.len().max(1) - 1)));
-        let chosen: Option<Vec<(Text, Edit)>> = lines
-            .map(|fix| Some((change(fix?).0, fix?.edit.clone()?)))
-            .collect();
-        if let Some(chosen) = chosen {
-            let (words, edits): (Vec<Text>, Vec<Edit>) = chosen.into_iter().unzip();
-            let lines = Text::joined(words, " and ", "、");
-            let title = text!([lines] "Make {lines}", "{lines}する");
-            found = found.fix_all(title, edits);
-        }
-    }
-    found
 }
 
 /// The walk ends beside its start; `axes` are the lines that could change, for each direction of the gap.
