@@ -39,7 +39,7 @@ impl Words for Text {
 }
 
 /// Whether the program is optimised. If not, tests that try many inputs are content with fewer. It may assert all the same:
-/// `.ci/run` can have both.
+/// `.ci/nightly` can have both.
 pub const OPTIMISED: bool = !matches!(env!("HSD_OPT_LEVEL").as_bytes(), b"0");
 
 /// So many samples for a property, the same ones in every run, that a change which broke nothing is not stopped by
