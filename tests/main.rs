@@ -7,7 +7,6 @@
 mod support;
 
 mod age;
-mod backend;
 mod bake;
 mod catalog;
 mod catalogs;
@@ -30,7 +29,6 @@ mod examples;
 mod expand;
 mod figure4_pictures;
 mod fixtures;
-mod fmt;
 mod ide;
 mod joined;
 mod fronts;
@@ -41,7 +39,6 @@ mod language;
 mod law;
 mod legacy_grammar;
 mod light;
-mod lower;
 mod lsp;
 mod first_towns;
 mod fixes;
@@ -53,9 +50,6 @@ mod order;
 mod outdoors;
 mod outlines;
 mod outputs;
-mod parse_legacy;
-mod parse_legacy_robust;
-mod parse_xml;
 mod parts;
 mod parts_fittings;
 mod parts_windows;
@@ -74,7 +68,6 @@ mod real_roofs;
 mod real_tags;
 mod real_towns;
 mod rears;
-mod report;
 mod robust;
 mod rooms;
 mod roof_gallery;
@@ -90,7 +83,6 @@ mod stairs;
 mod streams;
 mod tea_shop_pictures;
 mod tessellate;
-mod textures;
 mod tiles;
 mod town_types;
 mod town_texts;
@@ -107,6 +99,7 @@ mod variants;
 mod vertices;
 mod view;
 mod w3c;
+mod xml_bombs;
 
 // As the program does.
 #[global_allocator]

@@ -6,58 +6,21 @@ use hsd::Options;
 use hsd::building::{Building, Solid};
 use hsd::catalog::Catalog;
 use hsd::check::solid_flaws;
-use hsd::diagnostic::{Diagnostic, Diagnostics, Language, Severity, Text};
+use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd::scene::{Kind, Mesh, Scene};
 use hsd::source::{FileId, IncludeError, NoFiles, PictureFile, Source, Span, World};
-use proptest::test_runner::{Config as ProptestConfig, RngSeed};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+pub use hsd_testing::{OPTIMISED, Words, assert_none, cpu, root, sampled};
+
 pub mod coplanar;
-pub mod cpu;
 pub mod crossings;
 pub mod depths;
 pub mod maps;
 pub mod shapes;
 pub mod view;
-
-/// The words of a text.
-pub trait Words {
-    fn en(&self) -> String;
-    fn ja(&self) -> String;
-}
-
-impl Words for Text {
-    fn en(&self) -> String {
-        self.in_language(Language::English).into_owned()
-    }
-
-    fn ja(&self) -> String {
-        self.in_language(Language::Japanese).into_owned()
-    }
-}
-
-/// Whether the program is optimised. If not, tests that try many inputs are content with fewer. It may assert all the same:
-/// `.ci/nightly` can have both.
-pub const OPTIMISED: bool = !matches!(env!("HSD_OPT_LEVEL").as_bytes(), b"0");
-
-/// So many samples for a property, the same ones in every run, that a change which broke nothing is not stopped by
-/// chance; `PROPTEST_RNG_SEED` and `PROPTEST_CASES` look elsewhere and longer.
-pub fn sampled(cases: u32) -> ProptestConfig {
-    let asked = ProptestConfig::default();
-    let rng_seed = match asked.rng_seed {
-        RngSeed::Random => RngSeed::Fixed(1),
-        fixed => fixed,
-    };
-    let more = std::env::var_os("PROPTEST_CASES").is_some();
-    ProptestConfig {
-        cases: if more { asked.cases } else { cases },
-        failure_persistence: None,
-        rng_seed,
-        ..asked
-    }
-}
 
 /// Everything the chain makes of one file.
 pub struct Run {
@@ -202,11 +165,6 @@ pub fn world_of(path: &Path) -> impl World {
     Folder(folder, BTreeMap::new())
 }
 
-/// The root of the repository.
-pub fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
 /// The `.hsd` files of a folder of the repository, by name.
 pub fn texts(folder: &str) -> Vec<PathBuf> {
     let mut files: Vec<PathBuf> = std::fs::read_dir(root().join(folder))
@@ -289,16 +247,6 @@ fn first_difference(wanted: &str, found: &str) -> String {
         }
     }
     "  only line ends differ".into()
-}
-
-/// Fails with all findings at once.
-pub fn assert_none(findings: &[String]) {
-    assert!(
-        findings.is_empty(),
-        "{} findings\n{}\n",
-        findings.len(),
-        findings.join("\n")
-    );
 }
 
 /// What is wrong with the places of diagnostics: outside of the file, not a character's border, no help.

@@ -1,8 +1,8 @@
 //! No bytes whatever disturb the reader of the legacy text, or hold it up.
 
-use crate::support::cpu::{assert_linear, spent};
-use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
-use hsd::source::{FileId, Limits, Source};
+use hsd_testing::cpu::{assert_linear, spent};
+use hsd_base::diagnostic::{Diagnostic, Diagnostics, Severity};
+use hsd_base::source::{FileId, Limits, Source};
 use std::time::Duration;
 
 /// The example of docs/evidence.md 2.6.
@@ -26,7 +26,7 @@ K F   8.1 HIS   0   0   6  -1  P3.0
 fn read_bytes(bytes: &[u8]) -> Vec<Diagnostic> {
     let source = Source::new(FileId(0), "a.hsd", bytes);
     let mut out = Diagnostics::new();
-    hsd::parse::parse(&source, &Limits::default(), &mut out);
+    hsd_syntax::parse::parse(&source, &Limits::default(), &mut out);
     out.into_sorted()
 }
 
@@ -90,13 +90,13 @@ fn no_mutation_disturbs_the_reader() {
         }
         let source = Source::new(FileId(0), "a.hsd", &bytes);
         let mut out = Diagnostics::new();
-        let parse = |out| hsd::parse::legacy::parse(&source, &Limits::default(), out);
+        let parse = |out| hsd_syntax::parse::legacy::parse(&source, &Limits::default(), out);
         let (document, took) = spent(|| parse(&mut out));
         changed += took;
         sound += spent(|| read_bytes(sample.as_bytes())).1;
         let errors = out.iter().any(|d| d.severity == Severity::Error);
         assert_eq!(errors, out.has_errors());
-        let inside = |s: &hsd::source::Span| s.start <= s.end && s.end as usize <= bytes.len();
+        let inside = |s: &hsd_base::source::Span| s.start <= s.end && s.end as usize <= bytes.len();
         for told in out.iter() {
             assert!(inside(&told.span().unwrap()), "round {round}: {told:?}");
             assert!(told.labels.iter().all(|l| inside(&l.span)), "round {round}");
@@ -129,7 +129,7 @@ fn lines_of_anything_are_read_in_linear_time() {
 }
 
 proptest::proptest! {
-    #![proptest_config(crate::support::sampled(256))]
+    #![proptest_config(hsd_testing::sampled(256))]
 
     #[test]
     fn any_bytes_are_read(bytes in proptest::collection::vec(proptest::num::u8::ANY, 0..400)) {

@@ -1,7 +1,7 @@
 //! The textures of the materials: sizes, colours, gloss and names.
 
-use hsd::material::{self, MATERIALS, SurfaceId};
-use hsd::texture::{COLOR_SIZE, ORM_SIZE, SURFACES, Surface, embedded, look};
+use hsd_ir::material::{self, MATERIALS, SurfaceId};
+use hsd_scene::texture::{COLOR_SIZE, ORM_SIZE, SURFACES, Surface, embedded, look};
 use image::RgbImage;
 
 /// The files of a surface and their size in pixels.

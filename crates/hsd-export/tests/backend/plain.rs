@@ -91,8 +91,8 @@ fn stl_is_in_millimetres() {
 
 #[test]
 fn regions_are_written_as_documented() {
-    use hsd::ast::RoofShape;
-    use hsd::building::{Building, Built, House, HouseRoofs, PlanRegion, StoreyPlan};
+    use hsd_ir::ast::RoofShape;
+    use hsd_ir::building::{Building, Built, House, HouseRoofs, PlanRegion, StoreyPlan};
     let house = House {
         span: Span::default(),
         name: String::new(),

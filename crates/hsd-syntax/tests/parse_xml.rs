@@ -1,10 +1,10 @@
 //! The XML form: the paper's figure, every element, and what is wrong in every way.
 
-use crate::support::Words;
-use hsd::ast::*;
-use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
-use hsd::parse::xml;
-use hsd::source::{FileId, Limits, Source};
+use hsd_testing::Words;
+use hsd_ir::ast::*;
+use hsd_base::diagnostic::{Diagnostic, Diagnostics, Severity};
+use hsd_syntax::parse::xml;
+use hsd_base::source::{FileId, Limits, Source};
 
 fn read(text: &str) -> (Document, Vec<Diagnostic>) {
     let source = Source::new(FileId(0), "test.hsd", text.as_bytes());
@@ -139,7 +139,7 @@ fn the_figure_is_read_as_printed() {
 
 #[test]
 fn the_examples_are_clean() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
     let mut count = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -158,7 +158,7 @@ fn the_examples_are_clean() {
 
 #[test]
 fn every_fixture_shows_its_code_and_no_other() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/suite/diagnostics");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/suite/diagnostics");
     let mut count = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

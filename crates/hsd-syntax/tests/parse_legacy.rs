@@ -1,9 +1,9 @@
 //! The reader of the legacy text: what a house becomes, and which message each slip makes.
 
-use crate::support::Words;
-use hsd::ast::{Document, House, Item, Piece, RoofDirection, RoofMethod, RoofMode, RoofShape, Row};
-use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
-use hsd::source::{FileId, Limits, Source};
+use hsd_testing::Words;
+use hsd_ir::ast::{Document, House, Item, Piece, RoofDirection, RoofMethod, RoofMode, RoofShape, Row};
+use hsd_base::diagnostic::{Diagnostic, Diagnostics, Severity};
+use hsd_base::source::{FileId, Limits, Source};
 use std::path::Path;
 
 mod fixes;
@@ -29,7 +29,7 @@ K F   8.1 HIS   0   0   6  -1  P3.0
 fn read_bytes(bytes: &[u8]) -> (Source, Document, Vec<Diagnostic>) {
     let source = Source::new(FileId(0), "a.hsd", bytes);
     let mut out = Diagnostics::new();
-    let document = hsd::parse::parse(&source, &Limits::default(), &mut out);
+    let document = hsd_syntax::parse::parse(&source, &Limits::default(), &mut out);
     // Most texts here leave the heights out on purpose; a test of its own looks at that note.
     let told = out.into_sorted().into_iter().filter(|d| d.code.0 != 119);
     (source, document, told.collect())
@@ -39,7 +39,7 @@ fn read_bytes(bytes: &[u8]) -> (Source, Document, Vec<Diagnostic>) {
 fn read_all(bytes: &[u8]) -> Vec<Diagnostic> {
     let source = Source::new(FileId(0), "a.hsd", bytes);
     let mut out = Diagnostics::new();
-    hsd::parse::parse(&source, &Limits::default(), &mut out);
+    hsd_syntax::parse::parse(&source, &Limits::default(), &mut out);
     out.into_sorted()
 }
 
@@ -289,7 +289,7 @@ fn large_and_hopeless_files_are_refused_shortly() {
         bytes: 100,
         ..Limits::default()
     };
-    let document = hsd::parse::parse(&source, &limits, &mut out);
+    let document = hsd_syntax::parse::parse(&source, &limits, &mut out);
     assert!(document.houses.is_empty());
     assert_eq!(out.iter().map(|d| d.code.0).collect::<Vec<_>>(), [901]);
     let told = told(&with_walls(&"KSM  X\n".repeat(10_000)));
@@ -312,7 +312,7 @@ fn own_code(path: &Path) -> Option<u16> {
 }
 
 fn files(folder: &str) -> Vec<(u16, std::path::PathBuf)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let folder = hsd_testing::root().join(folder);
     let mut found: Vec<_> = std::fs::read_dir(folder)
         .expect("the folder is part of the repository")
         .filter_map(|entry| entry.ok().map(|e| e.path()))
@@ -357,7 +357,7 @@ fn each_page_has_a_title_and_an_example_that_triggers_it() {
 }
 
 proptest::proptest! {
-    #![proptest_config(crate::support::sampled(256))]
+    #![proptest_config(hsd_testing::sampled(256))]
 
     #[test]
     fn any_codes_are_cut_in_fives(codes in proptest::collection::vec("[KTMGHAN][A-Z]{2}[ A-K][ 23]", 1..30)) {

@@ -1,7 +1,7 @@
 //! What elements and texts become in the document.
 
 use super::*;
-use crate::support::Words;
+use hsd_testing::Words;
 
 #[test]
 fn a_house_is_read() {

@@ -1,12 +1,12 @@
 //! Walks to outlines: closing, turns, crossings, courtyards, set-back storeys, rings of facades.
 use glam::dvec2;
-use hsd::ast::{Anchor, StoreyKind};
-use hsd::building::{Ring, Shell};
-use hsd::catalog::PartId;
-use hsd::diagnostic::{Diagnostics, Severity};
-use hsd::lower::lower;
-use hsd::program::{Content, Drawn, House, Loop, Program, Roofs, Storey, Unit, WallLine};
-use hsd::source::{FileId, Span};
+use hsd_ir::ast::{Anchor, StoreyKind};
+use hsd_ir::building::{Ring, Shell};
+use hsd_ir::catalog::PartId;
+use hsd_base::diagnostic::{Diagnostics, Severity};
+use hsd_passes::lower::lower;
+use hsd_ir::program::{Content, Drawn, House, Loop, Program, Roofs, Storey, Unit, WallLine};
+use hsd_base::source::{FileId, Span};
 
 /// A unit of that width: a part, or a void below zero.
 fn unit(width: f64) -> Unit {
@@ -82,7 +82,7 @@ fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
             span,
             height: 9.0,
             kind,
-            order: hsd::ast::Order::default(),
+            order: hsd_ir::ast::Order::default(),
             loops,
             rooms: vec![],
             fixtures: vec![],
@@ -341,7 +341,7 @@ fn a_comb_of_many_teeth_is_judged_in_linear_time() {
         text += &vec!["1R 4L 1L 4R"; teeth - 1].join(" ");
         walk(&(text + " 1R 4L 1R 1R"))
     };
-    crate::support::cpu::assert_linear("a comb", 5_000, comb, |comb| {
+    hsd_testing::cpu::assert_linear("a comb", 5_000, comb, |comb| {
         let (shell, said) = lowered(vec![vec![comb.clone()]]);
         assert!(shell.houses[0].storeys[0].rings[0].closed && said.is_empty());
     });
@@ -411,7 +411,7 @@ fn walls_in_one_line_stay_in_one_line() {
 fn what_slants_on_purpose_is_not_squared() {
     let silent = |text: &str| {
         let (shell, said) = lowered(vec![vec![walk(text)]]);
-        let slants = |w: &hsd::building::Wall| w.direction.x != 0.0 && w.direction.y != 0.0;
+        let slants = |w: &hsd_ir::building::Wall| w.direction.x != 0.0 && w.direction.y != 0.0;
         let walls = &shell.houses[0].storeys[0].rings[0].walls;
         assert!(walls.iter().any(slants), "{text}");
         assert!(said.iter().all(|told| told.0 != 419), "{text}: {said:?}");

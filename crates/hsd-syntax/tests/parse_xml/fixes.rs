@@ -1,7 +1,7 @@
 //! Broken markup and wrong words: what is said, and what is read all the same.
 
 use super::*;
-use crate::support::Words;
+use hsd_testing::Words;
 
 #[test]
 fn broken_markup_is_named_exactly() {

@@ -1,0 +1,61 @@
+//! What the tests of several crates share: words of messages, samples for properties, processor time.
+
+use hsd_base::diagnostic::{Language, Text};
+use proptest::test_runner::{Config as ProptestConfig, RngSeed};
+use std::path::Path;
+
+pub mod cpu;
+
+/// The words of a text.
+pub trait Words {
+    /// Returns the English words.
+    fn en(&self) -> String;
+    /// Returns the Japanese words.
+    fn ja(&self) -> String;
+}
+
+impl Words for Text {
+    fn en(&self) -> String {
+        self.in_language(Language::English).into_owned()
+    }
+
+    fn ja(&self) -> String {
+        self.in_language(Language::Japanese).into_owned()
+    }
+}
+
+/// Whether the program is optimised. If not, tests that try many inputs are content with fewer. It may assert all the same:
+/// `.ci/nightly` can have both.
+pub const OPTIMISED: bool = !matches!(env!("HSD_OPT_LEVEL").as_bytes(), b"0");
+
+/// So many samples for a property, the same ones in every run, that a change which broke nothing is not stopped by
+/// chance; `PROPTEST_RNG_SEED` and `PROPTEST_CASES` look elsewhere and longer.
+pub fn sampled(cases: u32) -> ProptestConfig {
+    let asked = ProptestConfig::default();
+    let rng_seed = match asked.rng_seed {
+        RngSeed::Random => RngSeed::Fixed(1),
+        fixed => fixed,
+    };
+    let more = std::env::var_os("PROPTEST_CASES").is_some();
+    ProptestConfig {
+        cases: if more { asked.cases } else { cases },
+        failure_persistence: None,
+        rng_seed,
+        ..asked
+    }
+}
+
+/// The root of the repository.
+pub fn root() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+}
+
+/// Fails with all findings at once.
+pub fn assert_none(findings: &[String]) {
+    assert!(
+        findings.is_empty(),
+        "{} findings\n{}\n",
+        findings.len(),
+        findings.join("\n")
+    );
+}
