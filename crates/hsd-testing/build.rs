@@ -1,4 +1,4 @@
-//! Tells tests how far they are optimised, which only cargo knows.
+//! Passes the optimisation level to the tests; only cargo has it.
 
 fn main() {
     let level = std::env::var("OPT_LEVEL").unwrap_or_default();

@@ -1,12 +1,12 @@
 //! Walks to outlines: closing, turns, crossings, courtyards, set-back storeys, rings of facades.
 use glam::dvec2;
+use hsd_base::diagnostic::{Diagnostics, Severity};
+use hsd_base::source::{FileId, Span};
 use hsd_ir::ast::{Anchor, StoreyKind};
 use hsd_ir::building::{Ring, Shell};
 use hsd_ir::catalog::PartId;
-use hsd_base::diagnostic::{Diagnostics, Severity};
-use hsd_passes::lower::lower;
 use hsd_ir::program::{Content, Drawn, House, Loop, Program, Roofs, Storey, Unit, WallLine};
-use hsd_base::source::{FileId, Span};
+use hsd_passes::lower::lower;
 
 /// A unit of that width: a part, or a void below zero.
 fn unit(width: f64) -> Unit {

@@ -1,10 +1,10 @@
 //! Reports on small Japanese texts, and on large ones.
 
-use hsd_testing::cpu::assert_linear;
 use hsd_base::diagnostic::{Diagnostic, Diagnostics, Edit, Language, Origin};
-use hsd_report::{Format, Report, Style};
 use hsd_base::source::{FileId, Source, Span};
 use hsd_base::text;
+use hsd_report::{Format, Report, Style};
+use hsd_testing::cpu::assert_linear;
 
 fn source(text: &str) -> Source {
     Source::new(FileId(0), "町家.hsd", text.as_bytes())

@@ -1,9 +1,9 @@
 //! Texts laid out anew say the same, look as they should, and are laid out once and for all.
 
-use hsd_testing::cpu::assert_linear;
 use hsd_base::diagnostic::{Code, Diagnostics};
-use hsd_syntax::print::{encode, essence, format};
 use hsd_base::source::{FileId, Limits, Source};
+use hsd_syntax::print::{encode, essence, format};
+use hsd_testing::cpu::assert_linear;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -27,7 +27,13 @@ fn laid_out(name: &str, bytes: &[u8]) -> Option<String> {
     let after = source(&bytes);
     assert_eq!(after.text(), text, "{name}");
     assert_eq!(after.encoding(), before.encoding(), "{name}");
-    let parsed = |s| essence(&hsd_syntax::parse::parse(s, &limits, &mut Diagnostics::new()));
+    let parsed = |s| {
+        essence(&hsd_syntax::parse::parse(
+            s,
+            &limits,
+            &mut Diagnostics::new(),
+        ))
+    };
     assert!(parsed(&before) == parsed(&after), "{name}: {text}");
     let again = format(&after, &limits, &mut Diagnostics::new()).unwrap();
     assert_eq!(again, text, "{name}: laid out twice");
@@ -48,10 +54,7 @@ fn texts_below(folder: &Path, found: &mut Vec<PathBuf>) {
 fn texts(folders: &[&str]) -> Vec<PathBuf> {
     let mut found = vec![];
     for folder in folders {
-        texts_below(
-            &hsd_testing::root().join(folder),
-            &mut found,
-        );
+        texts_below(&hsd_testing::root().join(folder), &mut found);
     }
     found.sort();
     found

@@ -1,9 +1,11 @@
 //! The reader of the legacy text: what a house becomes, and which message each slip makes.
 
-use hsd_testing::Words;
-use hsd_ir::ast::{Document, House, Item, Piece, RoofDirection, RoofMethod, RoofMode, RoofShape, Row};
 use hsd_base::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd_base::source::{FileId, Limits, Source};
+use hsd_ir::ast::{
+    Document, House, Item, Piece, RoofDirection, RoofMethod, RoofMode, RoofShape, Row,
+};
+use hsd_testing::Words;
 use std::path::Path;
 
 mod fixes;

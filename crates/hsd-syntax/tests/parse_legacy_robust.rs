@@ -1,8 +1,8 @@
 //! No bytes whatever disturb the reader of the legacy text, or hold it up.
 
-use hsd_testing::cpu::{assert_linear, spent};
 use hsd_base::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd_base::source::{FileId, Limits, Source};
+use hsd_testing::cpu::{assert_linear, spent};
 use std::time::Duration;
 
 /// The example of docs/evidence.md 2.6.

@@ -1,10 +1,10 @@
 //! The XML form: the paper's figure, every element, and what is wrong in every way.
 
-use hsd_testing::Words;
-use hsd_ir::ast::*;
 use hsd_base::diagnostic::{Diagnostic, Diagnostics, Severity};
-use hsd_syntax::parse::xml;
 use hsd_base::source::{FileId, Limits, Source};
+use hsd_ir::ast::*;
+use hsd_syntax::parse::xml;
+use hsd_testing::Words;
 
 fn read(text: &str) -> (Document, Vec<Diagnostic>) {
     let source = Source::new(FileId(0), "test.hsd", text.as_bytes());
@@ -185,7 +185,7 @@ fn every_fixture_shows_its_code_and_no_other() {
             || name.contains("no_element");
         assert!(houseless || !document.houses.is_empty());
         let page = format!(
-            "{}/grammar/diagnostics/{}.md",
+            "{}/../../grammar/diagnostics/{}.md",
             env!("CARGO_MANIFEST_DIR"),
             found[0]
         );

@@ -1,4 +1,4 @@
-//! What the tests of several crates share: words of messages, samples for properties, processor time.
+//! Helpers that the tests of several crates share: words of messages, samples for properties, processor time.
 
 use hsd_base::diagnostic::{Language, Text};
 use proptest::test_runner::{Config as ProptestConfig, RngSeed};

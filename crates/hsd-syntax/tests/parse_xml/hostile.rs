@@ -1,11 +1,11 @@
 //! Texts that nobody means: prefixes, mutations, bombs, and a heap of every fault.
 
 use super::{FIGURE_4, read, row};
+use hsd_base::diagnostic::Diagnostics;
+use hsd_base::source::{FileId, Limits, Source};
+use hsd_syntax::parse::xml;
 use hsd_testing::assert_none;
 use hsd_testing::cpu::growth;
-use hsd_base::diagnostic::Diagnostics;
-use hsd_syntax::parse::xml;
-use hsd_base::source::{FileId, Limits, Source};
 
 const SAMPLE: &str = "<?xml version='1.0'?>\n<!DOCTYPE a [<!ENTITY b 'c'>]>\n<!-- 町家 -->\n\
     <Houses><House name=\"shop &amp; home\" street='yes'>\n  <Storey height=\"9.0\" start='0 0'>\n    \
