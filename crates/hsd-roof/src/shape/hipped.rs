@@ -33,7 +33,7 @@ const LEAST_AREA: f64 = 1e-6;
 ///
 /// ```
 /// use glam::dvec2;
-/// use hsd::roof::shape::{hipped, look::Look};
+/// use hsd_roof::shape::{hipped, look::Look};
 /// let house = [dvec2(0.0, 0.0), dvec2(9.0, 1.0), dvec2(8.0, 6.0), dvec2(0.5, 6.5)];
 /// let look = Look::gable(None, &Default::default(), 6.0, 0.909);
 /// let roof = hipped::over(&house, &[], 3.0, &look).expect("is a simple polygon");
