@@ -40,7 +40,7 @@ pub fn obj<'a>(scene: &Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile
 }
 
 /// A model that takes houses one after another. Meshes of all houses must be in the parts that show them: see
-/// [`SceneBuilder::forget_twins`](hsd_mesh::SceneBuilder::forget_twins).
+/// `SceneBuilder::forget_twins`.
 pub struct Writer {
     lines: Section,
     /// The lines of the houses in work.

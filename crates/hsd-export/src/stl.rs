@@ -76,7 +76,7 @@ pub fn stl(scene: &Scene, print: Print) -> Vec<u8> {
 }
 
 /// A model that takes houses one after another. Meshes of all houses must be in the parts that show them: see
-/// [`SceneBuilder::forget_twins`](hsd_mesh::SceneBuilder::forget_twins).
+/// `SceneBuilder::forget_twins`.
 pub struct Writer {
     /// Nine coordinates a triangle, metres.
     triangles: Section,

@@ -1,6 +1,6 @@
 //! Answers to editors: hover, completion, definition, references and the like.
 //!
-//! Everything takes and returns plain types and byte offsets into [`Source::text`]; only [`lsp`](hsd_lsp) knows the
+//! Everything takes and returns plain types and byte offsets into [`Source::text`]; only `hsd-lsp` knows the
 //! protocol. An [`Analysis`] holds everything known of one file at one moment: it is immutable, and expensive results
 //! that are rarely needed are computed on demand.
 

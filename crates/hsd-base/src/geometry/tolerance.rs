@@ -12,7 +12,7 @@
 //! | [`PARALLEL`], [`STRAIGHT`] | directions |
 //!
 //! Tolerances with one user and a meaning of its own (how far a wall may stand from the one below, say) stay with it.
-//! Models are checked more strictly than they are made: see [`hsd_ir::check`].
+//! Models are checked more strictly than they are made: see `hsd_ir::check`.
 
 /// Plan lengths that differ by less, in U, are the same: a tenth of a millimetre.
 pub const SAME: f64 = 1e-4;

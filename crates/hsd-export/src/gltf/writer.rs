@@ -54,7 +54,7 @@ impl<'n> Writer<'n> {
     }
 
     /// From now on, some hundred houses of detail 0 have one mesh. Meshes of all houses must be in the parts that show them:
-    /// see [`SceneBuilder::forget_twins`](hsd_mesh::SceneBuilder::forget_twins).
+    /// see `SceneBuilder::forget_twins`.
     #[must_use]
     pub fn joining(self, joins: bool) -> Writer<'n> {
         Writer { joins, ..self }
