@@ -24,12 +24,11 @@ impl Words for Text {
     }
 }
 
-/// Whether the program is optimised. If not, tests that try many inputs are content with fewer. It may assert all the same:
-/// `.ci/nightly` can have both.
+/// True if the tests are optimised. Tests of many inputs use fewer of them otherwise.
 pub const OPTIMISED: bool = !matches!(env!("HSD_OPT_LEVEL").as_bytes(), b"0");
 
-/// So many samples for a property, the same ones in every run, that a change which broke nothing is not stopped by
-/// chance; `PROPTEST_RNG_SEED` and `PROPTEST_CASES` look elsewhere and longer.
+/// Returns a configuration of `cases` samples per property, the same in every run. `PROPTEST_RNG_SEED` and
+/// `PROPTEST_CASES` select other samples and more.
 pub fn sampled(cases: u32) -> ProptestConfig {
     let asked = ProptestConfig::default();
     let rng_seed = match asked.rng_seed {
@@ -45,7 +44,7 @@ pub fn sampled(cases: u32) -> ProptestConfig {
     }
 }
 
-/// The root of the repository.
+/// Returns the root of the repository.
 pub fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }

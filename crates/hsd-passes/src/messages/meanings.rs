@@ -7,7 +7,7 @@ use hsd_base::text;
 use hsd_ir::catalog::PartDef;
 use hsd_ir::messages::parts::{in_cells, written};
 
-/// A word that the names of some parts have; it stands in place of a code.
+/// A name of parts where a code belongs.
 #[cold]
 pub fn part_meaning(span: Span, word: &str, parts: &[&PartDef]) -> Diagnostic {
     let word = shortened(word);

@@ -48,7 +48,7 @@ impl Role {
 /// A mark of a symbol. Places along it are 0 to 1 from end to end; places across it are in its spread, to the left positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
-    /// A stroke along the wall, so many pens wide.
+    /// A stroke along the wall.
     Line {
         /// Position across the wall.
         at: f64,
@@ -68,8 +68,7 @@ pub enum Mark {
         /// End along the wall.
         to: f64,
     },
-    /// Short strokes across the wall, so many in a unit, between two places across, so many pens wide. Between posts there are
-    /// spaces of one size; otherwise half a space is at each end.
+    /// Short strokes across the wall, at equal spaces.
     Ticks {
         /// Ends of the strokes across the wall.
         at: [f64; 2],
@@ -77,7 +76,7 @@ pub enum Mark {
         count: u32,
         /// Width, pens.
         width: f64,
-        /// Whether the spaces at both ends are as wide as the others.
+        /// True if the spaces at both ends are whole; otherwise they are halves.
         between_posts: bool,
     },
     /// A quarter circle about an end, a leaf's way, and the leaf.

@@ -90,7 +90,7 @@ pub struct Raster {
     pub a: Axis,
     /// Lines along b, which bound the rows.
     pub b: Axis,
-    /// Whether each field is inside the plan, row by row.
+    /// Fields row by row from the front; true inside the plan.
     pub inside: Vec<bool>,
 }
 

@@ -1,9 +1,9 @@
-//! Why a drawing has no plan.
+//! Reasons to reject a drawing.
 
 use crate::plan::Unreadable;
 use std::ops::Range;
 
-/// Why a drawing has no plan: what was looked for, and what was found.
+/// Reason to reject a drawing as a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refused {
     /// The file is not the XML of an SVG.
@@ -27,7 +27,7 @@ pub enum Refused {
     },
     /// The file exceeds a limit.
     TooLarge {
-        /// What is counted.
+        /// Counted thing, such as strokes.
         what: &'static str,
         /// Limit.
         most: usize,
