@@ -27,6 +27,7 @@ pub mod house;
 pub mod legend;
 pub mod marks;
 mod picture;
+mod raster;
 pub mod register;
 pub mod said;
 pub mod shape;

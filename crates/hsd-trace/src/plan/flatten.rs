@@ -3,10 +3,8 @@
 use glam::{DMat3, DVec2, DVec3, dvec2};
 use image::imageops::{self, FilterType};
 use image::{GrayImage, Rgb, RgbImage};
-use imageproc::contrast::otsu_level;
-use imageproc::geometric_transformations::{Border, Interpolation, Projection, warp_into};
-use imageproc::region_labelling::{Connectivity, connected_components};
 
+use super::raster::{self, Parts, otsu_level};
 use super::sheet::Ink;
 
 /// The longer side of the pictures in which sheets and angles are looked for, pixels.
@@ -71,25 +69,13 @@ pub fn project(map: DMat3, at: DVec2) -> DVec2 {
 
 /// The picture as seen through a map from its result's pixels to its own.
 pub(super) fn warp(picture: &RgbImage, map: DMat3, (width, height): (u32, u32)) -> RgbImage {
-    let mut out = RgbImage::new(width.max(1), height.max(1));
+    let (width, height) = (width.max(1), height.max(1));
     if map == DMat3::IDENTITY {
+        let mut out = RgbImage::new(width, height);
         imageops::replace(&mut out, picture, 0, 0);
         return out;
     }
-    // The larger the step the more pixels of the picture a pixel of the sheet stands for.
-    let m = map.transpose().to_cols_array().map(|v| v as f32);
-    let Some(projection) = Projection::from_matrix(m) else {
-        return out;
-    };
-    let edge = edge_tone(picture);
-    warp_into(
-        picture,
-        projection.invert(),
-        Interpolation::Bilinear,
-        Border::Constant(edge),
-        &mut out,
-    );
-    out
+    raster::warp(picture, map, (width, height), edge_tone(picture))
 }
 
 /// The middle tone of a picture's edges: what lies beyond them.
@@ -151,7 +137,7 @@ fn sheet_corners(picture: &RgbImage) -> Option<[DVec2; 4]> {
         size(picture.height()),
         FilterType::Triangle,
     );
-    let grey = imageproc::filter::gaussian_blur_f32(&imageops::grayscale(&small), 2.0);
+    let grey = imageops::blur(&imageops::grayscale(&small), 2.0);
     let level = otsu_level(&grey);
     let light = GrayImage::from_fn(grey.width(), grey.height(), |x, y| {
         image::Luma([if grey.get_pixel(x, y)[0] > level {
@@ -163,7 +149,7 @@ fn sheet_corners(picture: &RgbImage) -> Option<[DVec2; 4]> {
     if !dark_round(&light) {
         return None;
     }
-    let parts = connected_components(&light, Connectivity::Four, image::Luma([0]));
+    let parts = Parts::of(&light, false);
     let points = largest(&parts)?;
     // Paper on a table, not a light spot in a dark picture.
     let area = f64::from(light.width()) * f64::from(light.height());
@@ -195,16 +181,15 @@ fn dark_round(light: &GrayImage) -> bool {
 }
 
 /// The pixels of the largest part.
-fn largest(parts: &image::ImageBuffer<image::Luma<u32>, Vec<u32>>) -> Option<Vec<DVec2>> {
-    let mut counts = std::collections::BTreeMap::new();
-    for p in parts.pixels().filter(|p| p[0] > 0) {
-        *counts.entry(p[0]).or_insert(0_usize) += 1;
+fn largest(parts: &Parts) -> Option<Vec<DVec2>> {
+    let mut sizes = vec![0_usize; parts.count];
+    for (_, _, part) in parts.pixels() {
+        sizes[part as usize - 1] += 1;
     }
-    let (&most, _) = counts.iter().max_by_key(|(_, n)| **n)?;
+    let (most, _) = sizes.iter().enumerate().max_by_key(|(_, n)| **n)?;
+    let pixels = parts.pixels().filter(|p| p.2 as usize == most + 1);
     Some(
-        parts
-            .enumerate_pixels()
-            .filter(|(_, _, p)| p[0] == most)
+        pixels
             .map(|(x, y, _)| dvec2(f64::from(x), f64::from(y)))
             .collect(),
     )

@@ -4,7 +4,8 @@ pub(super) mod ground;
 
 use glam::{DVec2, dvec2};
 use image::{GrayImage, Luma, RgbImage};
-use imageproc::region_labelling::{Connectivity, connected_components};
+
+use super::raster::{Parts, otsu_level};
 
 /// Blocks of the paper's tone along the longer side of a picture.
 const BLOCKS: u32 = 120;
@@ -45,7 +46,7 @@ impl Ink {
             dark.put_pixel(x, y, Luma([level(r.max(g).max(b))]));
             red.put_pixel(x, y, Luma([level(g.min(b) - r)]));
         }
-        let threshold = imageproc::contrast::otsu_level(&dark).clamp(38, 100);
+        let threshold = otsu_level(&dark).clamp(38, 100);
         let mut ink = Ink {
             dark,
             red,
@@ -93,14 +94,10 @@ impl Ink {
         let black = GrayImage::from_fn(self.dark.width(), self.dark.height(), |x, y| {
             Luma([u8::from(self.is(x, y))])
         });
-        let parts = connected_components(&black, Connectivity::Eight, Luma([0]));
-        let mut boxes: Vec<[u32; 4]> = Vec::new();
-        for (x, y, part) in parts.enumerate_pixels().filter(|(_, _, p)| p[0] > 0) {
-            let k = part[0] as usize - 1;
-            if boxes.len() <= k {
-                boxes.resize(k + 1, [u32::MAX, u32::MAX, 0, 0]);
-            }
-            let b = &mut boxes[k];
+        let parts = Parts::of(&black, true);
+        let mut boxes = vec![[u32::MAX, u32::MAX, 0, 0]; parts.count];
+        for (x, y, part) in parts.pixels() {
+            let b = &mut boxes[part as usize - 1];
             *b = [b[0].min(x), b[1].min(y), b[2].max(x), b[3].max(y)];
         }
         let stays: Vec<bool> = boxes
@@ -112,8 +109,8 @@ impl Ink {
             })
             .collect();
         let mut ink = self.clone();
-        for (x, y, part) in parts.enumerate_pixels().filter(|(_, _, p)| p[0] > 0) {
-            if !stays[part[0] as usize - 1] {
+        for (x, y, part) in parts.pixels() {
+            if !stays[part as usize - 1] {
                 ink.dark.put_pixel(x, y, Luma([0]));
                 ink.red.put_pixel(x, y, Luma([0]));
             }
