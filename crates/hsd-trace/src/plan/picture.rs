@@ -2,11 +2,14 @@
 
 use image::error::{ImageError, LimitErrorKind};
 use image::imageops;
-use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits, RgbImage};
+use image::metadata::Orientation;
+use image::{ColorType, DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits, RgbImage};
 use std::io::Cursor;
 
-/// The most pixels of a picture.
-const MOST: u64 = 100_000_000;
+/// The most bytes that a picture may take while it is read.
+pub(super) const MOST_BYTES: u64 = 448 << 20;
+/// The most bytes that a decoder may take for what stands before the pixels, such as a colour profile.
+const MOST_BESIDE: u64 = 32 << 20;
 /// The longer side of the picture that is read, pixels: a plan of 30 units still has 70 pixels a unit.
 const LONGEST: u32 = 2200;
 
@@ -55,7 +58,8 @@ impl Picture {
         ))
     }
 
-    fn of(image: DynamicImage) -> Picture {
+    /// Makes a picture small enough to be read quickly.
+    pub(super) fn of(image: DynamicImage) -> Picture {
         let pixels = on_white(image);
         let longest = pixels.width().max(pixels.height());
         if longest <= LONGEST {
@@ -84,18 +88,39 @@ fn upright(bytes: &[u8]) -> Result<(DynamicImage, Option<Vec<u8>>), Unreadable> 
         ));
     }
     let mut limits = Limits::default();
-    limits.max_alloc = Some(1 << 30);
+    // A decoder of PNG takes its pixels elsewhere; others need memory for rows or blocks of them.
+    limits.max_alloc = Some(match format {
+        ImageFormat::Png => MOST_BESIDE,
+        _ => MOST_BYTES,
+    });
     reader.limits(limits);
     let mut decoder = reader.into_decoder().map_err(|e| refused(&e))?;
-    let (width, height) = decoder.dimensions();
-    if u64::from(width) * u64::from(height) > MOST {
-        return Err(Unreadable::TooLarge);
-    }
     let exif = decoder.exif_metadata().ok().flatten();
     let orientation = decoder.orientation().map_err(|e| damaged(&e))?;
+    if bytes_of(&decoder, orientation) > MOST_BYTES {
+        return Err(Unreadable::TooLarge);
+    }
     let mut image = DynamicImage::from_decoder(decoder).map_err(|e| refused(&e))?;
     image.apply_orientation(orientation);
     Ok((image, exif))
+}
+
+/// The bytes that a picture takes at most while it is decoded, turned and made RGB of 8 bits.
+fn bytes_of(decoder: &impl ImageDecoder, orientation: Orientation) -> u64 {
+    let (width, height) = decoder.dimensions();
+    let pixels = u64::from(width) * u64::from(height);
+    let own = decoder.total_bytes();
+    let copies = match decoder.color_type() {
+        ColorType::Rgb8 => 0,
+        // Without what is clear, after that as RGB.
+        colour if colour.has_alpha() => 7,
+        _ => 3,
+    };
+    let turned = match orientation {
+        Orientation::NoTransforms => 0,
+        _ => own,
+    };
+    own.saturating_add(pixels.saturating_mul(copies).max(turned))
 }
 
 fn refused(error: &ImageError) -> Unreadable {

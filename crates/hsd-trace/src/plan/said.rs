@@ -49,6 +49,9 @@ pub fn drawing(file: &Source, why: &vector::Refused) -> Diagnostic {
         vector::Refused::NotDxf { line: n, what } => say::no_dxf(line(*n), what),
         vector::Refused::Truncated { line: n } => say::dxf_ends(line(*n), *n),
         vector::Refused::TooLarge { what, most } => say::large_drawing(whole(), what, *most),
+        vector::Refused::Exhausted(what) => {
+            say::large_drawing(whole(), what.of.name(), what.limit as usize)
+        }
         vector::Refused::NotPdf(what) => say::no_pdf(whole(), what),
         vector::Refused::NoPage { asked, pages } => say::no_page(whole(), *asked, *pages),
         vector::Refused::Picture(why) => unreadable(whole(), why),

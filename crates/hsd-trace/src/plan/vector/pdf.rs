@@ -1,21 +1,25 @@
 //! A page of a PDF: its lines with their colours, pens and layers, or the one picture on it.
 
+mod unpacked;
+
 use super::lines::{Lines, MOST, Stroke, cubic, moved};
 use super::refused::Refused;
+use crate::plan::picture::MOST_BYTES;
 use crate::plan::{Picture, Unreadable};
 use glam::{DMat3, DVec2, dvec2, dvec3};
 use hayro_syntax::Pdf;
 use hayro_syntax::content::UntypedIter;
-use hayro_syntax::object::{Dict, Name, Object, Stream};
+use hayro_syntax::object::{Array, Dict, Name, Object, Stream};
 use hayro_syntax::page::Resources;
-use std::io::Cursor;
+use hsd_base::budget::{Account, Resource};
+use std::sync::Arc;
 
 /// The largest file, bytes.
 const LARGEST: usize = 64 << 20;
+/// What the use of a form costs, in points: it is looked up and unpacked.
+const FORM: u64 = 16;
 /// The most forms in each other.
 const DEEPEST: usize = 8;
-/// The most operations of a page.
-const OPERATIONS: usize = 5_000_000;
 /// A page with fewer strokes is its picture with a frame.
 const FEW: usize = 40;
 
@@ -31,8 +35,11 @@ pub enum Page {
 /// Reads a page, counted from 1.
 ///
 /// # Errors
-/// If the file is no PDF, locked, too large, or has no such page.
+/// If the file is no PDF, locked, too large, expands to too much, or has no such page.
 pub fn read(bytes: &[u8], number: usize) -> Result<Page, Refused> {
+    let account = Account::new(Arc::default());
+    account.read(bytes.len() as u64);
+    let account = &*account;
     if bytes.len() > LARGEST {
         return Err(Refused::TooLarge {
             what: "bytes",
@@ -45,6 +52,7 @@ pub fn read(bytes: &[u8], number: usize) -> Result<Page, Refused> {
     {
         return Err(Refused::NotPdf("%PDF was looked for".to_owned()));
     }
+    unpacked::charge(bytes, account)?;
     let pdf = Pdf::new(bytes.to_vec()).map_err(|e| Refused::NotPdf(format!("{e:?}")))?;
     let pages = pdf.pages();
     let page = number
@@ -57,13 +65,14 @@ pub fn read(bytes: &[u8], number: usize) -> Result<Page, Refused> {
     let mut drawn = Drawn {
         lines: Lines::default(),
         pictures: vec![],
-        operations: 0,
+        account,
     };
     let turn = page.initial_transform(true).as_coeffs();
     let state = State {
         matrix: matrix(turn),
         ..State::default()
     };
+    charge_contents(page.raw(), account)?;
     if let Some(stream) = page.page_stream() {
         drawn.draw(UntypedIter::new(stream), page.resources(), state, 0)?;
     }
@@ -76,6 +85,16 @@ pub fn read(bytes: &[u8], number: usize) -> Result<Page, Refused> {
         _ if lines.strokes.is_empty() => Err(Refused::Blank),
         _ => Ok(Page::Lines(lines)),
     }
+}
+
+/// Charges for the contents of a page, which may name one stream many times.
+fn charge_contents(page: &Dict<'_>, account: &Account) -> Result<(), Refused> {
+    let contents = page.get::<Array<'_>>("Contents");
+    for stream in contents.iter().flat_map(|list| list.iter::<Stream<'_>>()) {
+        let length = stream.decoded_data().map_or(0, |data| data.len());
+        account.charge(Resource::InflatedBytes, length as u64)?;
+    }
+    Ok(())
 }
 
 fn matrix([a, b, c, d, e, f]: [f64; 6]) -> DMat3 {
@@ -97,10 +116,11 @@ fn decoded(stream: &Stream<'_>) -> Result<Picture, Refused> {
         .zip(size("Height"))
         .ok_or_else(|| wrong("it has no size"))?;
     let pixels = width as usize * height as usize;
-    if pixels > 100_000_000 {
+    // The picture of the stream and that of the plan, three bytes a pixel each.
+    if pixels as u64 > MOST_BYTES / 6 {
         return Err(Refused::TooLarge {
             what: "pixels",
-            most: 100_000_000,
+            most: (MOST_BYTES / 6) as usize,
         });
     }
     let data = stream.decoded().map_err(|e| wrong(&format!("{e:?}")))?;
@@ -131,11 +151,7 @@ fn decoded(stream: &Stream<'_>) -> Result<Picture, Refused> {
             _ => cmyk([0, 1, 2, 3].map(|k| f64::from(data[at + k]) / 255.0)),
         })
     });
-    let mut png = Cursor::new(vec![]);
-    image
-        .write_to(&mut png, image::ImageFormat::Png)
-        .map_err(|e| wrong(&e.to_string()))?;
-    Picture::decode(png.get_ref()).map_err(unreadable)
+    Ok(Picture::of(image.into()))
 }
 
 fn cmyk([c, m, y, k]: [f64; 4]) -> [u8; 3] {
@@ -178,9 +194,9 @@ fn layer_of(operands: Vec<Object<'_>>, resources: &Resources<'_>) -> Option<Stri
 type Path = Vec<(Vec<DVec2>, bool)>;
 
 struct Drawn<'p> {
+    account: &'p Account,
     lines: Lines,
     pictures: Vec<(u64, Stream<'p>)>,
-    operations: usize,
 }
 
 impl<'p> Drawn<'p> {
@@ -195,13 +211,7 @@ impl<'p> Drawn<'p> {
         let (mut kept, mut layers, mut path): (Vec<State>, Vec<Option<u32>>, Path) =
             (vec![], vec![], vec![]);
         while let Some(operation) = operations.next() {
-            self.operations += 1;
-            if self.operations > OPERATIONS {
-                return Err(Refused::TooLarge {
-                    what: "operations",
-                    most: OPERATIONS,
-                });
-            }
+            self.account.charge(Resource::Points, 1)?;
             let operands: Vec<Object<'_>> = operation.operands().cloned().collect();
             let numbers: Vec<f64> = operands
                 .iter()
@@ -255,9 +265,12 @@ impl<'p> Drawn<'p> {
                 Ok(())
             }
             Some(b"Form") if depth < DEEPEST => {
+                self.account.charge(Resource::Points, FORM)?;
                 let Ok(data) = form.decoded_data() else {
                     return Ok(());
                 };
+                let length = data.len() as u64;
+                self.account.charge(Resource::InflatedBytes, length)?;
                 let own = form.dict().get::<Dict<'p>>("Resources").map(Resources::new);
                 let turn = form
                     .dict()
@@ -310,6 +323,8 @@ impl<'p> Drawn<'p> {
     }
 
     fn put(&mut self, stroke: Stroke) -> Result<(), Refused> {
+        let points = stroke.points.len() as u64;
+        self.account.charge(Resource::Points, points)?;
         match self.lines.put(stroke) {
             true => Ok(()),
             false => Err(Refused::TooLarge {

@@ -1,6 +1,7 @@
 //! Reasons to reject a drawing.
 
 use crate::plan::Unreadable;
+use hsd_base::budget::Exhausted;
 use std::ops::Range;
 
 /// Reason to reject a drawing as a plan.
@@ -32,6 +33,8 @@ pub enum Refused {
         /// Limit.
         most: usize,
     },
+    /// The file expands to more than the run may take.
+    Exhausted(Exhausted),
     /// No PDF that can be read, and why.
     NotPdf(String),
     /// The PDF does not have the requested page.
@@ -60,4 +63,10 @@ pub enum Refused {
     NoGrid(usize),
     /// No walls that close.
     NoHouse,
+}
+
+impl From<Exhausted> for Refused {
+    fn from(exhausted: Exhausted) -> Refused {
+        Refused::Exhausted(exhausted)
+    }
 }
