@@ -291,6 +291,7 @@ fn primitive(material: MaterialId, soup: Soup) -> Primitive {
         normals,
         uvs,
         indices,
+        left_out: _,
     } = soup;
     Primitive {
         material,

@@ -284,10 +284,15 @@ impl<'a> Walker<'a> {
     fn is_full(&mut self) -> bool {
         let new = &self.nodes[self.budget.counted..];
         let meshes = new.iter().filter_map(|node| node.mesh);
-        let shown: usize = meshes.map(|id| self.store.draft(id).triangles()).sum();
+        let drafts = meshes.map(|id| self.store.draft(id));
+        let (mut shown, mut is_cut) = (0, false);
+        for draft in drafts {
+            shown += draft.triangles();
+            is_cut |= draft.is_cut();
+        }
         let triangles = shown + Budget::NODE * new.len();
         self.budget.counted = self.nodes.len();
-        self.budget.exceeded |= triangles > self.budget.left;
+        self.budget.exceeded |= is_cut || triangles > self.budget.left;
         self.budget.left = self.budget.left.saturating_sub(triangles);
         self.budget.exceeded
     }

@@ -18,6 +18,8 @@ pub(super) struct Soup {
     pub(super) normals: Vec<[f32; 3]>,
     pub(super) uvs: Vec<[f32; 2]>,
     pub(super) indices: Vec<u32>,
+    /// The number of triangles that were left out, since no part of a house has so many.
+    pub(super) left_out: usize,
 }
 
 /// Bodies under construction: one soup per surface, in the order of first use.
@@ -33,6 +35,9 @@ pub(super) struct Bodies {
     pub(super) measured: Option<[[f32; 3]; 2]>,
 }
 
+/// The most triangles of a surface of a part: 230 MiB while its lists grow.
+const MOST_TRIANGLES: usize = 1 << 21;
+
 /// Bodies thinner than this are left out, metres.
 pub(super) const THIN: f64 = 1e-3;
 
@@ -44,6 +49,7 @@ impl Soup {
         self.normals.extend(other.normals);
         self.uvs.extend(other.uvs);
         self.indices.extend(other.indices.iter().map(|i| i + first));
+        self.left_out += other.left_out;
         self
     }
 }
@@ -222,6 +228,9 @@ impl Soup {
 
     /// Makes room for vertices and indices at once.
     fn reserve(&mut self, vertices: usize, indices: usize) {
+        if self.indices.len() > 3 * MOST_TRIANGLES {
+            return;
+        }
         self.positions.reserve(vertices);
         self.normals.reserve(vertices);
         self.uvs.reserve(vertices);
@@ -264,6 +273,10 @@ impl Soup {
         (normal, (right, up)): (DVec3, (DVec3, DVec3)),
         grain: bool,
     ) {
+        if self.indices.len() > 3 * MOST_TRIANGLES {
+            self.left_out += corners.len().saturating_sub(2);
+            return;
+        }
         let flat = |p: &DVec3| dvec2(right.dot(*p), up.dot(*p));
         let turned = grain && lies(corners.iter().map(flat));
         let first = self.positions.len() as u32;

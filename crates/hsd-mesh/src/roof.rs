@@ -135,6 +135,7 @@ impl Size {
             normals: Vec::with_capacity(self.corners),
             uvs: Vec::with_capacity(self.corners),
             indices: Vec::with_capacity(3 * self.triangles),
+            left_out: 0,
         };
         (self.surface, soup)
     }

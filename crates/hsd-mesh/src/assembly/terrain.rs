@@ -40,6 +40,7 @@ pub fn ground(name: &str, at: DVec3, mesh: &GroundMesh) -> HouseDrafts {
             .collect(),
         uvs: mesh.positions.iter().map(uv).collect(),
         indices: mesh.indices.clone(),
+        left_out: 0,
     };
     let look = Look::surface(SurfaceId::named("earth"), Share::default());
     let draft = MeshDraft::new(name.to_owned(), vec![(look, soup)], vec![]);

@@ -77,8 +77,13 @@ impl MeshDraft {
 
     /// Returns the number of its triangles.
     pub(crate) fn triangles(&self) -> usize {
-        let indices: usize = self.soups.iter().map(|(_, soup)| soup.indices.len()).sum();
-        indices / 3 + 2 * self.images.len()
+        let of = |(_, soup): &(Look, Soup)| soup.indices.len() / 3 + soup.left_out;
+        self.soups.iter().map(of).sum::<usize>() + 2 * self.images.len()
+    }
+
+    /// Returns true if triangles were left out.
+    pub(crate) fn is_cut(&self) -> bool {
+        self.soups.iter().any(|(_, soup)| soup.left_out > 0)
     }
 
     /// Returns the size of its arrays, bytes.
