@@ -2,6 +2,7 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used))] // a test that panics has failed
 
+mod mutate;
 mod style;
 mod textures;
 
@@ -12,6 +13,7 @@ const USAGE: &str = "\
 Usage: cargo run -p xtask -- TASK
 
 Tasks:
+  mutate      Give damaged maps and plans to the program
   style       Check comments, messages and Markdown against the style guide
   textures    Draw the files of textures/
 ";
@@ -22,6 +24,7 @@ fn main() -> ExitCode {
     let rest: Vec<String> = arguments.collect();
     let mut out = io::stdout().lock();
     let result = match task.as_str() {
+        "mutate" => mutate::run(&rest, &mut out),
         "style" => style::run(&rest, &mut out),
         "textures" => textures::run(&rest, &mut out),
         "" | "help" | "-h" | "--help" => {
