@@ -7,6 +7,7 @@ use hsd::source::{PictureFile, Stream, World};
 use std::io;
 use std::path::Path;
 
+mod budget;
 mod crs;
 mod damage;
 mod faults;

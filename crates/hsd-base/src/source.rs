@@ -17,7 +17,9 @@ pub use lines::Lines;
 pub use long::{Layout, LongFile, PieceLines};
 pub use reference::reference;
 
+use crate::budget::Budget;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// The surroundings of a build: images and included files. The passes do no input or output of their own. Houses may
 /// be made on several threads, so all of them can ask at once.
@@ -77,6 +79,11 @@ pub trait World: Send + Sync {
     fn stamp(&self, path: &str) -> Option<u64> {
         let _ = path;
         None
+    }
+
+    /// Returns the budget of the run. A world that has none of its own grants each file a fresh one.
+    fn budget(&self) -> Arc<Budget> {
+        Arc::default()
     }
 
     /// Returns a file that may be opened as a path of the system, for libraries that open files themselves.

@@ -108,6 +108,10 @@ pub(super) struct ReadArgs {
     #[arg(long, value_name = "N", default_value_t = Limits::default().pixels)]
     max_pixels: u64,
 
+    /// Reject maps that expand to more than about N bytes of memory beyond what they write out.
+    #[arg(long, value_name = "N", default_value_t = Limits::default().memory)]
+    max_memory: u64,
+
     /// Use N threads; one per processor by default.
     ///
     /// The result is the same for any number.
@@ -175,6 +179,7 @@ impl ReadArgs {
             triangles: self.max_triangles,
             variants: self.max_variants,
             pixels: self.max_pixels,
+            memory: self.max_memory,
         }
     }
 
@@ -239,7 +244,8 @@ impl ReadArgs {
 
     /// Returns the file access for `inputs`: image folders and include roots.
     pub(super) fn world(&self, inputs: &[PathBuf]) -> FolderWorld {
-        let pictures = FolderWorld::new(self.folders(inputs), self.max_pixels);
+        let pictures =
+            FolderWorld::new(self.folders(inputs), self.max_pixels).with_memory(self.max_memory);
         pictures.with_roots(self.roots(inputs))
     }
 

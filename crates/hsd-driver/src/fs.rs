@@ -5,6 +5,7 @@
 
 mod roots;
 
+use hsd_base::budget::Budget;
 use hsd_base::source::{IncludeError, PictureFile, Stream, World};
 use hsd_export::images;
 use std::collections::BTreeSet;
@@ -14,7 +15,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use roots::Roots;
 
@@ -27,6 +28,7 @@ pub struct FolderWorld {
     roots: Roots,
     /// The maximum size of an image file in bytes; larger files would exceed the pixel limit.
     bytes: u64,
+    budget: Arc<Budget>,
 }
 
 #[derive(Debug)]
@@ -47,6 +49,7 @@ impl FolderWorld {
             folders: folders.into_iter().map(folder).collect(),
             roots: Roots::default(),
             bytes: pixels.saturating_mul(8).max(1 << 20),
+            budget: Arc::default(),
         }
     }
 
@@ -55,6 +58,13 @@ impl FolderWorld {
     pub fn with_roots(self, roots: Vec<PathBuf>) -> FolderWorld {
         let roots = Roots::new(roots);
         FolderWorld { roots, ..self }
+    }
+
+    /// Sets the memory for what maps expand to, bytes ([`Limits::memory`](hsd_base::source::Limits::memory)).
+    #[must_use]
+    pub fn with_memory(self, bytes: u64) -> FolderWorld {
+        let budget = Arc::new(Budget::new(bytes));
+        FolderWorld { budget, ..self }
     }
 }
 
@@ -122,6 +132,10 @@ impl World for FolderWorld {
 
     fn stamp(&self, path: &str) -> Option<u64> {
         stamp(&self.roots.resolved(path).ok()?)
+    }
+
+    fn budget(&self) -> Arc<Budget> {
+        self.budget.clone()
     }
 
     fn on_disk(&self, path: &str) -> Option<PathBuf> {

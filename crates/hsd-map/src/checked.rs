@@ -4,13 +4,18 @@
 
 mod crossing;
 
-use super::crs::{Crs, Outside};
+use super::crs::Crs;
 use super::fault::{Fault, Kind};
 use super::feature::{Area, Chain, Feature, Geometry, Layer, Place};
 use super::{Options, Reader};
+use hsd_base::budget::{Account, Resource};
 use std::collections::HashSet;
 use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
+use std::ops::RangeInclusive;
 use std::sync::Arc;
+
+/// Heights on land and of what stands there, metres (towns.md 9). NaN is in no range.
+const HEIGHTS: RangeInclusive<f64> = -500.0..=9_000.0;
 
 /// Ids that are remembered to find those that occur twice; 8 bytes each.
 const MOST_IDS: usize = 4 << 20;
@@ -18,6 +23,9 @@ const MOST_IDS: usize = 4 << 20;
 /// A reader whose features are checked.
 pub(super) struct Checked {
     inner: Box<dyn Reader>,
+    account: Arc<Account>,
+    /// True once the file has more features than a run may take.
+    is_over: bool,
     file: Arc<str>,
     points: usize,
     remarks: Vec<Fault>,
@@ -42,9 +50,16 @@ impl Ids {
 }
 
 impl Checked {
-    pub(super) fn new(inner: Box<dyn Reader>, file: Arc<str>, options: &Options) -> Checked {
+    pub(super) fn new(
+        inner: Box<dyn Reader>,
+        account: Arc<Account>,
+        file: Arc<str>,
+        options: &Options,
+    ) -> Checked {
         Checked {
             inner,
+            account,
+            is_over: false,
             file,
             points: options.limits.points,
             remarks: vec![],
@@ -66,6 +81,9 @@ impl Checked {
         let crs = self.inner.layer().crs.as_ref();
         if let Some(kind) = refusal(&feature.geometry, crs, self.points) {
             return Err(self.fault(&feature, kind));
+        }
+        if crs.is_some_and(Crs::is_degrees) {
+            feature.geometry.chains_mut().for_each(unwrap);
         }
         let geometry = std::mem::replace(&mut feature.geometry, Geometry::Lines(vec![]));
         let remarks = match tidied(geometry) {
@@ -93,7 +111,15 @@ impl Iterator for Checked {
     type Item = Result<Feature, Fault>;
 
     fn next(&mut self) -> Option<Self::Item> {
+        if self.is_over {
+            return None;
+        }
         let found = self.inner.next()?;
+        // Features that cannot be used are kept too, as faults.
+        if let Err(exhausted) = self.account.charge(Resource::Features, 1) {
+            self.is_over = true;
+            return Some(Err(Fault::of_file(&self.file, exhausted.into())));
+        }
         Some(found.and_then(|feature| self.check(feature)))
     }
 }
@@ -117,17 +143,33 @@ fn refusal(geometry: &Geometry, crs: Option<&Crs>, most: usize) -> Option<Kind> 
         let (what, limit) = ("points of a feature", most as u64);
         return Some(Kind::TooLarge { what, limit });
     }
+    // What the numbers mean may be found out later; those that are too large for anything are refused here.
+    let local = Crs::local();
+    let crs = crs.unwrap_or(&local);
     for p in geometry.points() {
         if !p.is_finite() {
             return Some(Kind::NotFinite);
         }
-        let refused: Option<(&Crs, Outside)> = crs.and_then(|c| Some((c, c.refuses(p)?)));
-        if let Some((crs, seems)) = refused {
+        if let Some(seems) = crs.refuses(p) {
             let (x, y, crs) = (p.x, p.y, crs.name.clone());
             return Some(Kind::OutsideCrs { x, y, crs, seems });
         }
     }
     None
+}
+
+/// Lets longitudes go on beyond 180 degrees where a shape crosses the line at which they jump to -180: nothing is half the
+/// globe wide.
+fn unwrap(chain: &mut Chain) {
+    let longitudes = chain.points.iter().map(|p| p.x);
+    let (low, high) = longitudes.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+        (low.min(x), high.max(x))
+    });
+    if high - low > 180.0 {
+        for p in chain.points.iter_mut().filter(|p| p.x < 0.0) {
+            p.x += 360.0;
+        }
+    }
 }
 
 /// What was found while a geometry was tidied.
@@ -136,6 +178,8 @@ struct Found {
     doubled: usize,
     is_unclosed: bool,
     crosses: bool,
+    /// Heights that are none.
+    no_heights: usize,
     /// Parts that were dropped, since they have too few points.
     dropped: usize,
     /// The points of the largest of them.
@@ -150,7 +194,10 @@ impl Found {
         let dropped = (parts > 0).then_some(Kind::DroppedParts { parts });
         let unclosed = self.is_unclosed.then_some(Kind::Unclosed);
         let crossing = self.crosses.then_some(Kind::Crossing);
-        [doubled, dropped, unclosed, crossing].into_iter().flatten()
+        let points = self.no_heights;
+        let heights = (points > 0).then_some(Kind::NoHeights { points });
+        let all = [doubled, dropped, unclosed, crossing, heights];
+        all.into_iter().flatten()
     }
 
     fn drop_part(&mut self, points: usize) {
@@ -183,12 +230,12 @@ pub fn tidied(mut geometry: Geometry) -> Result<(Geometry, Vec<Kind>), Kind> {
 fn tidy(geometry: &mut Geometry, found: &mut Found) -> bool {
     match geometry {
         Geometry::Points(points) => {
-            settle_heights(points);
+            settle_heights(points, found);
             !points.points.is_empty()
         }
         Geometry::Lines(lines) => {
             lines.retain_mut(|line| {
-                settle_heights(line);
+                settle_heights(line, found);
                 found.doubled += drop_doubled(line);
                 let is_line = line.points.len() > 1;
                 if !is_line {
@@ -216,7 +263,7 @@ fn tidy_area(area: &mut Area, found: &mut Found) -> bool {
 
 /// Opens, cleans and turns a ring; returns whether it encloses anything.
 fn tidy_ring(ring: &mut Chain, found: &mut Found, is_hole: bool) -> bool {
-    settle_heights(ring);
+    settle_heights(ring, found);
     let is_closed = ring.points.len() > 1 && ring.points.first() == ring.points.last();
     if is_closed {
         ring.points.pop();
@@ -235,11 +282,29 @@ fn tidy_ring(ring: &mut Chain, found: &mut Found, is_hole: bool) -> bool {
     true
 }
 
-/// Drops heights that are not given for every point, or are no numbers.
-fn settle_heights(chain: &mut Chain) {
-    let all = chain.heights.len() == chain.points.len();
-    if !all || !chain.heights.iter().all(|z| z.is_finite()) {
+/// Drops heights that are not given for every point. Those that are none, marks of programs for missing values, become the mean
+/// of the others.
+fn settle_heights(chain: &mut Chain, found: &mut Found) {
+    if chain.heights.len() != chain.points.len() {
         chain.heights.clear();
+    }
+    let is_height = |z: &f64| HEIGHTS.contains(z);
+    let (sum, known) = chain
+        .heights
+        .iter()
+        .filter(|z| is_height(z))
+        .fold((0.0, 0_usize), |(sum, count), z| (sum + z, count + 1));
+    let missing = chain.heights.len() - known;
+    if missing == 0 {
+        return;
+    }
+    found.no_heights += missing;
+    if known == 0 {
+        chain.heights.clear();
+        return;
+    }
+    for z in chain.heights.iter_mut().filter(|z| !is_height(z)) {
+        *z = sum / known as f64;
     }
 }
 

@@ -88,6 +88,9 @@ const JAPAN: (DVec2, DVec2) = (DVec2::new(122.0, 20.0), DVec2::new(154.5, 46.5))
 /// The distance from the origin of a transverse Mercator projection, east and north, beyond which no map lies, in metres.
 const FARTHEST: DVec2 = DVec2::new(1_500_000.0, 10_100_000.0);
 
+/// The farthest that a place of a local survey can be from its origin on each axis, metres (towns.md 11).
+const LOCAL_SIDE: f64 = 1e8;
+
 /// Half the side of the square that the web's Mercator covers, in metres, rounded up.
 const WEB_SIDE: f64 = 20_040_000.0;
 
@@ -168,7 +171,7 @@ impl Crs {
     pub fn refuses(&self, p: DVec2) -> Option<Outside> {
         let inside = |p: DVec2| p.cmpge(JAPAN.0).all() && p.cmple(JAPAN.1).all();
         match self.projection {
-            Projection::Local => None,
+            Projection::Local => (p.abs().max_element() > LOCAL_SIDE).then_some(Outside::Far),
             Projection::Degrees if p.x.abs() <= 180.0 && p.y.abs() <= 90.0 => None,
             Projection::Degrees if p.x.abs() <= 90.0 && p.y.abs() <= 180.0 => {
                 Some(Outside::Swapped)

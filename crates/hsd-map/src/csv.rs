@@ -2,7 +2,7 @@
 //! columns of coordinates are known by their names.
 
 use super::fault::{Fault, Kind};
-use super::feature::{Chain, Feature, Geometry, Layer, Place, Value};
+use super::feature::{Chain, Columns, Feature, Geometry, Layer, Place, Value};
 use super::input::{Input, unreadable};
 use super::{Crs, Options, Reader};
 use glam::dvec2;
@@ -70,6 +70,10 @@ impl Csv {
             .into_iter()
             .max_by_key(|s| (count(*s), *s == b','))
             .unwrap_or(b',');
+        if count_values(&head, csv.separator) > Columns::MOST {
+            let (what, limit) = ("columns", Columns::MOST as u64);
+            return Err(Fault::of_file(file, Kind::TooLarge { what, limit }));
+        }
         let names = split(&head, csv.separator);
         csv.columns = names.len();
         let plain: Vec<String> = names.iter().map(|n| n.trim().to_lowercase()).collect();
@@ -133,11 +137,13 @@ impl Csv {
                 .at(at)
                 .of_feature(number, None)
         };
-        let values = split(line, self.separator);
-        if values.len() != self.columns {
-            let what = format!("{} values for {} columns", values.len(), self.columns);
+        // Counted before anything is made of them.
+        let count = count_values(line, self.separator);
+        if count != self.columns {
+            let what = format!("{count} values for {} columns", self.columns);
             return Err(fault(Kind::Malformed { what: what.into() }));
         }
+        let values = split(line, self.separator);
         let coordinate = |column: usize| {
             let text = values[column].trim();
             let name = || self.layer.columns.list()[column].name.clone();
@@ -173,6 +179,16 @@ impl Csv {
             place: Place::Byte(at),
         })
     }
+}
+
+/// Returns the number of values of a line.
+fn count_values(line: &[u8], separator: u8) -> usize {
+    let (mut count, mut is_quoted) = (1, false);
+    for byte in line {
+        is_quoted ^= *byte == b'"';
+        count += usize::from(*byte == separator && !is_quoted);
+    }
+    count
 }
 
 /// Returns the values of a line.

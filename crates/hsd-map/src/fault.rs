@@ -5,6 +5,7 @@ mod report;
 pub use report::{Faults, diagnostic};
 
 use super::crs::Outside;
+use hsd_base::budget::Exhausted;
 use std::sync::Arc;
 
 /// A fault of a map.
@@ -109,6 +110,12 @@ pub enum VertexFault {
     },
 }
 
+impl From<Exhausted> for Kind {
+    fn from(exhausted: Exhausted) -> Kind {
+        Kind::Exhausted(exhausted)
+    }
+}
+
 /// The kinds of faults, with their values.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {
@@ -134,6 +141,8 @@ pub enum Kind {
         /// What is wrong.
         what: Box<str>,
     },
+    /// The map has no features at all.
+    NoFeatures,
     /// The feature has no geometry.
     NoGeometry,
     /// The geometry is of a kind, or a mixture of kinds, that is not read.
@@ -163,6 +172,16 @@ pub enum Kind {
         crs: Box<str>,
         /// What they seem to be.
         seems: Outside,
+    },
+    /// The feature lies far from all others.
+    Outlier {
+        /// The distance from the middle of the town, kilometres.
+        kilometres: u64,
+    },
+    /// Heights that cannot be; they are taken as missing.
+    NoHeights {
+        /// The number of points.
+        points: usize,
     },
     /// Records of vertices make no outline.
     Vertex(VertexFault),
@@ -244,6 +263,8 @@ pub enum Kind {
         /// The name.
         layer: Box<str>,
     },
+    /// What the file names and packs expands to more than the run may take.
+    Exhausted(Exhausted),
     /// A limit is exceeded.
     TooLarge {
         /// What is too large.

@@ -7,6 +7,7 @@ use super::feature::{Area, Chain, Feature, Geometry, Layer, Place, Value};
 use super::input::{Input, unreadable};
 use super::{Crs, Options, Reader};
 use glam::dvec2;
+use hsd_base::budget::{Account, Resource};
 use std::io::Read;
 use std::sync::Arc;
 use table::Table;
@@ -16,6 +17,11 @@ pub(super) const MAGIC: &[u8] = b"fgb\x03fgb";
 
 /// The most bytes of a head.
 const MOST_HEAD: usize = 16 << 20;
+
+/// The head is not as the format demands.
+const DAMAGED: Kind = Kind::Damaged {
+    what: "the head of FlatGeobuf",
+};
 
 /// Bytes of a node of the index.
 const NODE: u64 = 40;
@@ -35,6 +41,7 @@ pub(super) struct FlatGeobuf {
     kind: u8,
     number: u64,
     feature_bytes: usize,
+    account: Arc<Account>,
     is_over: bool,
 }
 
@@ -49,6 +56,7 @@ impl FlatGeobuf {
         options: &Options,
     ) -> Result<FlatGeobuf, Fault> {
         let mut reader = FlatGeobuf {
+            account: input.account(),
             input,
             file: file.clone(),
             layer: Layer {
@@ -63,30 +71,34 @@ impl FlatGeobuf {
             feature_bytes: options.limits.feature_bytes,
             is_over: false,
         };
-        let damaged = || {
-            let what = "the head of FlatGeobuf";
-            Fault::of_file(file, Kind::Damaged { what }).at(0)
-        };
+        let fault = |kind| Fault::of_file(file, kind).at(0);
         let head = reader
             .exactly(MAGIC.len() + 1)
             .and_then(|_| reader.sized(MOST_HEAD).ok()?);
-        let head = head.ok_or_else(damaged)?;
-        let index = Table::root(&head).and_then(|head| reader.read_head(&head));
-        let index = index.ok_or_else(damaged)?;
+        let head = head.ok_or_else(|| fault(DAMAGED))?;
+        let index = Table::root(&head).ok_or(DAMAGED);
+        let index = index.and_then(|head| reader.read_head(&head));
+        let index = index.map_err(fault)?;
         let skipped = std::io::copy(&mut (&mut reader.input).take(index), &mut std::io::sink());
         skipped.map_err(|e| unreadable(file, &e))?;
         Ok(reader)
     }
 
     /// Takes what the head says; returns the bytes of the index.
-    fn read_head(&mut self, head: &Table<'_>) -> Option<u64> {
+    ///
+    /// # Errors
+    /// If it is damaged, or its columns share what they name.
+    fn read_head(&mut self, head: &Table<'_>) -> Result<u64, Kind> {
         self.kind = head.scalar::<1>(2).map_or(0, |b| b[0]);
         if let Some(name) = head.text(0).filter(|name| !name.is_empty()) {
             self.layer.name = name.into();
         }
         for column in head.tables(7).unwrap_or_default() {
-            let name = column.text(0)?;
-            let number = self.layer.columns.number(&name)?;
+            let length = column.list(0, 1).map_or(0, |(_, length)| length);
+            self.account.charge(Resource::Features, 1)?;
+            self.account.charge(Resource::TextBytes, length as u64)?;
+            let name = column.text(0).ok_or(DAMAGED)?;
+            let number = self.layer.columns.number(&name).ok_or(DAMAGED)?;
             self.columns
                 .push((number, column.scalar::<1>(1).map_or(0, |b| b[0])));
         }
@@ -105,7 +117,7 @@ impl FlatGeobuf {
         let count = head.scalar(8).map_or(0, u64::from_le_bytes);
         let node_size = head.scalar(9).map_or(16, u16::from_le_bytes);
         self.layer.count = (count > 0).then_some(count);
-        index_bytes(count, u64::from(node_size))
+        index_bytes(count, u64::from(node_size)).ok_or(DAMAGED)
     }
 
     fn exactly(&mut self, count: usize) -> Option<Vec<u8>> {
@@ -148,7 +160,7 @@ impl FlatGeobuf {
         let malformed = |what: &str| fault(Kind::Malformed { what: what.into() });
         let table = Table::root(bytes).ok_or_else(|| malformed("the feature has no table"))?;
         let shape = table.table(0).ok_or_else(|| fault(Kind::NoGeometry))?;
-        let geometry = geometry(&shape, self.kind, 0).map_err(fault)?;
+        let geometry = geometry(&shape, self.kind, 0, &self.account).map_err(fault)?;
         let mut fields = vec![];
         if let Some((properties, _)) = table.list(1, 1) {
             let found = fields_of(properties, &self.columns);
@@ -243,25 +255,29 @@ fn value(of: u8, bytes: &[u8]) -> Option<(Value, &[u8])> {
     })
 }
 
-fn geometry(shape: &Table<'_>, of_layer: u8, depth: usize) -> Result<Geometry, Kind> {
+fn geometry(
+    shape: &Table<'_>,
+    of_layer: u8,
+    depth: usize,
+    account: &Account,
+) -> Result<Geometry, Kind> {
+    account.charge(Resource::Features, 1)?;
     let own = shape.scalar::<1>(6).map_or(0, |b| b[0]);
     let of = if own == 0 { of_layer } else { own };
     let parts = || -> Result<Vec<Geometry>, Kind> {
-        let parts = shape
-            .tables(7)
-            .filter(|_| depth < DEEPEST)
-            .unwrap_or_default();
+        let parts = shape.tables(7).filter(|_| depth < DEEPEST);
         let kind = if of == 6 { 3 } else { 0 };
         parts
-            .iter()
-            .map(|part| geometry(part, kind, depth + 1))
+            .into_iter()
+            .flatten()
+            .map(|part| geometry(&part, kind, depth + 1, account))
             .collect()
     };
     match of {
-        1 | 4 => Ok(Geometry::Points(whole(shape)?)),
-        2 | 5 => Ok(Geometry::Lines(chains(shape)?)),
+        1 | 4 => Ok(Geometry::Points(whole(shape, account)?)),
+        2 | 5 => Ok(Geometry::Lines(chains(shape, account)?)),
         3 => {
-            let mut rings = chains(shape)?.into_iter();
+            let mut rings = chains(shape, account)?.into_iter();
             let outline = rings.next().unwrap_or_default();
             let holes = rings.collect();
             Ok(Geometry::Areas(vec![Area { outline, holes }]))
@@ -274,7 +290,11 @@ fn geometry(shape: &Table<'_>, of_layer: u8, depth: usize) -> Result<Geometry, K
 }
 
 /// Returns all points of a shape.
-fn whole(shape: &Table<'_>) -> Result<Chain, Kind> {
+fn whole(shape: &Table<'_>, account: &Account) -> Result<Chain, Kind> {
+    for list in [1, 2] {
+        let count = shape.list(list, 8).map_or(0, |(_, count)| count as u64);
+        account.charge(Resource::Points, count.div_ceil(2))?;
+    }
     let xy = shape.numbers(1).ok_or(Kind::NoGeometry)?;
     let points = xy.chunks_exact(2).map(|p| dvec2(p[0], p[1])).collect();
     let heights = shape.numbers(2).unwrap_or_default();
@@ -282,8 +302,8 @@ fn whole(shape: &Table<'_>) -> Result<Chain, Kind> {
 }
 
 /// Returns the points of a shape, cut at the ends of its parts.
-fn chains(shape: &Table<'_>) -> Result<Vec<Chain>, Kind> {
-    let all = whole(shape)?;
+fn chains(shape: &Table<'_>, account: &Account) -> Result<Vec<Chain>, Kind> {
+    let all = whole(shape, account)?;
     let Some((ends, _)) = shape.list(0, 4).filter(|(_, count)| *count > 0) else {
         return Ok(vec![all]);
     };

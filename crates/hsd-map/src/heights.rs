@@ -36,7 +36,8 @@ pub struct Heights {
     /// From a cell to the next one of its row, and from a row to the next one.
     step: DVec2,
     columns: usize,
-    /// Metres, row after row; NaN where there is none.
+    rows: usize,
+    /// Metres, row after row; NaN where there is none. The last cells may be left out if they have none.
     values: Vec<f32>,
     /// Which part of the grid `values` are; `None` for all of it.
     part: Option<Part>,
@@ -45,8 +46,6 @@ pub struct Heights {
 /// The cells of a grid that are here.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Part {
-    /// The number of rows of the whole grid.
-    rows: usize,
     /// The first column and row that are here.
     from: [usize; 2],
     /// The number of columns that are here.
@@ -182,22 +181,25 @@ impl Heights {
             first: cut.first(),
             step: cut.step(),
             columns: cut.columns(),
+            rows: cut.height(),
             values: cut.values,
             part: None,
         }
     }
 
-    fn rows(&self) -> usize {
-        match &self.part {
-            Some(part) => part.rows,
-            None => self.values.len() / self.columns.max(1),
-        }
+    /// Returns the row behind the last one of which cells are here.
+    fn end(&self) -> usize {
+        let (from, width) = match &self.part {
+            Some(part) => (part.from[1], part.width),
+            None => (0, self.columns),
+        };
+        from + self.values.len().div_ceil(width.max(1))
     }
 
     /// Returns its corners, lowest and highest.
     pub fn bounds(&self) -> [DVec2; 2] {
         let half = self.step / 2.0;
-        let cells = DVec2::new(self.columns as f64, self.rows() as f64);
+        let cells = DVec2::new(self.columns as f64, self.rows as f64);
         let (a, b) = (self.first - half, self.first - half + cells * self.step);
         [a.min(b), a.max(b)]
     }
@@ -232,7 +234,7 @@ impl Heights {
     /// Returns the height at a place: between the middles of four cells, at the edge that of the outer ones; `None` where a
     /// cell that counts has none.
     pub fn at(&self, place: DVec2) -> Option<f64> {
-        let (columns, rows) = (self.columns as f64, self.rows() as f64);
+        let (columns, rows) = (self.columns as f64, self.rows as f64);
         let at = (place - self.first) / self.step;
         let inside = at.x >= -0.5 && at.y >= -0.5 && at.x <= columns - 0.5 && at.y <= rows - 0.5;
         if !inside {

@@ -3,6 +3,7 @@
 use super::{Fault, Kind};
 use encoding_rs::{Decoder, Encoding};
 use flate2::bufread::MultiGzDecoder;
+use hsd_base::budget::{Account, Exhausted, Resource};
 use hsd_base::source::World;
 use std::io::{self, BufRead, BufReader, Read};
 use std::sync::Arc;
@@ -10,15 +11,12 @@ use std::sync::Arc;
 /// Bytes that are looked at to find the format and the encoding.
 const HEAD: usize = 64 << 10;
 
-/// Unpacked bytes for each packed one, beyond which a file of more than [`BOMB_FROM`] unpacked bytes is no map.
-const BOMB_RATIO: u64 = 200;
-const BOMB_FROM: u64 = 256 << 20;
-
 /// A file as a stream of bytes.
 pub(super) struct Input {
     inner: Box<dyn BufRead + Send>,
     /// The number of bytes that were taken.
     at: u64,
+    account: Arc<Account>,
 }
 
 impl Input {
@@ -26,19 +24,33 @@ impl Input {
     pub(super) fn open(world: &dyn World, file: &Arc<str>) -> Result<Input, Fault> {
         let failed = |e: io::Error| unreadable(file, &e);
         let stream = world.open(file).map_err(failed)?;
-        let mut inner = BufReader::with_capacity(HEAD, stream);
+        let account = Account::new(world.budget());
+        let counted = Counted {
+            inner: stream,
+            account: account.clone(),
+        };
+        let mut inner = BufReader::with_capacity(HEAD, counted);
         let packed = inner.fill_buf().map_err(failed)?.starts_with(&[0x1f, 0x8b]);
         let inner: Box<dyn BufRead + Send> = match packed {
             true => {
                 let unpacked = Unpacked {
-                    inner: MultiGzDecoder::new(Counted { inner, count: 0 }),
-                    count: 0,
+                    inner: MultiGzDecoder::new(inner),
+                    account: account.clone(),
                 };
                 Box::new(BufReader::with_capacity(HEAD, unpacked))
             }
             false => Box::new(inner),
         };
-        Ok(Input { inner, at: 0 })
+        Ok(Input {
+            inner,
+            at: 0,
+            account,
+        })
+    }
+
+    /// Returns the account of the file with the budget of the run.
+    pub(super) fn account(&self) -> Arc<Account> {
+        self.account.clone()
     }
 
     /// Returns the first bytes, which are not taken.
@@ -75,20 +87,28 @@ impl Input {
         if encoding == encoding_rs::UTF_8 {
             return Ok((self, encoding));
         }
+        let account = self.account.clone();
         let decoded = Decoded {
             inner: self,
             decoder: encoding.new_decoder_without_bom_handling(),
             is_over: false,
         };
         let inner = Box::new(BufReader::with_capacity(HEAD, decoded));
-        Ok((Input { inner, at: 0 }, encoding))
+        let at = 0;
+        Ok((Input { inner, at, account }, encoding))
     }
 }
 
 /// Returns the fault of a file that cannot be read.
 pub(super) fn unreadable(file: &Arc<str>, error: &io::Error) -> Fault {
-    let why = error.to_string().into();
-    Fault::of_file(file, Kind::Unreadable { why })
+    let exhausted = error.get_ref().and_then(|e| e.downcast_ref::<Exhausted>());
+    let kind = match exhausted {
+        Some(exhausted) => Kind::Exhausted(*exhausted),
+        None => Kind::Unreadable {
+            why: error.to_string().into(),
+        },
+    };
+    Fault::of_file(file, kind)
 }
 
 /// Returns the encoding of a name, where `cp932` and `sjis` are names too.
@@ -144,47 +164,31 @@ impl BufRead for Input {
     }
 }
 
-/// Counts what is read.
+/// Counts what is read of a file.
 struct Counted<R> {
     inner: R,
-    count: u64,
+    account: Arc<Account>,
 }
 
-impl<R: BufRead> Read for Counted<R> {
+impl<R: Read> Read for Counted<R> {
     fn read(&mut self, out: &mut [u8]) -> io::Result<usize> {
         let count = self.inner.read(out)?;
-        self.count += count as u64;
+        self.account.read(count as u64);
         Ok(count)
-    }
-}
-
-impl<R: BufRead> BufRead for Counted<R> {
-    fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        self.inner.fill_buf()
-    }
-
-    fn consume(&mut self, count: usize) {
-        self.count += count as u64;
-        self.inner.consume(count);
     }
 }
 
 /// Unpacks gzip, and stops where it unpacks to absurdly much.
 struct Unpacked<R> {
-    inner: MultiGzDecoder<Counted<R>>,
-    count: u64,
+    inner: MultiGzDecoder<R>,
+    account: Arc<Account>,
 }
 
 impl<R: BufRead> Read for Unpacked<R> {
     fn read(&mut self, out: &mut [u8]) -> io::Result<usize> {
         let count = self.inner.read(out)?;
-        self.count += count as u64;
-        let packed = self.inner.get_ref().count;
-        if self.count > BOMB_FROM && self.count / BOMB_RATIO > packed {
-            return Err(io::Error::other(
-                "the compressed file unpacks to more than two hundred times its size",
-            ));
-        }
+        let charged = self.account.charge(Resource::InflatedBytes, count as u64);
+        charged.map_err(io::Error::other)?;
         Ok(count)
     }
 }

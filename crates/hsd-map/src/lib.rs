@@ -37,7 +37,9 @@ pub use feature::{
 };
 
 use format::Format;
+use hsd_base::budget::Account;
 use hsd_base::source::World;
+use std::io::{Seek, SeekFrom};
 use std::sync::Arc;
 
 /// Features of a layer, in the order of the file. `Err` stands in the place of a feature that is not built, or at the end of
@@ -90,10 +92,14 @@ impl Default for Limits {
 pub fn open(world: &dyn World, path: &str, options: &Options) -> Result<Box<dyn Reader>, Fault> {
     let file: Arc<str> = path.into();
     if has_extension(path, "shp") || has_extension(path, "dbf") {
+        let account = Account::new(world.budget());
+        account.read(length(world, &file)?);
         let reader = Box::new(shapefile::Shapefile::open(world, &file, options)?);
-        return Ok(Box::new(checked::Checked::new(reader, file, options)));
+        let checked = checked::Checked::new(reader, account, file, options);
+        return Ok(Box::new(checked));
     }
     let mut input = input::Input::open(world, &file)?;
+    let account = input.account();
     let format = format::of(input.head(&file)?, path);
     let reader: Box<dyn Reader> = match format {
         Format::GeoJson => Box::new(geojson::GeoJson::open(input, &file, options)?),
@@ -105,11 +111,13 @@ pub fn open(world: &dyn World, path: &str, options: &Options) -> Result<Box<dyn 
         #[cfg(feature = "geopackage")]
         Format::GeoPackage => {
             drop(input);
+            account.read(length(world, &file)?);
             Box::new(wkb::geopackage::GeoPackage::open(world, &file, options)?)
         }
         #[cfg(feature = "geoparquet")]
         Format::GeoParquet => {
             drop(input);
+            account.read(length(world, &file)?);
             Box::new(wkb::geoparquet::GeoParquet::open(world, &file, options)?)
         }
         #[cfg(not(feature = "geopackage"))]
@@ -125,10 +133,19 @@ pub fn open(world: &dyn World, path: &str, options: &Options) -> Result<Box<dyn 
         Format::Csv => Box::new(csv::Csv::open(input, &file, options)?),
         Format::Unknown => return Err(Fault::of_file(&file, Kind::UnknownFormat)),
     };
-    Ok(Box::new(checked::Checked::new(reader, file, options)))
+    let checked = checked::Checked::new(reader, account, file, options);
+    Ok(Box::new(checked))
 }
 
-/// Half of the features of a map in degrees are narrower than this; those of a town in metres are wider.
+/// Returns the length of a file.
+fn length(world: &dyn World, file: &Arc<str>) -> Result<u64, Fault> {
+    let length = world
+        .open(file)
+        .and_then(|mut file| file.seek(SeekFrom::End(0)));
+    length.map_err(|error| input::unreadable(file, &error))
+}
+
+/// Half of the features of a map in degrees, at least, are narrower than this; those of a town in metres are wider.
 const WIDEST: f64 = 3.0;
 
 /// The widths of features, as far as they tell degrees from metres.
@@ -148,10 +165,10 @@ impl Widths {
         self.narrow += usize::from(width <= WIDEST);
     }
 
-    /// Returns true if features of such widths, in coordinates that may be degrees, can only be in metres: half of them are
+    /// Returns true if features of such widths, in coordinates that may be degrees, can only be in metres: most of them are
     /// several degrees wide, which countries are and houses, lots and streets are not.
     pub fn are_metres(&self) -> bool {
-        self.all > 0 && self.narrow <= self.all / 2
+        2 * self.narrow < self.all
     }
 }
 

@@ -137,6 +137,23 @@ pub fn damaged(origin: Origin, at: Text, what: &str) -> Diagnostic {
     ))
 }
 
+/// A map without features.
+#[cold]
+pub fn no_features(origin: Origin, at: Text) -> Diagnostic {
+    Diagnostic::error(
+        1015,
+        origin,
+        text!([at]
+            "{at}the map is empty: it has no features",
+            "{at}地図が空です。地物がありません"
+        ),
+    )
+    .help(text!(
+        "export it again with the area and the layer that you want",
+        "範囲とレイヤーを確かめて書き出し直してください"
+    ))
+}
+
 /// A feature that is not written as its format demands.
 #[cold]
 pub fn malformed(origin: Origin, at: Text, what: &str) -> Diagnostic {
@@ -361,6 +378,7 @@ pub fn outside_crs(
         Outside::Metres => text!("they seem to be metres", "メートルの値のようです"),
         Outside::Far => text!("they are too far off", "遠すぎます"),
     };
+    let [x, y] = [x, y].map(shown);
     Diagnostic::error(
         1007,
         origin,
@@ -372,6 +390,48 @@ pub fn outside_crs(
     .help(text!(
         "name the system that the map is in at the layer, such as `crs=\"EPSG:6674\"`",
         "地図の座標系をレイヤーに `crs=\"EPSG:6674\"` のように書いてください"
+    ))
+}
+
+/// Returns a coordinate as text; a very large one with its exponent.
+fn shown(coordinate: f64) -> String {
+    match coordinate.abs() < 1e12 {
+        true => coordinate.to_string(),
+        false => format!("{coordinate:e}"),
+    }
+}
+
+/// A feature far from all others.
+#[cold]
+pub fn outlier(origin: Origin, at: Text, kilometres: u64) -> Diagnostic {
+    Diagnostic::warning(
+        1007,
+        origin,
+        text!([at, kilometres]
+            "{at}it lies {kilometres} km from the middle of the town and is left out",
+            "{at}町の中央から {kilometres} km 離れているため、取り除きました"
+        ),
+    )
+    .help(text!(
+        "correct its coordinates, or leave it out with `where`",
+        "座標を直すか、`where` で除いてください"
+    ))
+}
+
+/// Heights that cannot be.
+#[cold]
+pub fn no_heights(origin: Origin, at: Text, points: usize) -> Diagnostic {
+    Diagnostic::warning(
+        1005,
+        origin,
+        text!([at, points]
+            "{at}{points} points have a height below -500 m or above 9,000 m; it is taken as missing",
+            "{at}{points} 個の点の高さが -500 m 未満または 9,000 m を超えるため、高さなしとして扱います"
+        ),
+    )
+    .help(text!(
+        "programs for maps write -9999 where they know no height; remove such values",
+        "地図のソフトは高さが不明な点に -9999 などを書きます。そのような値を消してください"
     ))
 }
 

@@ -12,6 +12,7 @@ use super::feature::{Feature, Layer, Place, Value};
 use super::input::Input;
 use super::{Crs, Options, Reader};
 use glam::{DVec2, dvec2};
+use hsd_base::budget::{Account, Exhausted, Resource};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -53,8 +54,8 @@ enum Of {
 type Tags = Vec<(Box<str>, Box<str>)>;
 
 /// What was read of the file.
-#[derive(Default)]
 struct Data {
+    account: Arc<Account>,
     themes: Vec<Box<str>>,
     /// Longitude and latitude of nodes in parts of a degree.
     nodes: HashMap<i64, [i32; 2]>,
@@ -70,28 +71,42 @@ impl Data {
         self.themes.iter().any(|theme| has(theme))
     }
 
-    fn add_node(&mut self, id: i64, lon_lat: [i32; 2], tags: Tags) {
+    fn new(themes: Vec<Box<str>>, account: Arc<Account>) -> Data {
+        Data {
+            account,
+            themes,
+            nodes: HashMap::new(),
+            ways: HashMap::new(),
+            members: vec![],
+            picked: vec![],
+        }
+    }
+
+    fn add_node(&mut self, id: i64, lon_lat: [i32; 2], tags: Tags) -> Result<(), Exhausted> {
+        self.account.charge(Resource::Points, 1)?;
         self.nodes.insert(id, lon_lat);
-        self.pick(Of::Node, id, tags, 0);
+        self.pick(Of::Node, id, tags, 0)
     }
 
-    fn add_way(&mut self, id: i64, nodes: Vec<i64>, tags: Tags) {
+    fn add_way(&mut self, id: i64, nodes: Vec<i64>, tags: Tags) -> Result<(), Exhausted> {
         self.ways.insert(id, nodes.into());
-        self.pick(Of::Way, id, tags, 0);
+        self.pick(Of::Way, id, tags, 0)
     }
 
-    fn add_relation(&mut self, id: i64, ways: Vec<i64>, tags: Tags) {
+    fn add_relation(&mut self, id: i64, ways: Vec<i64>, tags: Tags) -> Result<(), Exhausted> {
         let is_area = tags
             .iter()
             .any(|(k, v)| &**k == "type" && &**v == "multipolygon");
         if is_area && self.is_picked(&tags) {
             self.members.push(ways);
-            self.pick(Of::Relation, id, tags, self.members.len() - 1);
+            self.pick(Of::Relation, id, tags, self.members.len() - 1)?;
         }
+        Ok(())
     }
 
-    fn pick(&mut self, of: Of, id: i64, tags: Tags, index: usize) {
+    fn pick(&mut self, of: Of, id: i64, tags: Tags, index: usize) -> Result<(), Exhausted> {
         if self.is_picked(&tags) {
+            self.account.charge(Resource::Features, 1)?;
             self.picked.push(Picked {
                 of,
                 id,
@@ -99,6 +114,7 @@ impl Data {
                 index,
             });
         }
+        Ok(())
     }
 
     fn place(&self, node: i64) -> Option<DVec2> {
@@ -127,10 +143,7 @@ impl Osm {
             Some(theme) => vec![theme.clone()],
             None => THEMES.iter().map(|theme| Box::from(*theme)).collect(),
         };
-        let mut data = Data {
-            themes,
-            ..Data::default()
-        };
+        let mut data = Data::new(themes, input.account());
         let mut remarks = vec![];
         let end = match is_pbf {
             true => pbf::read(input, file, &mut data),

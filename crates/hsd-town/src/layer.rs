@@ -9,6 +9,8 @@ mod kept;
 mod outlined;
 mod packed;
 mod raw;
+mod spread;
+mod units;
 
 pub use files::{MapFile, NoFiles, files};
 pub use ground::{Ground, GroundLayer, NoGround};
@@ -18,6 +20,7 @@ pub use outlined::NoOutlines;
 pub use raw::{NotPlaced, Raw, read};
 
 pub(crate) use files::part;
+pub(crate) use spread::Spread;
 
 use super::grid::{Bounds, bounds};
 use super::shape::{area, centroid, cleaned};
@@ -138,6 +141,8 @@ pub struct TownFrame {
     pub crs: Crs,
     /// Metres east and north in it that are 0 0 of the model.
     pub origin: DVec2,
+    /// The middle of the features of the first layer, metres from the origin. What lies far from it is left out.
+    pub middle: DVec2,
 }
 
 /// Returns the key of a feature in a layer of several files.
@@ -340,13 +345,7 @@ fn typed(text: &str, kind: Option<FieldType>) -> Option<Value> {
             Some(read)
         }
         // "12.5 m" and "3階" are numbers for whoever reads them.
-        (Some(FieldType::Number), _) => {
-            let end = text
-                .trim()
-                .find(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
-            let number = text.trim()[..end.unwrap_or(text.trim().len())].parse().ok();
-            number.map(Value::Number)
-        }
+        (Some(FieldType::Number), _) => units::measured(text).map(Value::Number),
         (Some(FieldType::Truth), _) => None,
         (None, _) => Some(read),
     }

@@ -188,6 +188,8 @@ struct Read {
     sizes: Vec<f64>,
     widths: hsd_map::Widths,
     bounds: Option<Bounds>,
+    /// Records that cannot lie in degrees.
+    beyond: usize,
     seen: Vec<Seen>,
     crs: Option<Crs>,
     /// True if the file says nothing of its coordinates.
@@ -222,7 +224,10 @@ pub fn survey(world: &dyn World, path: &str, src: &str) -> Result<Vec<Surveyed>,
             found.push(layer);
         }
     }
-    Ok(found)
+    match found.is_empty() {
+        true => Err(Fault::of_file(&path.into(), Wrong::NoFeatures)),
+        false => Ok(found),
+    }
 }
 
 /// Looks at the head of a grid of heights.
@@ -266,12 +271,21 @@ fn survey_layer(
     };
     let mut found = read(world, path, &options)?;
     let is_metres = found.is_silent && found.are_metres();
+    let unknown = |fault: &Fault| matches!(fault.kind, Wrong::UnknownCrs { .. });
+    let faults = found.faults.iter().map(|(fault, _)| fault.clone());
+    if let Some(fault) = faults.filter(|_| is_metres).find(unknown) {
+        return Err(fault);
+    }
     if is_metres && found.crs.is_some() {
         // Features that are no degrees were refused.
         options.crs = Some(Crs::local());
         found = read(world, path, &options)?;
     }
     let mut read = found;
+    let has_none = layer.is_none() && read.records == 0 && read.faults.iter().next().is_none();
+    if has_none {
+        return Err(Fault::of_file(&path.into(), Wrong::NoFeatures));
+    }
     // Sizes in degrees become square metres of the latitude of Japan, which is near enough to tell houses from blocks.
     let is_degrees = !is_metres && read.crs.as_ref().is_none_or(Crs::is_degrees);
     if is_degrees && let Some([_, high]) = read.bounds {
@@ -328,12 +342,13 @@ impl Read {
 
     /// Returns true if coordinates of which the file says nothing are no degrees.
     fn are_metres(&self) -> bool {
-        let is_degrees = |p: &DVec2| Crs::wgs84().refuses(*p).is_none();
-        let within = self.bounds.is_none_or(|b| b.iter().all(is_degrees));
         let is_metres = |seems: &Outside| matches!(seems, Outside::Metres | Outside::Far);
         let is_refused = |fault: &Fault| matches!(&fault.kind, Wrong::OutsideCrs { seems, .. } if is_metres(seems));
-        let refused = self.faults.iter().any(|(fault, _)| is_refused(fault));
-        !within || refused || self.widths.are_metres()
+        let refused = self.faults.iter().filter(|(fault, _)| is_refused(fault));
+        let refused: usize = refused.map(|(_, count)| count).sum();
+        // A few wrong places do not make metres of degrees.
+        let beyond = refused + self.beyond;
+        2 * beyond > refused + self.records || self.widths.are_metres()
     }
 }
 
@@ -356,6 +371,9 @@ fn read(world: &dyn World, path: &str, options: &Options) -> Result<Read, Fault>
         read.records += 1;
         read.add(&feature.geometry);
         let own = bounds(feature.geometry.points());
+        let degrees = Crs::wgs84();
+        let is_beyond = |p: &DVec2| degrees.refuses(*p).is_some();
+        read.beyond += usize::from(own.is_some_and(|b| b.iter().any(is_beyond)));
         read.bounds = match (read.bounds, own) {
             (Some([a, b]), Some([c, d])) => Some([a.min(c), b.max(d)]),
             (known, own) => known.or(own),

@@ -21,6 +21,8 @@ pub struct Limits {
     pub variants: u32,
     /// Pixels of one image.
     pub pixels: u64,
+    /// Bytes of memory for what maps expand to ([`Budget`](crate::budget::Budget)).
+    pub memory: u64,
 }
 
 impl Limits {
@@ -60,6 +62,7 @@ impl Default for Limits {
             triangles: 3_000_000,
             variants: 10_000,
             pixels: 64 << 20,
+            memory: crate::budget::Budget::MEMORY,
         }
     }
 }

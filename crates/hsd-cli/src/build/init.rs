@@ -8,7 +8,7 @@ use crate::files::terminal::counted;
 use crate::options::report;
 use crate::{Exit, Failure, Outcome};
 use clap::{ArgMatches, Args, Command, Error, FromArgMatches, Subcommand};
-use hsd_base::diagnostic::{Diagnostics, Language, Origin, Text, noun};
+use hsd_base::diagnostic::{Diagnostics, Language, Origin, Severity, Text, noun};
 use hsd_base::source::World;
 use hsd_base::text;
 use hsd_driver::fs::FolderWorld;
@@ -112,14 +112,13 @@ impl Init {
         let folder = output::folder_of(&self.output);
         let world = FolderWorld::new(vec![], 0).with_roots(vec![folder.to_owned()]);
         let mut out = Diagnostics::new();
-        let layers = self.survey(&world, folder, &mut out)?;
-        let unread = out.has_errors() && layers.is_empty();
+        let (layers, unread) = self.survey(&world, folder, &mut out)?;
         let list = out.into_sorted();
         if !list.is_empty() {
             let written = Report::new(&[], &list).in_language(language);
             report(&written, Format::Human, &mut io::stderr())?;
         }
-        if unread {
+        if layers.is_empty() {
             return Ok(Exit::Errors);
         }
         let name = self
@@ -141,16 +140,19 @@ impl Init {
             "{name}: {layers}。注釈を読んでから `hsd town {name} -o OUT` で作れます"
         );
         writeln!(io::stderr(), "{}", line.in_language(language))?;
-        Ok(Exit::Done)
+        Ok(match unread {
+            0 => Exit::Done,
+            _ => Exit::Errors,
+        })
     }
 
-    /// Surveys all maps; reports what is wrong with them.
+    /// Surveys all maps; reports what is wrong with them. Returns the layers, and how many maps cannot be read.
     fn survey(
         &self,
         world: &FolderWorld,
         folder: &Path,
         out: &mut Diagnostics,
-    ) -> Result<Vec<Surveyed>, Failure> {
+    ) -> Result<(Vec<Surveyed>, usize), Failure> {
         let from = self.output.to_string_lossy();
         let mut srcs = vec![];
         for map in &self.maps {
@@ -161,17 +163,16 @@ impl Init {
             Ok((src, survey::survey(world, &path, src)))
         });
         let surveyed: Result<Vec<_>, Failure> = surveyed.collect();
-        let mut layers: Vec<Surveyed> = vec![];
+        let (mut layers, mut unread): (Vec<Surveyed>, usize) = (vec![], 0);
         for (src, found) in surveyed? {
             match found {
                 Ok(found) => layers.extend(found),
                 Err(fault) => {
+                    unread += 1;
                     let (layer, key) = (src.as_str().into(), "-".into());
-                    out.push(hsd_map::diagnostic(
-                        &fault,
-                        1,
-                        Origin::Feature { layer, key },
-                    ));
+                    let mut said = hsd_map::diagnostic(&fault, 1, Origin::Feature { layer, key });
+                    said.severity = Severity::Error;
+                    out.push(said);
                 }
             }
         }
@@ -180,7 +181,7 @@ impl Init {
         for file in layers.iter().flat_map(|layer| &layer.files) {
             file.faults.report(&file.src, None, out);
         }
-        Ok(layers)
+        Ok((layers, unread))
     }
 
     /// Returns the maps that an argument names, with their paths from the folder of the town: itself, or those in it.

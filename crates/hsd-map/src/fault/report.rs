@@ -2,7 +2,7 @@
 
 use super::{Fault, Kind};
 use crate::messages as say;
-use hsd_base::diagnostic::{Diagnostic, Diagnostics, Origin};
+use hsd_base::diagnostic::{Diagnostic, Diagnostics, Origin, Severity};
 use hsd_base::source::Span;
 use std::collections::BTreeMap;
 use std::mem::{Discriminant, discriminant};
@@ -21,9 +21,17 @@ pub struct Faults {
     kinds: Vec<(Fault, usize)>,
     /// Kinds with their places in `kinds`, by file and field.
     by_field: BTreeMap<Place, Vec<Known>>,
+    /// The number of features that are used.
+    used: usize,
 }
 
 impl Faults {
+    /// Notes how many features of the map are used: a system in which most features cannot lie is the wrong one; a few such
+    /// features are wrong themselves.
+    pub fn set_used(&mut self, features: usize) {
+        self.used = features;
+    }
+
     /// Adds a fault.
     pub fn push(&mut self, fault: Fault) {
         let kind = discriminant(&fault.kind);
@@ -40,6 +48,7 @@ impl Faults {
 
     /// Adds the faults of another map.
     pub fn append(&mut self, other: Faults) {
+        self.used += other.used;
         for (fault, count) in other.kinds {
             let (file, field) = (fault.file.clone(), fault.field.clone());
             let kind = discriminant(&fault.kind);
@@ -67,7 +76,11 @@ impl Faults {
                 key: key.unwrap_or_else(|| "-".into()),
             };
             let origin = named.map_or_else(at_feature, Origin::Source);
-            out.push(diagnostic(fault, count, origin));
+            let mut said = diagnostic(fault, count, origin);
+            if matches!(fault.kind, Kind::OutsideCrs { .. }) && count < self.used {
+                said.severity = Severity::Warning;
+            }
+            out.push(said);
         }
     }
 }
@@ -91,12 +104,15 @@ pub fn diagnostic(fault: &Fault, cases: usize, origin: Origin) -> Diagnostic {
         Kind::NoLayer { layer } => say::no_layer(origin, at, layer),
         Kind::Damaged { what } => say::damaged(origin, at, what),
         Kind::Malformed { what } => say::malformed(origin, at, what),
+        Kind::NoFeatures => say::no_features(origin, at),
         Kind::NoGeometry => say::no_geometry(origin, at),
         Kind::OtherGeometry { name } => say::other_geometry(origin, at, name),
         Kind::NotDivided { shape } => say::not_divided(origin, at, shape),
         Kind::TooFewPoints { points } => say::too_few_points(origin, at, *points),
         Kind::NotFinite => say::not_finite(origin, at),
         Kind::OutsideCrs { x, y, crs, seems } => say::outside_crs(origin, at, *x, *y, crs, *seems),
+        Kind::Outlier { kilometres } => say::outlier(origin, at, *kilometres),
+        Kind::NoHeights { points } => say::no_heights(origin, at, *points),
         Kind::Vertex(why) => say::vertex(origin, at, *why),
         Kind::Unclosed => say::unclosed(origin, at),
         Kind::Crossing => say::crossing(origin, at),
@@ -116,6 +132,7 @@ pub fn diagnostic(fault: &Fault, cases: usize, origin: Origin) -> Diagnostic {
         Kind::MissingPart { part } => say::missing_part(origin, at, part),
         Kind::CountsDiffer { said, found } => say::counts_differ(origin, at, *said, *found),
         Kind::MissingMembers { count } => say::missing_members(origin, at, *count),
+        Kind::Exhausted(what) => say::exhausted(origin, at, *what),
         Kind::TooLarge { what, limit } => say::too_large(origin, at, what, *limit),
     }
 }

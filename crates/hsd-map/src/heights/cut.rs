@@ -26,7 +26,7 @@ pub(super) struct Raster {
 pub(super) struct Cut {
     raster: Raster,
     kept: [Range<u64>; 2],
-    /// Row after row.
+    /// Row after row, as far as heights have been set: a head may promise more cells than the file has.
     pub(super) values: Vec<f32>,
 }
 
@@ -72,7 +72,7 @@ impl Raster {
         Ok(Cut {
             raster: self,
             kept,
-            values: vec![f32::NAN; cells as usize],
+            values: vec![],
         })
     }
 }
@@ -80,6 +80,11 @@ impl Raster {
 impl Cut {
     pub(super) fn columns(&self) -> usize {
         (self.kept[0].end - self.kept[0].start) as usize
+    }
+
+    /// Returns the number of rows that are kept.
+    pub(super) fn height(&self) -> usize {
+        (self.kept[1].end - self.kept[1].start) as usize
     }
 
     pub(super) fn step(&self) -> DVec2 {
@@ -108,6 +113,9 @@ impl Cut {
         if self.kept[0].contains(&column) && self.kept[1].contains(&row) {
             let (x, y) = (column - self.kept[0].start, row - self.kept[1].start);
             let at = y as usize * self.columns() + x as usize;
+            if at >= self.values.len() {
+                self.values.resize(at + 1, f32::NAN);
+            }
             self.values[at] = height(value);
         }
     }

@@ -7,16 +7,27 @@ use super::{Heights, Wish};
 use crate::fault::{Fault, Kind, OtherGrid};
 use crate::input::unreadable;
 use glam::DVec2;
-use std::io::{BufReader, Read, Seek};
-use tiff::decoder::{Decoder, DecodingResult};
+use hsd_base::budget::{Account, Resource};
+use hsd_base::source::Stream;
+use std::io::{BufReader, Read, Seek, SeekFrom};
+use tiff::decoder::{Decoder, DecodingResult, Limits};
 use tiff::tags::Tag;
 use tiff::{ColorType, TiffError};
+
+/// The most bytes of a block.
+const BLOCK: usize = 64 << 20;
 
 /// Reads a grid.
 pub(super) fn read(wish: &Wish<'_>) -> Result<Heights, Fault> {
     let stream = wish.world.open(wish.file);
-    let stream = stream.map_err(|error| unreadable(wish.file, &error))?;
-    let mut file = Decoder::new(BufReader::new(stream)).map_err(|error| fault(wish, error))?;
+    let mut stream = stream.map_err(|error| unreadable(wish.file, &error))?;
+    let account = Account::new(wish.world.budget());
+    account.read(length(&mut stream).map_err(|error| unreadable(wish.file, &error))?);
+    let mut limits = Limits::default();
+    limits.decoding_buffer_size = BLOCK;
+    limits.intermediate_buffer_size = BLOCK;
+    let file = Decoder::new(BufReader::new(stream)).map(|file| file.with_limits(limits));
+    let mut file = file.map_err(|error| fault(wish, error))?;
     let (columns, rows) = file.dimensions().map_err(|error| fault(wish, error))?;
     let other = |what| wish.fault(Kind::OtherGrid { what });
     match file.colortype().map_err(|error| fault(wish, error))? {
@@ -53,7 +64,10 @@ pub(super) fn read(wish: &Wish<'_>) -> Result<Heights, Fault> {
         if !cut.meets(&(x..x + u64::from(wide)), &(y..y + u64::from(high))) {
             continue;
         }
-        let (own, _) = file.chunk_data_dimensions(number);
+        let (own, lines) = file.chunk_data_dimensions(number);
+        let cells = u64::from(own) * u64::from(lines);
+        let charged = account.charge(Resource::Pixels, cells);
+        charged.map_err(|exhausted| wish.fault(exhausted.into()))?;
         let block = file
             .read_chunk(number)
             .map_err(|error| fault(wish, error))?;
@@ -66,6 +80,13 @@ pub(super) fn read(wish: &Wish<'_>) -> Result<Heights, Fault> {
         }
     }
     Ok(Heights::of(crs, cut))
+}
+
+/// Returns the length of a file.
+fn length(stream: &mut Box<dyn Stream>) -> std::io::Result<u64> {
+    let length = stream.seek(SeekFrom::End(0))?;
+    stream.rewind()?;
+    Ok(length)
 }
 
 fn keys<R: Read + Seek>(file: &mut Decoder<R>) -> GeoKeys {
@@ -134,7 +155,7 @@ fn fault(wish: &Wish<'_>, error: TiffError) -> Fault {
             wish.fault(Kind::OtherGrid { what })
         }
         TiffError::LimitsExceeded | TiffError::IntSizeError => {
-            let (what, limit) = ("a block of a GeoTIFF, bytes", 256 << 20);
+            let (what, limit) = ("bytes in a block of a GeoTIFF", BLOCK as u64);
             wish.fault(Kind::TooLarge { what, limit })
         }
         _ => {

@@ -18,14 +18,15 @@ impl Heights {
             from..to.max(from)
         };
         let columns = range(low.x, high.x, self.columns);
-        let rows = range(low.y, high.y, self.rows());
+        let rows = range(low.y, high.y, self.rows);
+        let rows = rows.start..rows.end.min(self.end()).max(rows.start);
         out.bytes(&[u8::from(self.crs.is_some())]);
         if let Some(crs) = &self.crs {
             out.crs(crs);
         }
         out.point(self.first);
         out.point(self.step);
-        let numbers = [self.columns, self.rows(), columns.start, rows.start];
+        let numbers = [self.columns, self.rows, columns.start, rows.start];
         numbers.iter().for_each(|n| out.count(*n));
         out.count(columns.len());
         out.count(columns.len() * rows.len());
@@ -49,7 +50,6 @@ impl Heights {
         let (first, step) = (from.point()?, from.point()?);
         let (columns, rows) = (from.count()?, from.count()?);
         let part = Part {
-            rows,
             from: [from.count()?, from.count()?],
             width: from.count()?,
         };
@@ -61,6 +61,7 @@ impl Heights {
             first,
             step,
             columns,
+            rows,
             values: cells.iter().map(|cell| f32::from_le_bytes(*cell)).collect(),
             part: Some(part),
         })
@@ -79,6 +80,7 @@ mod tests {
             first: DVec2::new(100.3, 900.7),
             step: DVec2::new(1.7, -2.3),
             columns: 40,
+            rows: 30,
             values: (0..40 * 30).map(|n| (n as f32).sin()).collect(),
             part: None,
         };

@@ -1,6 +1,7 @@
 //! Messages about the fields of maps, and about what belongs to a map beside its shapes.
 
 use crate::VertexFault;
+use hsd_base::budget::{Exhausted, Resource};
 use hsd_base::diagnostic::{Diagnostic, Origin, Text};
 use hsd_base::text;
 
@@ -208,6 +209,32 @@ pub fn missing_members(origin: Origin, at: Text, members: usize) -> Diagnostic {
     .help(text!(
         "it lies at the edge of the extract; take a larger one",
         "切り出した範囲の端にあります。広い範囲を使ってください"
+    ))
+}
+
+/// A map that expands to more than the budget of the run.
+#[cold]
+pub fn exhausted(origin: Origin, at: Text, what: Exhausted) -> Diagnostic {
+    let limit = what.limit;
+    let (en, ja) = match what.of {
+        Resource::Points => ("points", "点"),
+        Resource::TextBytes => ("bytes of text", "文字列のバイト数"),
+        Resource::Features => ("features", "地物"),
+        Resource::Pairs => ("pairs of neighbours", "隣り合う組"),
+        Resource::InflatedBytes => ("unpacked bytes", "展開後のバイト数"),
+        Resource::Pixels => ("cells", "セル"),
+    };
+    Diagnostic::error(
+        1013,
+        origin,
+        text!([at, limit, en, ja]
+            "{at}the map repeats or packs so much that it expands to more than the {limit} {en} which a run may take beyond what is written out",
+            "{at}地図の繰り返しや圧縮を展開すると、書かれた量を超えて一度の実行で使える上限（{ja} {limit}）を超えます"
+        ),
+    )
+    .help(text!(
+        "no map of a town does this; get the file again, split it, or raise the limit with `--max-memory`",
+        "町の地図としては異常です。ファイルを入手し直すか、分けるか、`--max-memory` で上限を上げてください"
     ))
 }
 

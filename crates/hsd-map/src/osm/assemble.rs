@@ -5,6 +5,7 @@ use crate::fault::Kind;
 use crate::feature::{Area, Chain, Geometry};
 use crate::rings;
 use glam::DVec2;
+use hsd_base::budget::Resource;
 use std::collections::HashMap;
 
 /// Values of `natural` that are lines even where they close.
@@ -23,6 +24,7 @@ pub(super) fn geometry(
         }
         Of::Way => {
             let nodes = data.ways.get(&picked.id).map(|n| &**n).unwrap_or_default();
+            data.account.charge(Resource::Points, nodes.len() as u64)?;
             let mut points = places(data, nodes, missing);
             let is_closed = nodes.len() > 3 && nodes.first() == nodes.last();
             if !is_closed || !is_area(&picked.tags) {
@@ -43,6 +45,8 @@ pub(super) fn geometry(
                 .iter()
                 .filter_map(|way| data.ways.get(way).map(|nodes| &**nodes))
                 .collect();
+            let nodes: usize = ways.iter().map(|nodes| nodes.len()).sum();
+            data.account.charge(Resource::Points, nodes as u64)?;
             *missing += members.len() - ways.len();
             let closed = closed_rings(&ways);
             let Some(closed) = closed.filter(|rings| !rings.is_empty()) else {

@@ -4,6 +4,7 @@ use super::{Data, Tags};
 use crate::fault::{Fault, Kind};
 use crate::input::{Input, unreadable};
 use flate2::read::ZlibDecoder;
+use hsd_base::budget::{Account, Exhausted, Resource};
 use std::io::Read;
 use std::sync::Arc;
 
@@ -11,9 +12,23 @@ use std::sync::Arc;
 const MOST_BLOCK: usize = 32 << 20;
 const MOST_HEAD: usize = 64 << 10;
 
-/// A message that is not written as the format demands.
+/// Bytes that a text takes beside its letters.
+const SLICE: u64 = size_of::<&[u8]>() as u64;
+
+/// Why a block is read no further.
 #[derive(Debug)]
-struct Wrong;
+enum Wrong {
+    /// It is not written as the format demands.
+    Form,
+    /// It expands to too much.
+    Exhausted(Exhausted),
+}
+
+impl From<Exhausted> for Wrong {
+    fn from(exhausted: Exhausted) -> Wrong {
+        Wrong::Exhausted(exhausted)
+    }
+}
 
 /// Reads a file.
 ///
@@ -41,10 +56,18 @@ pub(super) fn read(mut input: Input, file: &Arc<str>, data: &mut Data) -> Result
         let blob = exactly(&mut input, size, MOST_BLOCK);
         let block = blob.as_deref().and_then(unpacked);
         let block = block.ok_or_else(|| damaged("a block cannot be unpacked"))?;
-        if of == b"OSMData" {
-            primitives(&block, data)
-                .map_err(|Wrong| damaged("a block is not as its format demands"))?;
-        }
+        let charged = data
+            .account
+            .charge(Resource::InflatedBytes, block.len() as u64);
+        let read = charged.map_err(Wrong::from);
+        let read = read.and_then(|()| match of == b"OSMData" {
+            true => primitives(&block, data),
+            false => Ok(()),
+        });
+        read.map_err(|wrong| match wrong {
+            Wrong::Form => damaged("a block is not as its format demands"),
+            Wrong::Exhausted(what) => Fault::of_file(file, what.into()).at(at),
+        })?;
     }
 }
 
@@ -104,11 +127,15 @@ fn primitives(bytes: &[u8], data: &mut Data) -> Result<(), Wrong> {
             (1, Wire::Bytes(table)) => {
                 for string in Fields(table) {
                     if let (1, Wire::Bytes(string)) = string? {
+                        data.account.charge(Resource::TextBytes, SLICE)?;
                         block.strings.push(string);
                     }
                 }
             }
-            (2, Wire::Bytes(group)) => block.groups.push(group),
+            (2, Wire::Bytes(group)) => {
+                data.account.charge(Resource::TextBytes, SLICE)?;
+                block.groups.push(group);
+            }
             (17, Wire::Number(n)) => block.granularity = n as i64,
             (19, Wire::Number(n)) => block.lat = n as i64,
             (20, Wire::Number(n)) => block.lon = n as i64,
@@ -130,16 +157,24 @@ fn primitives(bytes: &[u8], data: &mut Data) -> Result<(), Wrong> {
 }
 
 impl Block<'_> {
-    fn string(&self, index: u64) -> Result<Box<str>, Wrong> {
-        let index = usize::try_from(index).map_err(|_| Wrong)?;
-        let bytes = self.strings.get(index).ok_or(Wrong)?;
+    /// Returns a copy of a string, which any number of things may name; an empty one takes memory too.
+    fn string(&self, index: u64, account: &Account) -> Result<Box<str>, Wrong> {
+        let index = usize::try_from(index).map_err(|_| Wrong::Form)?;
+        let bytes = self.strings.get(index).ok_or(Wrong::Form)?;
+        account.charge(Resource::TextBytes, SLICE + bytes.len() as u64)?;
         Ok(String::from_utf8_lossy(bytes).into())
     }
 
-    fn tags(&self, keys: &[u64], values: &[u64]) -> Result<Tags, Wrong> {
-        let pairs = keys.iter().zip(values);
-        pairs
-            .map(|(k, v)| Ok((self.string(*k)?, self.string(*v)?)))
+    fn tags(
+        &self,
+        keys: &Numbers<'_>,
+        values: &Numbers<'_>,
+        account: &Account,
+    ) -> Result<Tags, Wrong> {
+        let string = |index: Result<u64, Wrong>| self.string(index?, account);
+        keys.iter()
+            .zip(values.iter())
+            .map(|(k, v)| Ok((string(k)?, string(v)?)))
             .collect()
     }
 
@@ -152,104 +187,105 @@ impl Block<'_> {
         };
         match (parts(self.lon, lon), parts(self.lat, lat)) {
             (Some(lon), Some(lat)) => Ok([lon, lat]),
-            _ => Err(Wrong),
+            _ => Err(Wrong::Form),
         }
     }
 
     fn node(&self, bytes: &[u8], data: &mut Data) -> Result<(), Wrong> {
         let (mut id, mut lon, mut lat) = (0, 0, 0);
-        let (mut keys, mut values) = (vec![], vec![]);
+        let (mut keys, mut values) = (Numbers::default(), Numbers::default());
         for field in Fields(bytes) {
             match field? {
                 (1, Wire::Number(n)) => id = zigzag(n),
-                (2, wire) => wire.numbers(&mut keys)?,
-                (3, wire) => wire.numbers(&mut values)?,
+                (2, wire) => keys.add(&wire, &data.account)?,
+                (3, wire) => values.add(&wire, &data.account)?,
                 (8, Wire::Number(n)) => lat = zigzag(n),
                 (9, Wire::Number(n)) => lon = zigzag(n),
                 _ => {}
             }
         }
-        data.add_node(id, self.place(lon, lat)?, self.tags(&keys, &values)?);
-        Ok(())
+        let tags = self.tags(&keys, &values, &data.account)?;
+        Ok(data.add_node(id, self.place(lon, lat)?, tags)?)
     }
 
     fn dense(&self, bytes: &[u8], data: &mut Data) -> Result<(), Wrong> {
-        let (mut ids, mut lons, mut lats, mut tags) = (vec![], vec![], vec![], vec![]);
+        let [mut ids, mut lons, mut lats, mut tags] = [const { Numbers(vec![]) }; 4];
         for field in Fields(bytes) {
             match field? {
-                (1, wire) => wire.numbers(&mut ids)?,
-                (8, wire) => wire.numbers(&mut lats)?,
-                (9, wire) => wire.numbers(&mut lons)?,
-                (10, wire) => wire.numbers(&mut tags)?,
+                (1, wire) => ids.add(&wire, &data.account)?,
+                (8, wire) => lats.add(&wire, &data.account)?,
+                (9, wire) => lons.add(&wire, &data.account)?,
+                (10, wire) => tags.add(&wire, &data.account)?,
                 _ => {}
             }
         }
-        if ids.len() != lons.len() || ids.len() != lats.len() {
-            return Err(Wrong);
+        if ids.count() != lons.count() || ids.count() != lats.count() {
+            return Err(Wrong::Form);
         }
-        let (ids, lons, lats) = (summed(&ids), summed(&lons), summed(&lats));
         // Keys and values of one node after another, each ended by 0.
         let mut tags = tags.iter();
-        for ((id, lon), lat) in ids.into_iter().zip(lons).zip(lats) {
+        let places = lons.summed().zip(lats.summed());
+        for (id, (lon, lat)) in ids.summed().zip(places) {
             let mut own = vec![];
-            while let Some(key) = tags.next().filter(|key| **key != 0) {
-                let value = tags.next().ok_or(Wrong)?;
-                own.push((self.string(*key)?, self.string(*value)?));
+            while let Some(key) = tags.next().transpose()?.filter(|key| *key != 0) {
+                let value = tags.next().ok_or(Wrong::Form)??;
+                let string = |index| self.string(index, &data.account);
+                own.push((string(key)?, string(value)?));
             }
-            data.add_node(id, self.place(lon, lat)?, own);
+            data.add_node(id?, self.place(lon?, lat?)?, own)?;
         }
         Ok(())
     }
 
     fn way(&self, bytes: &[u8], data: &mut Data) -> Result<(), Wrong> {
-        let (mut id, mut keys, mut values, mut nodes) = (0, vec![], vec![], vec![]);
+        let mut id = 0;
+        let [mut keys, mut values, mut nodes] = [const { Numbers(vec![]) }; 3];
         for field in Fields(bytes) {
             match field? {
                 (1, Wire::Number(n)) => id = n as i64,
-                (2, wire) => wire.numbers(&mut keys)?,
-                (3, wire) => wire.numbers(&mut values)?,
-                (8, wire) => wire.numbers(&mut nodes)?,
+                (2, wire) => keys.add(&wire, &data.account)?,
+                (3, wire) => values.add(&wire, &data.account)?,
+                (8, wire) => nodes.add(&wire, &data.account)?,
                 _ => {}
             }
         }
-        data.add_way(id, summed(&nodes), self.tags(&keys, &values)?);
-        Ok(())
+        let tags = self.tags(&keys, &values, &data.account)?;
+        let count = nodes.count() as u64;
+        data.account.charge(Resource::Points, count)?;
+        let nodes = nodes.summed().collect::<Result<Vec<i64>, Wrong>>()?;
+        Ok(data.add_way(id, nodes, tags)?)
     }
 
     fn relation(&self, bytes: &[u8], data: &mut Data) -> Result<(), Wrong> {
-        let (mut id, mut keys, mut values) = (0, vec![], vec![]);
-        let (mut members, mut types) = (vec![], vec![]);
+        let mut id = 0;
+        let [mut keys, mut values, mut members, mut types] = [const { Numbers(vec![]) }; 4];
         for field in Fields(bytes) {
             match field? {
                 (1, Wire::Number(n)) => id = n as i64,
-                (2, wire) => wire.numbers(&mut keys)?,
-                (3, wire) => wire.numbers(&mut values)?,
-                (9, wire) => wire.numbers(&mut members)?,
-                (10, wire) => wire.numbers(&mut types)?,
+                (2, wire) => keys.add(&wire, &data.account)?,
+                (3, wire) => values.add(&wire, &data.account)?,
+                (9, wire) => members.add(&wire, &data.account)?,
+                (10, wire) => types.add(&wire, &data.account)?,
                 _ => {}
             }
         }
         const WAY: u64 = 1;
-        let members = summed(&members).into_iter().zip(types);
-        let ways = members.filter(|(_, of)| *of == WAY).map(|(way, _)| way);
-        data.add_relation(id, ways.collect(), self.tags(&keys, &values)?);
-        Ok(())
+        let count = members.count() as u64;
+        data.account.charge(Resource::Points, count)?;
+        let mut ways = vec![];
+        for (member, of) in members.summed().zip(types.iter()) {
+            if of? == WAY {
+                ways.push(member?);
+            }
+        }
+        let tags = self.tags(&keys, &values, &data.account)?;
+        Ok(data.add_relation(id, ways, tags)?)
     }
 }
 
 /// Returns a signed number that is written so that small ones are short.
 fn zigzag(n: u64) -> i64 {
     (n >> 1) as i64 ^ -((n & 1) as i64)
-}
-
-/// Returns numbers that are written as differences.
-fn summed(differences: &[u64]) -> Vec<i64> {
-    let mut sum = 0i64;
-    let add = |n: &u64| {
-        sum = sum.wrapping_add(zigzag(*n));
-        sum
-    };
-    differences.iter().map(add).collect()
 }
 
 /// A value of a protocol buffer.
@@ -259,20 +295,60 @@ enum Wire<'a> {
     Other,
 }
 
-impl Wire<'_> {
+/// A list of numbers, read while it is gone through: a packed one takes a byte a number, or less.
+#[derive(Default)]
+struct Numbers<'a>(Vec<Run<'a>>);
+
+enum Run<'a> {
+    One(u64),
+    Packed(&'a [u8]),
+}
+
+impl<'a> Numbers<'a> {
     /// Appends a number, or those of a packed list.
-    fn numbers(&self, out: &mut Vec<u64>) -> Result<(), Wrong> {
-        match self {
-            Wire::Number(n) => out.push(*n),
-            Wire::Bytes(packed) => {
-                let mut rest = *packed;
-                while !rest.is_empty() {
-                    out.push(varint(&mut rest).ok_or(Wrong)?);
-                }
-            }
+    fn add(&mut self, wire: &Wire<'a>, account: &Account) -> Result<(), Wrong> {
+        account.charge(Resource::TextBytes, size_of::<Run<'_>>() as u64)?;
+        match wire {
+            Wire::Number(n) => self.0.push(Run::One(*n)),
+            Wire::Bytes(packed) => self.0.push(Run::Packed(packed)),
             Wire::Other => {}
         }
         Ok(())
+    }
+
+    /// Returns how many there are; a last one that is cut off is not counted.
+    fn count(&self) -> usize {
+        let of = |run: &Run<'_>| match run {
+            Run::One(_) => 1,
+            Run::Packed(bytes) => bytes.iter().filter(|b| **b & 0x80 == 0).count(),
+        };
+        self.0.iter().map(of).sum()
+    }
+
+    fn iter(&self) -> impl Iterator<Item = Result<u64, Wrong>> {
+        self.0.iter().flat_map(|run| {
+            let (one, mut packed) = match run {
+                Run::One(n) => (Some(Ok(*n)), &[][..]),
+                Run::Packed(bytes) => (None, *bytes),
+            };
+            let rest = std::iter::from_fn(move || {
+                let number = (!packed.is_empty()).then(|| varint(&mut packed))?;
+                if number.is_none() {
+                    packed = &[];
+                }
+                Some(number.ok_or(Wrong::Form))
+            });
+            one.into_iter().chain(rest)
+        })
+    }
+
+    /// Returns numbers that are written as differences.
+    fn summed(&self) -> impl Iterator<Item = Result<i64, Wrong>> {
+        let mut sum = 0i64;
+        self.iter().map(move |n| {
+            sum = sum.wrapping_add(zigzag(n?));
+            Ok(sum)
+        })
     }
 }
 
@@ -290,7 +366,7 @@ impl<'a> Iterator for Fields<'a> {
         if field.is_none() {
             self.0 = &[];
         }
-        Some(field.ok_or(Wrong))
+        Some(field.ok_or(Wrong::Form))
     }
 }
 

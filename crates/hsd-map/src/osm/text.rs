@@ -4,6 +4,7 @@ use super::{Data, Tags, parts};
 use crate::fault::{Fault, Kind};
 use crate::input::Input;
 use crate::xml::{Element, Token, Xml};
+use hsd_base::budget::Exhausted;
 use std::sync::Arc;
 
 /// A thing whose content is being read.
@@ -49,9 +50,13 @@ pub(super) fn read(
                 }
             }
             Token::End => {
-                if depth == 2 && !close(std::mem::take(&mut open), data) {
-                    let what = "a node has no place".into();
-                    remarks.push(Fault::of_file(file, Kind::Malformed { what }).at(at));
+                if depth == 2 {
+                    let fault = |kind| Fault::of_file(file, kind).at(at);
+                    let closed = close(std::mem::take(&mut open), data);
+                    if !closed.map_err(|exhausted| fault(exhausted.into()))? {
+                        let what = "a node has no place".into();
+                        remarks.push(fault(Kind::Malformed { what }));
+                    }
                 }
                 depth -= 1;
             }
@@ -98,15 +103,15 @@ fn content(open: &mut Open, element: &Element) {
 }
 
 /// Takes a thing that is complete; returns false if it is a node without a place.
-fn close(open: Open, data: &mut Data) -> bool {
+fn close(open: Open, data: &mut Data) -> Result<bool, Exhausted> {
     match &*open.name {
         "node" => match open.place {
-            Some(place) => data.add_node(open.id, place, open.tags),
-            None => return false,
+            Some(place) => data.add_node(open.id, place, open.tags)?,
+            None => return Ok(false),
         },
-        "way" => data.add_way(open.id, open.refs, open.tags),
-        "relation" => data.add_relation(open.id, open.refs, open.tags),
+        "way" => data.add_way(open.id, open.refs, open.tags)?,
+        "relation" => data.add_relation(open.id, open.refs, open.tags)?,
         _ => {}
     }
-    true
+    Ok(true)
 }

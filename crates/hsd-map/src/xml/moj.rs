@@ -9,6 +9,7 @@ use crate::feature::{Area, Chain, Feature, Geometry, Layer, Place, Value};
 use crate::input::Input;
 use crate::{Crs, Options, Reader};
 use glam::{DVec2, dvec2};
+use hsd_base::budget::{Account, Resource};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -22,6 +23,7 @@ pub(crate) struct Moj {
     layer: Layer,
     remarks: Vec<Fault>,
     space: Space,
+    account: Arc<Account>,
     /// The names of the open elements.
     path: Vec<Box<str>>,
     number: u64,
@@ -65,6 +67,7 @@ impl Moj {
             ..Layer::default()
         };
         Ok(Moj {
+            account: input.account(),
             xml: Xml::open(input, file, options.encoding.as_deref())?,
             file: file.clone(),
             layer,
@@ -172,7 +175,7 @@ impl Moj {
         self.number += 1;
         fields.sort_by_key(|field| field.0);
         fields.dedup_by_key(|field| field.0);
-        let geometry = self.space.geometry(&shape).map_err(|kind| {
+        let geometry = self.space.geometry(&shape, &self.account).map_err(|kind| {
             let fault = Fault::of_file(&self.file, kind).at(at);
             fault.of_feature(number, id.clone())
         })?;
@@ -211,15 +214,18 @@ impl Space {
         }
     }
 
-    fn geometry(&self, shape: &str) -> Result<Geometry, Kind> {
+    /// Any number of things may name one surface, and surfaces one curve.
+    fn geometry(&self, shape: &str, account: &Account) -> Result<Geometry, Kind> {
         if let Some(point) = self.points.get(shape) {
             return Ok(Geometry::Points(Chain::flat(vec![*point])));
         }
         if let Some(curve) = self.curves.get(shape) {
+            account.charge(Resource::Points, curve.len() as u64)?;
             return Ok(Geometry::Lines(vec![Chain::flat(curve.clone())]));
         }
         let rings = self.surfaces.get(shape).ok_or(Kind::NoGeometry)?;
-        let rings: Result<Vec<Chain>, Kind> = rings.iter().map(|ring| self.ring(ring)).collect();
+        let rings: Result<Vec<Chain>, Kind> =
+            rings.iter().map(|ring| self.ring(ring, account)).collect();
         let mut rings = rings?.into_iter();
         let outline = rings.next().ok_or(Kind::NoGeometry)?;
         let holes = rings.collect();
@@ -227,7 +233,7 @@ impl Space {
     }
 
     /// Joins the curves of a ring end to end, whichever way each runs.
-    fn ring(&self, curves: &[Box<str>]) -> Result<Chain, Kind> {
+    fn ring(&self, curves: &[Box<str>], account: &Account) -> Result<Chain, Kind> {
         let mut chain: Vec<DVec2> = vec![];
         let known = curves.iter().filter_map(|curve| self.curves.get(curve));
         let known: Vec<&Vec<DVec2>> = known.filter(|curve| !curve.is_empty()).collect();
@@ -235,6 +241,8 @@ impl Space {
             let count = curves.len() - known.len();
             return Err(Kind::MissingMembers { count });
         }
+        let points: usize = known.iter().map(|curve| curve.len()).sum();
+        account.charge(Resource::Points, points as u64)?;
         for (number, curve) in known.iter().enumerate() {
             let touches = |p: Option<&DVec2>| {
                 let next = known.get(number + 1).filter(|_| chain.is_empty());

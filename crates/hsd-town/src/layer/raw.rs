@@ -1,12 +1,15 @@
 //! Features in the coordinates of their file, as they are read. Those of a large map are not kept: what the frame of the town
 //! depends on is collected, and the file is read a second time to place them.
 
+use super::spread::Spread;
 use super::{Lot, Lots, TownFrame, as_text, height, led, parts, shape};
-use crate::grid::Bounds;
 use glam::DVec2;
 use hsd_base::source::{Spanned, World};
 use hsd_ir::ast::town::Layer;
 use hsd_map::{Crs, Datums, Fault, Faults, Geometry, Kind, Mismatch, Options, Reader, Transform};
+
+/// The greatest distance of a point from the middle of its town, metres; what lies farther is an outlier (towns.md 9).
+pub(crate) const FARTHEST: f64 = 50_000.0;
 
 /// Features in the coordinates of their file.
 #[derive(Clone, Debug)]
@@ -17,6 +20,8 @@ pub struct Raw {
     crs: Crs,
     /// True if neither the file nor the layer says what the coordinates are.
     is_guessed: bool,
+    /// True if the reader did not check the coordinates, since it knew no system.
+    is_unchecked: bool,
     lots: Lots,
 }
 
@@ -24,10 +29,10 @@ pub struct Raw {
 #[derive(Clone, Debug, Default)]
 struct Seen {
     count: usize,
-    bounds: Option<Bounds>,
+    spread: Spread,
     widths: hsd_map::Widths,
-    /// True if a point cannot be in the reference system.
-    refused: bool,
+    /// Features of which a point cannot be in the reference system.
+    refused: usize,
     has_lines: bool,
 }
 
@@ -78,6 +83,10 @@ pub fn read(world: &dyn World, path: &str, layer: &Layer, most: usize) -> Result
                     false => features.push(feature),
                 }
             }
+            // What a file has beyond all limits is no part of a town, and neither is the rest of it.
+            Err(fault) if fault.feature.is_none() && matches!(fault.kind, Kind::Exhausted(_)) => {
+                return Err(fault);
+            }
             Err(fault) => {
                 faults.push(fault.clone());
                 unread.push(fault);
@@ -92,10 +101,12 @@ pub fn read(world: &dyn World, path: &str, layer: &Layer, most: usize) -> Result
         .map(|(n, column)| (column.name.clone(), n))
         .collect();
     let crs = known.crs.clone().or_else(|| named(layer));
+    faults.set_used(seen.count - seen.refused);
     Ok(Raw {
         features,
         seen,
         is_guessed: crs.is_none() || known.crs_is_usual,
+        is_unchecked: known.crs.is_none(),
         crs: crs.unwrap_or_else(Crs::wgs84),
         lots: Lots {
             layer: layer.clone(),
@@ -113,26 +124,38 @@ impl Seen {
     fn add(&mut self, feature: &hsd_map::Feature, crs: &Crs) {
         let geometry = &feature.geometry;
         self.count += 1;
-        for p in geometry.points() {
-            let [low, high] = self.bounds.unwrap_or([p; 2]);
-            self.bounds = Some([low.min(p), high.max(p)]);
-            self.refused |= crs.refuses(p).is_some();
+        if geometry.points().any(|p| crs.refuses(p).is_some()) {
+            self.refused += 1;
+            return;
         }
+        self.spread
+            .add(&geometry.points().collect::<Vec<DVec2>>(), crs);
         self.widths.add(geometry.width());
         self.has_lines |= matches!(geometry, hsd_map::Geometry::Lines(_));
     }
 }
 
 impl Raw {
-    /// Returns the box of all points and the system that they are in.
-    pub fn extent(&self) -> Option<(Bounds, &Crs)> {
-        Some((self.seen.bounds?, &self.crs))
+    /// Returns where its features lie, and the system that they are in.
+    pub(crate) fn spread(&self) -> (&Spread, &Crs) {
+        (&self.seen.spread, &self.crs)
     }
 
-    /// Returns true if the coordinates can only be guessed: no system is named, and they are no degrees, or features as wide
-    /// as countries if they are.
+    /// Returns true if the coordinates can only be guessed: no system is named, and those of most features are no degrees, or
+    /// features are as wide as countries or as far apart as cities if they are.
     pub fn is_nowhere(&self) -> bool {
-        self.is_guessed && (self.seen.refused || self.seen.widths.are_metres())
+        let seen = &self.seen;
+        let are_no_degrees = 2 * seen.refused > seen.count
+            || seen.widths.are_metres()
+            || self.crs.is_degrees() && !seen.spread.is_gathered();
+        self.is_guessed && are_no_degrees
+    }
+
+    /// Returns why the system that the file names cannot be used, if it names one and nothing else says what it is.
+    pub fn unknown_crs(&self) -> Option<&Fault> {
+        let mut faults = self.lots.faults.iter().map(|(fault, _)| fault);
+        let unknown = faults.find(|fault| matches!(fault.kind, Kind::UnknownCrs { .. }));
+        unknown.filter(|_| self.is_unchecked)
     }
 
     /// Returns the number of features.
@@ -173,14 +196,15 @@ impl Raw {
         lots.layer = written.clone();
         let key = written.key.as_ref();
         let key = key.and_then(|k| lots.columns.get(&*k.value).copied());
+        let unchecked = Some(&self.crs).filter(|_| self.is_unchecked);
         let mut place = |feature: hsd_map::Feature| {
             let whose = (feature.number, feature.id.clone());
             let each = written.each_area;
-            match placed_lots(feature, (&way, frame.origin), (key, lead), each) {
-                Some(lots) => lots.into_iter().for_each(&mut *take),
-                None => {
-                    // A place where the projection has none.
-                    let fault = Fault::of_file(&lots.file, Kind::NotFinite);
+            let way = (unchecked, &way);
+            match placed_lots(feature, way, frame, (key, lead), each) {
+                Ok(lots) => lots.into_iter().for_each(&mut *take),
+                Err(kind) => {
+                    let fault = Fault::of_file(&lots.file, kind);
                     let fault = fault.of_feature(whose.0, whose.1);
                     lots.faults.push(fault.clone());
                     lots.unread.push(fault);
@@ -207,17 +231,32 @@ impl Raw {
     }
 }
 
-/// Puts a feature into the frame of a town; `None` if the projection has no such place. Where each area counts, one of several
-/// has a number behind the key; else they are one lot.
+/// Puts a feature into the frame of a town. Where each area counts, one of several has a number behind the key; else they are
+/// one lot.
+///
+/// # Errors
+/// If it cannot lie in its system, the projection has no such place, or it is an outlier.
 fn placed_lots(
     mut feature: hsd_map::Feature,
-    (way, origin): (&Transform, DVec2),
+    (unchecked, way): (Option<&Crs>, &Transform),
+    frame: &TownFrame,
     (key, lead): (Option<usize>, Option<&str>),
     each: bool,
-) -> Option<Vec<Lot>> {
+) -> Result<Vec<Lot>, Kind> {
     for chain in feature.geometry.chains_mut() {
         for point in &mut chain.points {
-            *point = way.apply(*point)? - origin;
+            let p = *point;
+            let refused = unchecked.and_then(|crs| Some((crs, crs.refuses(p)?)));
+            if let Some((crs, seems)) = refused {
+                let (x, y, crs) = (p.x, p.y, crs.name.clone());
+                return Err(Kind::OutsideCrs { x, y, crs, seems });
+            }
+            *point = way.apply(p).ok_or(Kind::NotFinite)? - frame.origin;
+            let off = point.distance(frame.middle);
+            if off > FARTHEST {
+                let kilometres = (off / 1000.0).round() as u64;
+                return Err(Kind::Outlier { kilometres });
+            }
         }
     }
     let named = key.and_then(|column| feature.field(column));
@@ -238,8 +277,8 @@ fn placed_lots(
                 let key = format!("{key}/{}", n + 1).into();
                 lot(Geometry::Areas(vec![area]), key, feature.fields.clone())
             });
-            Some(lots.collect())
+            Ok(lots.collect())
         }
-        geometry => Some(vec![lot(geometry, key, feature.fields)]),
+        geometry => Ok(vec![lot(geometry, key, feature.fields)]),
     }
 }

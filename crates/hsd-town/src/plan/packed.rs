@@ -88,6 +88,8 @@ impl PartReader {
         let frame = TownFrame {
             crs: from.crs()?,
             origin: from.point()?,
+            // Its features have been placed.
+            middle: glam::DVec2::ZERO,
         };
         let layers = (0..from.count()?).map(|_| Lots::unpack_head(&mut from, &town.layers));
         let layers = layers.collect::<io::Result<Vec<Lots>>>()?;

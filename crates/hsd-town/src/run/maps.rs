@@ -6,13 +6,13 @@ mod lodge;
 use super::TownInput;
 use super::font::font;
 use crate::layer::{
-    self, Ground, KeptMaps, Lots, MapFile, NoFiles, NoGround, NoOutlines, NotPlaced, Raw,
+    self, Ground, KeptMaps, Lots, MapFile, NoFiles, NoGround, NoOutlines, NotPlaced, Raw, Spread,
     TownFrame, part,
 };
 use crate::plan::{Lodger, Lodging, Plan, has_no_streets};
 use crate::table::{NoTable, Rows};
 use glam::DVec2;
-use hsd_base::diagnostic::{Diagnostic, Diagnostics};
+use hsd_base::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd_base::source::{Source, Spanned, World};
 use hsd_base::text;
 use hsd_ir::ast::town::{Layer, Town};
@@ -170,12 +170,22 @@ fn read_layer(
     let mut sheets = vec![];
     for (file, raw) in read {
         match raw {
-            Ok(raw) if raw.is_nowhere() => out.push(say::no_crs(file.span, &file.src)),
+            Ok(raw) if raw.is_nowhere() => out.push(nowhere(&file, &raw)),
             Ok(raw) => sheets.push(Sheet { file, raw }),
             Err(fault) => out.push(hsd_map::diagnostic(&fault, 1, file.span.into())),
         }
     }
     (sheets.len() == count).then_some(sheets)
+}
+
+/// Says that nobody knows where the features of a file lie.
+fn nowhere(file: &MapFile, raw: &Raw) -> Diagnostic {
+    let Some(unknown) = raw.unknown_crs() else {
+        return say::no_crs(file.span, &file.src);
+    };
+    let mut said = hsd_map::diagnostic(unknown, 1, file.span.into());
+    said.severity = Severity::Error;
+    said
 }
 
 /// A file of a layer, as it has been read.
@@ -425,12 +435,14 @@ fn read_table(
 /// Finds the plane and the origin of a town, whose first layer has these files.
 fn frame(town: &Town, first: &[Sheet], out: &mut Diagnostics) -> Option<TownFrame> {
     let local = Crs::local();
-    let mut extents = first.iter().filter_map(|sheet| sheet.raw.extent());
-    let (bounds, crs) = extents.next().unwrap_or(([DVec2::ZERO; 2], &local));
-    let bounds = extents
-        .filter(|(_, own)| own.name == crs.name)
-        .fold(bounds, |[a, b], ([c, d], _)| [a.min(c), b.max(d)]);
-    let centre = bounds[0].midpoint(bounds[1]);
+    let crs = first.first().map_or(&local, |sheet| sheet.raw.spread().1);
+    let mut spread = Spread::default();
+    for (own, system) in first.iter().map(|sheet| sheet.raw.spread()) {
+        if system.name == crs.name {
+            spread.append(own);
+        }
+    }
+    let median = spread.median().unwrap_or_default();
     let plane = match &town.crs {
         Some(name) => match Crs::from_name(&name.value) {
             Some(crs) => crs,
@@ -443,18 +455,25 @@ fn frame(town: &Town, first: &[Sheet], out: &mut Diagnostics) -> Option<TownFram
             Projection::TransverseMercator(_) | Projection::Local => crs.clone(),
             Projection::Degrees | Projection::WebMercator => {
                 let degrees = Transform::new(crs, &Crs::wgs84(), Datums::Exact).ok();
-                let at = degrees.and_then(|t| t.apply(centre)).unwrap_or(centre);
+                let at = degrees.and_then(|t| t.apply(median)).unwrap_or(median);
                 Crs::zone_at(at, &crs.datum)
             }
         },
     };
-    let origin = match &town.origin {
-        Some(origin) => DVec2::from(origin.value),
-        None => {
-            let transform = Transform::new(crs, &plane, Datums::Exact).ok();
-            let at = transform.and_then(|t| t.apply(centre)).unwrap_or_default();
+    let to_plane = Transform::new(crs, &plane, Datums::Exact).ok();
+    let in_plane = |at| to_plane.as_ref().and_then(|t| t.apply(at));
+    let origin = match (&town.origin, &to_plane) {
+        (Some(origin), _) => DVec2::from(origin.value),
+        (None, None) => DVec2::ZERO,
+        (None, Some(to_plane)) => {
+            let at = in_plane(spread.centre(median, crs, to_plane)).unwrap_or_default();
             (at / KILOMETRE).round() * KILOMETRE
         }
     };
-    Some(TownFrame { crs: plane, origin })
+    let middle = in_plane(median).unwrap_or(origin) - origin;
+    Some(TownFrame {
+        crs: plane,
+        origin,
+        middle,
+    })
 }
