@@ -339,3 +339,74 @@ fn layers_of_a_geopackage_are_found_or_told() {
     );
     assert_eq!(read(broken, None), Ok((3, 2)));
 }
+
+#[test]
+fn what_is_written_twice_or_deleted_is_told() {
+    let twice = format!(
+        r#"{{"type":"FeatureCollection","features":[{0}],"features":[{0},{0}]}}"#,
+        feature(SQUARE)
+    );
+    let read = json(&twice);
+    assert_eq!(read.counts(), (3, 0));
+    assert_eq!(kinds(&read).1, [&Kind::DuplicateList]);
+
+    let doubled = format!(
+        r#"{{"type":"Feature","geometry":null,"geometry":{SQUARE},"properties":{{}},"other":1,"other":2}}"#
+    );
+    let read = json(&doubled);
+    assert_eq!(read.counts(), (1, 0));
+    assert_eq!(kinds(&read).1, [&Kind::DuplicateField]);
+    assert_eq!(read.remarks[0].field.as_deref(), Some("geometry"));
+
+    let tree = |id: u32, action: &str| {
+        format!(r#"<node id="{id}" lon="135" lat="35"{action}><tag k="natural" v="tree"/></node>"#)
+    };
+    let osm = [
+        "<osm>",
+        &tree(1, ""),
+        &tree(2, r#" action="delete""#),
+        "</osm>",
+    ]
+    .concat();
+    let read = read_bytes(&[("a.osm", osm.into())], &Options::default()).unwrap();
+    assert_eq!(read.counts(), (1, 0));
+    assert_eq!(kinds(&read).1, [&Kind::Deleted]);
+}
+
+#[test]
+fn heights_that_cannot_be_are_missing() {
+    let ring = "[[0,0,12],[1,0,-9999],[1,1,14],[0,1,1e9],[0,0,12]]";
+    let read = json(&collection(&[feature(&format!(
+        r#"{{"type":"Polygon","coordinates":[{ring}]}}"#
+    ))]));
+    let heights = read.features[0]
+        .geometry
+        .chains()
+        .next()
+        .map(|c| c.heights.clone());
+    let mean = (12.0 + 14.0 + 12.0) / 3.0;
+    assert_eq!(heights, Some(vec![12.0, mean, 14.0, mean]));
+    assert_eq!(kinds(&read).1, [&Kind::NoHeights { points: 2 }]);
+}
+
+#[test]
+fn places_of_local_surveys_have_bounds() {
+    let far = r#"{"type":"Point","coordinates":[1e22,0]}"#;
+    let options = Options {
+        crs: Some(Crs::local()),
+        ..Options::default()
+    };
+    let read = read_bytes(&[("a.geojson", feature(far).into())], &options).unwrap();
+    assert_eq!(read.counts(), (0, 1));
+    assert!(matches!(read.lost[0].kind, Kind::OutsideCrs { .. }));
+}
+
+#[test]
+fn shapes_go_on_beyond_180_degrees() {
+    let ring = "[[179.9,0],[-179.9,0],[-179.9,1],[179.9,1],[179.9,0]]";
+    let read = json(&feature(&format!(
+        r#"{{"type":"Polygon","coordinates":[{ring}]}}"#
+    )));
+    let width = read.features[0].geometry.width().unwrap();
+    assert!((width - 1.0).abs() < 1e-9, "{width}");
+}

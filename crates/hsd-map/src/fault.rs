@@ -213,6 +213,10 @@ pub enum Kind {
     DuplicateKey,
     /// A field is written twice; the later value counts.
     DuplicateField,
+    /// A collection has two lists of features; both are read.
+    DuplicateList,
+    /// The editor of the file has marked the feature as deleted; it is left out.
+    Deleted,
     /// The reference system stands behind features and is not that of those; it is ignored.
     LateCrs {
         /// Its name in the file.

@@ -130,9 +130,7 @@ impl FlatGeobuf {
     fn sized(&mut self, most: usize) -> Result<Option<Vec<u8>>, Kind> {
         let mut length = vec![];
         let taken = (&mut self.input).take(4).read_to_end(&mut length);
-        taken.map_err(|error| Kind::Unreadable {
-            why: error.to_string().into(),
-        })?;
+        taken.map_err(|error| unreadable(&self.file, &error).kind)?;
         let what = "the file ends in the middle";
         let length = match length.first_chunk::<4>() {
             Some(length) => u32::from_le_bytes(*length) as usize,

@@ -7,7 +7,7 @@ mod scan;
 
 use super::fault::{Fault, Kind};
 use super::feature::{Feature, Layer, Place};
-use super::input::Input;
+use super::input::{Input, unreadable};
 use super::{Crs, Options, Reader};
 use decode::{Decoded, Flaw};
 use scan::{Bad, Scanner};
@@ -110,9 +110,7 @@ impl GeoJson {
             Bad::Unexpected => Kind::Damaged {
                 what: "this is no GeoJSON",
             },
-            Bad::Io(error) => Kind::Unreadable {
-                why: error.to_string().into(),
-            },
+            Bad::Io(error) => unreadable(&self.file, &error).kind,
         };
         self.give_up(kind)
     }
@@ -241,7 +239,7 @@ impl GeoJson {
         self.broken < ENOUGH_BROKEN
     }
 
-    /// Reads what follows the list of features in the collection.
+    /// Reads what follows the list of features in the collection. A second such list is read too, and reported.
     fn in_rest(&mut self) -> Result<(), Bad> {
         match self.scanner.skip(b" \t\r\n,")? {
             Some(b'}') => {
@@ -252,7 +250,15 @@ impl GeoJson {
             Some(b'"') => {
                 let (mut key, mut value) = (vec![], vec![]);
                 self.scanner.value(&mut key, self.feature_bytes)?;
-                if self.scanner.skip(b" \t\r\n:")?.is_some() {
+                let opens = self.scanner.skip(b" \t\r\n:")?;
+                if key == b"\"features\"" && opens == Some(b'[') {
+                    let kind = Kind::DuplicateList;
+                    self.remarks.push(self.fault(self.scanner.at(), kind));
+                    self.scanner.drop_one()?;
+                    self.state = State::Features;
+                    return Ok(());
+                }
+                if opens.is_some() {
                     self.scanner.value(&mut value, self.feature_bytes)?;
                 }
                 if key == b"\"crs\"" {

@@ -123,6 +123,8 @@ pub fn diagnostic(fault: &Fault, cases: usize, origin: Origin) -> Diagnostic {
         Kind::OtherGrid { what } => say::other_grid(origin, at, *what),
         Kind::DuplicateKey => say::duplicate_key(origin, at),
         Kind::DuplicateField => say::duplicate_field(origin, at),
+        Kind::DuplicateList => say::duplicate_list(origin, at),
+        Kind::Deleted => say::deleted(origin, at),
         Kind::DuplicateColumn => say::duplicate_column(origin, at),
         Kind::NotANumber { text } => say::not_a_number(origin, at, text),
         Kind::ColumnType { of } => say::column_type(origin, at, *of),

@@ -109,7 +109,7 @@ struct Object {
     own: Shape,
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Copy, Deserialize, PartialEq)]
 #[serde(field_identifier, rename_all = "lowercase")]
 enum Member {
     Type,
@@ -120,6 +120,21 @@ enum Member {
     Geometries,
     #[serde(other)]
     Other,
+}
+
+impl Member {
+    /// Returns its name, if what it says counts.
+    fn name(self) -> Option<&'static str> {
+        Some(match self {
+            Member::Type => "type",
+            Member::Id => "id",
+            Member::Geometry => "geometry",
+            Member::Properties => "properties",
+            Member::Coordinates => "coordinates",
+            Member::Geometries => "geometries",
+            Member::Other => return None,
+        })
+    }
 }
 
 impl Object {
@@ -177,7 +192,15 @@ impl<'de> Visitor<'de> for ObjectSeed<'_> {
 
     fn visit_map<M: MapAccess<'de>>(mut self, mut map: M) -> Result<Object, M::Error> {
         let mut found = Object::default();
+        let mut seen = vec![];
         while let Some(member) = map.next_key::<Member>()? {
+            if seen.contains(&member) {
+                self.flaws.extend(member.name().map(|name| Flaw {
+                    field: name.into(),
+                    kind: Kind::DuplicateField,
+                }));
+            }
+            seen.push(member);
             match member {
                 Member::Type => found.of = map.next_value()?,
                 Member::Id => found.id = id(map.next_value()?),

@@ -36,6 +36,40 @@ pub fn duplicate_field(origin: Origin, at: Text) -> Diagnostic {
     .help(text!("remove one of them", "一方を削除してください"))
 }
 
+/// Two lists of features in one collection.
+#[cold]
+pub fn duplicate_list(origin: Origin, at: Text) -> Diagnostic {
+    Diagnostic::warning(
+        1010,
+        origin,
+        text!([at]
+            "{at}the collection has two lists `features`; both are read",
+            "{at}`features` の一覧が2つあります。両方を読みます"
+        ),
+    )
+    .help(text!(
+        "other programs read only the last of them; join them",
+        "ほかのソフトは後の一覧だけを読みます。一つにまとめてください"
+    ))
+}
+
+/// Things that were deleted in the editor.
+#[cold]
+pub fn deleted(origin: Origin, at: Text) -> Diagnostic {
+    Diagnostic::note(
+        1010,
+        origin,
+        text!([at]
+            "{at}it was deleted in JOSM and is left out",
+            "{at}JOSM で削除されているため、取り除きました"
+        ),
+    )
+    .help(text!(
+        "nothing needs to be done; JOSM keeps deleted things until they are uploaded",
+        "対応は不要です。JOSM はアップロードするまで削除したものを残します"
+    ))
+}
+
 /// Two columns of one name.
 #[cold]
 pub fn duplicate_column(origin: Origin, at: Text) -> Diagnostic {

@@ -16,6 +16,7 @@ struct Open {
     /// Nodes of a way, ways of a relation.
     refs: Vec<i64>,
     tags: Tags,
+    is_deleted: bool,
 }
 
 /// Reads a file.
@@ -52,7 +53,13 @@ pub(super) fn read(
             Token::End => {
                 if depth == 2 {
                     let fault = |kind| Fault::of_file(file, kind).at(at);
-                    let closed = close(std::mem::take(&mut open), data);
+                    let open = std::mem::take(&mut open);
+                    if open.is_deleted {
+                        remarks.push(fault(Kind::Deleted));
+                        depth -= 1;
+                        continue;
+                    }
+                    let closed = close(open, data);
                     if !closed.map_err(|exhausted| fault(exhausted.into()))? {
                         let what = "a node has no place".into();
                         remarks.push(fault(Kind::Malformed { what }));
@@ -79,6 +86,7 @@ fn thing(element: &Element) -> Open {
         name: element.name.clone(),
         id: reference(element, "id").unwrap_or_default(),
         place,
+        is_deleted: element.attribute("action") == Some("delete"),
         ..Open::default()
     }
 }
