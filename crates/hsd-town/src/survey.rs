@@ -27,6 +27,7 @@ use hsd_map::Kind as Wrong;
 use hsd_map::{Crs, Fault, Faults, Geometry, Options, Outside, Projection, Value};
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
+use std::sync::Arc;
 
 /// Different values of a field that are remembered.
 const MOST_VALUES: usize = 200;
@@ -282,10 +283,6 @@ fn survey_layer(
         found = read(world, path, &options)?;
     }
     let mut read = found;
-    let has_none = layer.is_none() && read.records == 0 && read.faults.iter().next().is_none();
-    if has_none {
-        return Err(Fault::of_file(&path.into(), Wrong::NoFeatures));
-    }
     // Sizes in degrees become square metres of the latitude of Japan, which is near enough to tell houses from blocks.
     let is_degrees = !is_metres && read.crs.as_ref().is_none_or(Crs::is_degrees);
     if is_degrees && let Some([_, high]) = read.bounds {
@@ -316,6 +313,18 @@ fn survey_layer(
         encoding: None,
         fields,
     })
+}
+
+impl Surveyed {
+    /// Returns what is wrong with a map that has no features, though nothing in it was lost: other layers would be wanted. One
+    /// of the sheets of a map may be empty.
+    pub fn no_features(&self) -> Option<Fault> {
+        let is_sound = |sheet: &Sheet| sheet.faults.iter().next().is_none();
+        let is_empty = self.kind != Kind::Heights && self.features == 0;
+        let file: Arc<str> = self.src.as_str().into();
+        (is_empty && self.files.iter().all(is_sound))
+            .then(|| Fault::of_file(&file, Wrong::NoFeatures))
+    }
 }
 
 impl Read {

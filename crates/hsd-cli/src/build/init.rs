@@ -8,10 +8,11 @@ use crate::files::terminal::counted;
 use crate::options::report;
 use crate::{Exit, Failure, Outcome};
 use clap::{ArgMatches, Args, Command, Error, FromArgMatches, Subcommand};
-use hsd_base::diagnostic::{Diagnostics, Language, Origin, Severity, Text, noun};
+use hsd_base::diagnostic::{Diagnostic, Diagnostics, Language, Origin, Severity, Text, noun};
 use hsd_base::source::World;
 use hsd_base::text;
 use hsd_driver::fs::FolderWorld;
+use hsd_map::Fault;
 use hsd_report::{Format, Report};
 use hsd_town::survey::{self, Plane, Surveyed};
 use rayon::prelude::*;
@@ -100,6 +101,14 @@ pub(crate) struct Init {
     force: bool,
 }
 
+/// Says that nothing is made of a map.
+fn unreadable(src: &str, fault: &Fault) -> Diagnostic {
+    let (layer, key) = (src.into(), "-".into());
+    let mut said = hsd_map::diagnostic(fault, 1, Origin::Feature { layer, key });
+    said.severity = Severity::Error;
+    said
+}
+
 impl Init {
     fn run(&self, language: Language) -> Outcome {
         if self.output.exists() && !self.force {
@@ -169,15 +178,20 @@ impl Init {
                 Ok(found) => layers.extend(found),
                 Err(fault) => {
                     unread += 1;
-                    let (layer, key) = (src.as_str().into(), "-".into());
-                    let mut said = hsd_map::diagnostic(&fault, 1, Origin::Feature { layer, key });
-                    said.severity = Severity::Error;
-                    out.push(said);
+                    out.push(unreadable(src, &fault));
                 }
             }
         }
         let names = |folder: &str| world.names(&from, folder).unwrap_or_default();
-        let layers = survey::joined(layers, &names);
+        let mut layers = survey::joined(layers, &names);
+        layers.retain(|layer| {
+            let Some(fault) = layer.no_features() else {
+                return true;
+            };
+            unread += 1;
+            out.push(unreadable(&layer.src, &fault));
+            false
+        });
         for file in layers.iter().flat_map(|layer| &layer.files) {
             file.faults.report(&file.src, None, out);
         }
