@@ -10,7 +10,7 @@ mod outlined;
 mod packed;
 mod raw;
 
-pub use files::{MapFile, NoFiles, files};
+pub use files::{MapFile, NoFiles, files, with_side_files};
 pub use ground::{Ground, GroundLayer, NoGround};
 pub use join::{Joined, NoJoin, Unjoined};
 pub use kept::KeptMaps;

@@ -101,6 +101,11 @@ impl Temporary {
         self.file.as_file_mut()
     }
 
+    /// Puts the contents on disk, so that a crash after the file gets its name leaves it complete.
+    pub(crate) fn sync(&mut self) -> io::Result<()> {
+        self.as_file_mut().sync_all()
+    }
+
     /// Gives the file its name unless there is one of that name; returns whether it got it.
     pub(crate) fn persist_new(self, target: &Path) -> io::Result<bool> {
         let named = match self.file.persist_noclobber(target) {
@@ -118,6 +123,14 @@ impl Temporary {
         drop(self.guarded);
         Ok(())
     }
+}
+
+/// Puts the names of the files in a folder on disk. Where a system cannot, it does so later: the files are complete.
+pub(crate) fn sync_folder(folder: &Path) {
+    #[cfg(unix)]
+    let _ = File::open(folder).and_then(|folder| folder.sync_all());
+    #[cfg(not(unix))]
+    let _ = folder;
 }
 
 /// Removes the temporary files that crashed programs have left in a folder, once for each folder.

@@ -2,7 +2,7 @@
 
 use super::said;
 use crate::Failure;
-use crate::files::output;
+use crate::files::output::Committer;
 use crate::files::terminal::counted;
 use hsd_base::diagnostic::{Diagnostics, Text, noun};
 use hsd_base::source::{FileId, Source, Span};
@@ -30,6 +30,8 @@ pub(crate) struct Made<'m> {
     pub(crate) given: &'m Given,
     /// The name of whole fronts that are also written.
     pub(crate) fronts: Option<&'m str>,
+    /// The committer, which knows the photographs.
+    pub(crate) committer: &'m Committer,
 }
 
 impl Made<'_> {
@@ -53,7 +55,7 @@ impl Made<'_> {
         let street = self.output.join(street(&name.to_string_lossy()));
         files.push((street, front::street::write(self.front).into_bytes()));
         files.push((path.clone(), text.into_bytes()));
-        output::write_all(files)?;
+        self.committer.write_all(files)?;
         let world = FolderWorld::new(vec![self.output.to_owned()], PIXELS);
         hsd_driver::check(&[&source], &world, &hsd_driver::Options::default(), out);
         sources.push(source);

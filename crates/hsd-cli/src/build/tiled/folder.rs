@@ -1,6 +1,8 @@
 //! A folder that keeps the files of tiles, each whole or not at all.
 
-use crate::files::temporary::Temporary;
+use crate::files::output::Committer;
+use crate::files::reason;
+use crate::files::temporary::{Temporary, sync_folder};
 use hsd_export::pieces::Pieces;
 use hsd_export::tileset::TreeFiles;
 use hsd_town::tiles::TileStore;
@@ -17,33 +19,62 @@ const OF_TOWN: &[&str] = &["tiles", "textures"];
 pub(in crate::build) struct Folder {
     path: PathBuf,
     own: &'static [&'static str],
+    /// The committer, which knows the inputs: none of them is replaced or removed.
+    pub(super) committer: Committer,
 }
 
 impl Folder {
     /// Makes the folder of a town.
-    pub(in crate::build) fn of_town(path: &Path) -> io::Result<Folder> {
-        Folder::made(path, OF_TOWN)
+    pub(in crate::build) fn of_town(path: &Path, committer: &Committer) -> io::Result<Folder> {
+        Folder::made(path, OF_TOWN, committer)
     }
 
     /// Makes the folder of a town that is made in steps.
-    pub(in crate::build) fn of_work(path: &Path) -> io::Result<Folder> {
-        Folder::made(path, &work::FOLDERS)
+    pub(in crate::build) fn of_work(path: &Path, committer: &Committer) -> io::Result<Folder> {
+        Folder::made(path, &work::FOLDERS, committer)
     }
 
     /// Returns the folder of planned work, which is there.
-    pub(in crate::build) fn of_planned(path: &Path) -> Folder {
+    pub(in crate::build) fn of_planned(path: &Path, committer: &Committer) -> Folder {
         Folder {
             path: path.to_owned(),
             own: &work::FOLDERS,
+            committer: committer.clone(),
         }
     }
 
-    fn made(path: &Path, own: &'static [&'static str]) -> io::Result<Folder> {
+    fn made(
+        path: &Path,
+        own: &'static [&'static str],
+        committer: &Committer,
+    ) -> io::Result<Folder> {
         for folder in own {
             fs::create_dir_all(path.join(folder))?;
         }
-        let path = path.to_owned();
-        Ok(Folder { path, own })
+        Ok(Folder {
+            path: path.to_owned(),
+            own,
+            committer: committer.clone(),
+        })
+    }
+
+    /// Puts the names of all its files on disk.
+    pub(in crate::build) fn sync(&self) {
+        for folder in self.own {
+            sync_folder(&self.path.join(folder));
+        }
+        sync_folder(&self.path);
+    }
+
+    /// Removes a file, which another process may have removed. An input is kept.
+    fn remove(&self, path: &Path) -> io::Result<()> {
+        if self.committer.inputs.find(path).is_some() {
+            return Ok(());
+        }
+        match fs::remove_file(path) {
+            Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
+            _ => Ok(()),
+        }
     }
 
     /// Removes the files that are none of `own` or `branches`: of other inputs, or left by a run that was killed.
@@ -56,7 +87,7 @@ impl Folder {
             let entry = entry?;
             let name = entry.file_name().to_string_lossy().into_owned();
             if TreeFiles::is_branch(&name) && !branches.contains(&name) {
-                gone(&entry.path())?;
+                self.remove(&entry.path())?;
             }
         }
         self.own
@@ -74,7 +105,7 @@ impl Folder {
             let entry = entry?;
             let name = format!("{folder}/{}", entry.file_name().to_string_lossy());
             if !own.contains(&name) && entry.file_type()?.is_file() {
-                gone(&entry.path())?;
+                self.remove(&entry.path())?;
             }
         }
         Ok(())
@@ -91,14 +122,6 @@ impl Folder {
             // It is there already, which `commit` looks at, or lies on another disk.
             Err(_) => self.commit(name, &fs::read(&source)?.into()),
         }
-    }
-}
-
-/// Removes a file, which another process may have removed.
-fn gone(path: &Path) -> io::Result<()> {
-    match fs::remove_file(path) {
-        Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
-        _ => Ok(()),
     }
 }
 
@@ -131,14 +154,17 @@ impl TileStore for Folder {
         let folder = target.parent().unwrap_or(&self.path);
         let mut file = Temporary::new_in(folder)?;
         bytes.write(file.as_file_mut())?;
-        file.as_file_mut().sync_all()?;
+        file.sync()?;
         if file.persist_new(&target)? || bytes.are(&fs::read(&target)?) {
             return Ok(());
+        }
+        if let Some(why) = self.committer.refusal(&target) {
+            return Err(reason::error(ErrorKind::Other, why));
         }
         // An image that has changed since.
         let mut file = Temporary::new_in(folder)?;
         bytes.write(file.as_file_mut())?;
-        file.as_file_mut().sync_all()?;
+        file.sync()?;
         file.persist(&target)
     }
 }
