@@ -193,13 +193,13 @@ impl Render {
     pub(super) fn run(&self, language: Language) -> Outcome {
         self.read_args.check_folders()?;
         let target = self.target()?;
-        let committer = self.committer(&target)?;
+        let cameras = self.camera.as_deref().map(cameras::read).transpose()?;
+        let committer = self.committer(&target, cameras.as_deref())?;
         check_page()?;
         let browser = Browser::find()?;
         if let Target::Folder(folder, _) = target {
             std::fs::create_dir_all(folder).map_err(|e| Failure::at(folder.display(), e))?;
         }
-        let cameras = self.camera.as_deref().map(cameras::read).transpose()?;
         let count = cameras.as_ref().map_or(self.count(), Vec::len);
         let mut spoiled = false;
         let mut progress = Progress::new(self.inputs.len() * count);
@@ -232,13 +232,23 @@ impl Render {
         Ok(exit(spoiled))
     }
 
-    /// Returns the committer of a run. Fails if the image is a file that the command line names as an input.
-    fn committer(&self, target: &Target<'_>) -> Result<Committer, Failure> {
+    /// Returns the committer of a run. Fails if an image is a file that the command line names as an input.
+    fn committer(
+        &self,
+        target: &Target<'_>,
+        cameras: Option<&[Shot]>,
+    ) -> Result<Committer, Failure> {
         let named = self.inputs.iter().chain(&self.read_args.catalogs);
         let committer = Committer::reading(named.chain(&self.camera));
         if let Target::File(path, _) = target {
             committer.check([path])?;
         }
+        let mut paths = vec![];
+        for input in &self.inputs {
+            let shots = cameras.unwrap_or_default().iter();
+            paths.extend(shots.map(|shot| target.path(input, &shot.name)));
+        }
+        committer.check(paths)?;
         Ok(committer)
     }
 
@@ -468,7 +478,7 @@ impl Render {
                     let Some(shot) = run.shots.iter().find(|s| s.id == view) else {
                         continue;
                     };
-                    // A page that is loaded again sends its pictures again.
+                    // A page that is loaded again sends its images again.
                     if !received.insert(view) {
                         continue;
                     }

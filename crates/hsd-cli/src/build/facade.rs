@@ -93,6 +93,7 @@ impl Facade {
         let mut sources = vec![];
         let mut told = None;
         let committer = Committer::reading(self.photos.iter().chain(&self.masks));
+        committer.check(made::outputs_in(&self.output))?;
         if let Some(photos) = self.open(&mut sources, &mut out)? {
             let given = self.given();
             match front::read(&photos, &given) {

@@ -166,12 +166,12 @@ impl Plan {
         house.into_iter().chain(sheets.flatten()).collect()
     }
 
-    /// Returns the path of the picture of a storey for `hsd view`, counted from 1.
+    /// Returns the path of the image of a storey for `hsd view`, counted from 1.
     fn sheet_path(&self, storey: usize) -> PathBuf {
         self.beside(&format!("sheet-{storey}.jpg"))
     }
 
-    /// Returns the path of the picture of a storey with its doubts, counted from 1.
+    /// Returns the path of the image of a storey with its doubts, counted from 1.
     fn review_path(&self, storey: usize) -> PathBuf {
         match self.inputs.len() {
             1 => self.beside("review.png"),

@@ -230,9 +230,11 @@ impl Town {
 
     /// Returns the outputs whose names are known before anything is built.
     fn outputs(&self) -> Vec<PathBuf> {
+        let is_new_folder =
+            !self.output.is_dir() && (self.is_folder() || self.output.extension().is_none());
         let main = match () {
-            // A new folder has no inputs in it.
-            () if self.is_folder() && !self.output.is_dir() => return vec![],
+            // There are no inputs in it.
+            () if is_new_folder => return vec![],
             () if self.is_folder() => Some(self.output.join(TILESET)),
             () if self.is_obj() => None,
             () => Some(self.output.clone()),

@@ -73,6 +73,8 @@ impl Committer {
     pub(crate) fn editing(&self, input: &Path) -> Committer {
         Committer {
             edited: Some(location(input)),
+            // Several names may be links to one input.
+            written: Arc::default(),
             ..self.clone()
         }
     }
@@ -311,4 +313,59 @@ fn prepare(target: &Path, content: Content<'_>) -> io::Result<(u64, Option<(Temp
     }
     file.sync()?;
     Ok((length, Some((file, target))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn folder() -> tempfile::TempDir {
+        tempfile::tempdir().expect("can be made")
+    }
+
+    fn written(path: &Path, text: &str) -> PathBuf {
+        fs::write(path, text).expect("can be written");
+        path.to_owned()
+    }
+
+    #[test]
+    fn an_input_that_was_read_meanwhile_stops_a_draft() {
+        let folder = folder();
+        let target = written(&folder.path().join("a"), "input");
+        let committer = Committer::default();
+        let mut draft = committer.draft(&target).expect("is no input yet");
+        draft.as_file_mut().write_all(b"output").expect("is open");
+        committer.add_inputs([&target]);
+        assert!(draft.finish().is_err());
+        assert_eq!(fs::read(&target).expect("is there"), b"input");
+        let files = fs::read_dir(folder.path()).expect("is there").count();
+        assert_eq!(files, 1, "the temporary file is removed");
+    }
+
+    #[test]
+    fn a_missing_input_keeps_its_path_but_not_its_number() {
+        let folder = folder();
+        let (a, b) = (folder.path().join("a"), folder.path().join("b"));
+        let committer = Committer::reading([&written(&a, "input")]);
+        fs::remove_file(&a).expect("is there");
+        // The system may give the number of the first file to the second.
+        written(&b, "other");
+        assert!(committer.refusal(&b).is_none());
+        assert!(committer.refusal(&folder.path().join("./a")).is_some());
+    }
+
+    #[test]
+    fn a_path_is_written_once_and_an_edited_input_again() {
+        let folder = folder();
+        let own = written(&folder.path().join("a"), "input");
+        let committer = Committer::reading([&own]);
+        let write = |committer: &Committer, name: &str| {
+            committer.write_all(vec![(folder.path().join(name), b"output".to_vec())])
+        };
+        assert!(write(&committer, "a").is_err());
+        assert!(write(&committer.editing(&own), "a").is_ok());
+        assert!(write(&committer.editing(&own), "a").is_ok());
+        assert!(write(&committer, "b").is_ok());
+        assert!(write(&committer, "b").is_err());
+    }
 }
