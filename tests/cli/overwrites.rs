@@ -1,6 +1,8 @@
 //! Inputs that an output of the same run would replace: every command refuses, names the file and leaves it unchanged.
 
 use super::*;
+#[cfg(unix)]
+use crate::heights::files::{AT, TIFF, cells, tiff};
 use crate::support::root;
 use std::collections::BTreeMap;
 
@@ -291,25 +293,68 @@ fn an_input_through_a_linked_folder_is_recognised() {
     );
 }
 
+#[cfg(unix)]
 #[test]
 fn the_grid_of_the_ground_is_an_input() {
     let folder = tempfile::tempdir().unwrap();
-    for name in [
-        "hill.hsd",
-        "hill.asc",
-        "hill-houses.geojson",
-        "hill-roads.geojson",
-    ] {
-        let from = root().join("examples/towns").join(name);
-        fs::copy(from, folder.path().join(name)).unwrap();
+    let write = |name: &str, bytes: &[u8]| fs::write(folder.path().join(name), bytes).unwrap();
+    write("ground.tif", &tiff(TIFF, &cells().collect::<Vec<f64>>()));
+    let corner = |x: f64, y: f64| format!("[{},{}]", AT.x + 100.0 + x, AT.y + 100.0 + y);
+    let corners = [
+        (0.0, 0.0),
+        (12.0, 0.0),
+        (12.0, 10.0),
+        (0.0, 10.0),
+        (0.0, 0.0),
+    ];
+    let ring = corners.map(|(x, y)| corner(x, y)).join(",");
+    let start = LOT.find("[[[").unwrap();
+    let lot = format!("{}[[{ring}]]}}}}]}}", &LOT[..start]);
+    write("lot.geojson", lot.as_bytes());
+    let town = "<Town name='t'><Layer name='a' src='lot.geojson' crs='EPSG:6674'/>\
+        <Layer name='ground' src='ground.tif'/>\
+        <for each='a'><Place type='hiraya' on='outline'/></for></Town>";
+    write("t.hsd", town.as_bytes());
+    let built = hsd(folder.path(), &["town", "t.hsd", "-o", "t.glb"]);
+    assert_eq!(code(&built), 0, "{}", stderr(&built));
+    for link in ["report.json", "out.glb", "out.decisions.csv"] {
+        fs::hard_link(folder.path().join("ground.tif"), folder.path().join(link)).unwrap();
+        let out = if link == "report.json" {
+            "."
+        } else {
+            "out.glb"
+        };
+        assert_refused(folder.path(), link, &format!("town t.hsd -o {out}"));
+        fs::remove_file(folder.path().join(link)).unwrap();
     }
-    fs::hard_link(
-        folder.path().join("hill.asc"),
-        folder.path().join("report.json"),
-    )
-    .unwrap();
-    if cfg!(unix) {
-        assert_refused(folder.path(), "report.json", "town hill.hsd -o .");
+}
+
+/// A town in tiles has its images in the folder in which those of parts are looked for.
+#[test]
+fn images_of_parts_are_not_replaced_by_those_of_tiles() {
+    let folder = tempfile::tempdir().unwrap();
+    let textures = folder.path().join("textures");
+    fs::create_dir(&textures).unwrap();
+    // Not a power of two, so tiles have another image.
+    image::RgbImage::new(97, 61)
+        .save(textures.join("sign.png"))
+        .unwrap();
+    let house = "<House><Storey><Row>KSK  sign </Row><Row>KSK  KSK</Row><Row>KSK  KSK</Row>\
+        <Row>KSK  KSK</Row></Storey></House>";
+    let town = format!(
+        "<Town name='t'><Layer name='a' src='lot.csv' crs='local'/><for each='a'>{house}</for></Town>"
+    );
+    fs::write(folder.path().join("t.hsd"), town).unwrap();
+    fs::write(folder.path().join("lot.csv"), "x,y\n1,2\n").unwrap();
+    let before = tree(folder.path());
+    let output = hsd(folder.path(), &["town", "t.hsd", "-o", "."]);
+    let after = tree(folder.path());
+    for (name, bytes) in &before {
+        assert!(
+            after.get(name) == Some(bytes),
+            "{name}: {}",
+            stderr(&output)
+        );
     }
 }
 
@@ -341,25 +386,17 @@ fn two_outputs_with_one_path_are_refused() {
     assert_eq!(code(&listed), 0, "{}", stderr(&listed));
     let one = names(&folder.path().join("m"));
     let one = one.iter().find(|name| name.ends_with(".jpg")).unwrap();
-    let sheet = format!("m/{one}");
-    let plan = root().join("examples/plans/survey.png");
-    fs::copy(plan, folder.path().join("survey.png")).unwrap();
-    for line in [
-        &["textures", "-o", "m", "--sheet", &*sheet][..],
-        &[
-            "plan",
-            "survey.png",
-            "-o",
-            "2-ink.png",
-            "--steps",
-            ".",
-            "--force",
-        ],
-    ] {
-        let output = hsd(folder.path(), line);
+    let camera = r#"{"name":"a","from":[0,-9,2],"to":[0,0,2]}"#;
+    let cameras = format!("[{camera},{camera}]");
+    fs::write(folder.path().join("cameras.json"), cameras).unwrap();
+    let render = "render sound.hsd --camera cameras.json -o x";
+    let textures = format!("textures -o m --sheet m/{one}");
+    for line in [&*textures, render] {
+        let arguments: Vec<&str> = line.split(' ').collect();
+        let output = hsd(folder.path(), &arguments);
         let said = stderr(&output);
-        assert_ne!(code(&output), 0, "{line:?}: {said}");
-        assert!(said.contains("would be written twice"), "{line:?}: {said}");
+        assert_ne!(code(&output), 0, "{line}: {said}");
+        assert!(said.contains("would be written twice"), "{line}: {said}");
     }
 }
 

@@ -6,7 +6,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 use std::time::Duration;
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempPath};
 
 /// The beginning of the names of temporary files.
 const PREFIX: &str = ".hsd-";
@@ -101,14 +101,26 @@ impl Temporary {
         self.file.as_file_mut()
     }
 
-    /// Puts the contents on disk, so that a crash after the file gets its name leaves it complete.
-    pub(crate) fn sync(&mut self) -> io::Result<()> {
-        self.as_file_mut().sync_all()
+    /// Puts the contents on disk and closes the file. Only then can it get its name, so that no crash leaves half a file there.
+    pub(crate) fn complete(self) -> io::Result<CompleteFile> {
+        self.file.as_file().sync_all()?;
+        Ok(CompleteFile {
+            path: self.file.into_temp_path(),
+            guarded: self.guarded,
+        })
     }
+}
 
+/// A file whose contents are on disk, under a temporary name.
+pub(crate) struct CompleteFile {
+    path: TempPath,
+    guarded: Guarded,
+}
+
+impl CompleteFile {
     /// Gives the file its name unless there is one of that name; returns whether it got it.
     pub(crate) fn persist_new(self, target: &Path) -> io::Result<bool> {
-        let named = match self.file.persist_noclobber(target) {
+        let named = match self.path.persist_noclobber(target) {
             Ok(_) => true,
             Err(failed) if failed.error.kind() == io::ErrorKind::AlreadyExists => false,
             Err(failed) => return Err(failed.error),
@@ -119,7 +131,7 @@ impl Temporary {
 
     /// Gives the file its name; one that exists is replaced.
     pub(crate) fn persist(self, target: &Path) -> io::Result<()> {
-        self.file.persist(target).map_err(|e| e.error)?;
+        self.path.persist(target).map_err(|e| e.error)?;
         drop(self.guarded);
         Ok(())
     }

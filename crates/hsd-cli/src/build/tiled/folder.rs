@@ -1,8 +1,7 @@
 //! A folder that keeps the files of tiles, each whole or not at all.
 
 use crate::files::output::Committer;
-use crate::files::reason;
-use crate::files::temporary::{Temporary, sync_folder};
+use crate::files::temporary::sync_folder;
 use hsd_export::pieces::Pieces;
 use hsd_export::tileset::TreeFiles;
 use hsd_town::tiles::TileStore;
@@ -150,21 +149,6 @@ impl TileStore for Folder {
     }
 
     fn commit(&self, name: &str, bytes: &Pieces) -> io::Result<()> {
-        let target = self.path.join(name);
-        let folder = target.parent().unwrap_or(&self.path);
-        let mut file = Temporary::new_in(folder)?;
-        bytes.write(file.as_file_mut())?;
-        file.sync()?;
-        if file.persist_new(&target)? || bytes.are(&fs::read(&target)?) {
-            return Ok(());
-        }
-        if let Some(why) = self.committer.refusal(&target) {
-            return Err(reason::error(ErrorKind::Other, why));
-        }
-        // An image that has changed since.
-        let mut file = Temporary::new_in(folder)?;
-        bytes.write(file.as_file_mut())?;
-        file.sync()?;
-        file.persist(&target)
+        self.committer.write_shared(&self.path.join(name), bytes)
     }
 }

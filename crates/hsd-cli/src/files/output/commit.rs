@@ -4,10 +4,11 @@ use super::{Content, Files, Pour, folder_of};
 use crate::Failure;
 use crate::files::input::STDIN;
 use crate::files::reason;
-use crate::files::temporary::{Temporary, sync_folder};
+use crate::files::temporary::{CompleteFile, Temporary, sync_folder};
 use hsd_base::diagnostic::Text;
 use hsd_base::text;
 use hsd_driver::fs::{InputRecord, location};
+use hsd_export::pieces::Pieces;
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, Write};
@@ -131,18 +132,10 @@ impl Committer {
             }
             let place = compared(location(target));
             if self.written().contains(&place) || !own.insert(place) {
-                return Err(self.twice(target));
+                return Err(written_twice(target));
             }
         }
         Ok(own)
-    }
-
-    fn twice(&self, target: &Path) -> Failure {
-        let (shown, option) = (plain(target).display(), self.option);
-        Failure::Usage(text!([shown, option]
-            "{shown} would be written twice by this run; choose another output with {option}",
-            "{shown} が二度書かれることになります。{option} で別の出力先を指定してください"
-        ))
     }
 
     fn written(&self) -> MutexGuard<'_, BTreeSet<PathBuf>> {
@@ -200,6 +193,26 @@ impl Committer {
         Ok(length)
     }
 
+    /// Writes a file that other processes may write too: one with the same bytes stays. Its folder is not synced.
+    ///
+    /// # Errors
+    /// If it cannot be written, or would replace an input with other bytes.
+    pub(crate) fn write_shared(&self, target: &Path, bytes: &Pieces) -> io::Result<()> {
+        let complete = || {
+            let mut file = Temporary::new_in(folder_of(target))?;
+            bytes.write(file.as_file_mut())?;
+            file.complete()
+        };
+        if complete()?.persist_new(target)? || bytes.are(&fs::read(target)?) {
+            return Ok(());
+        }
+        if let Some(why) = self.refusal(target) {
+            return Err(reason::error(io::ErrorKind::Other, why));
+        }
+        // An image that has changed since.
+        complete()?.persist(target)
+    }
+
     /// Starts a file that is written piece by piece.
     pub(crate) fn draft(&self, target: &Path) -> Result<Draft, Failure> {
         self.check([target])?;
@@ -228,13 +241,22 @@ impl Draft {
     /// Renames the file, which is complete. Checks again, since the run may have read more files.
     pub(crate) fn finish(self) -> Result<(), Failure> {
         let places = self.committer.locations([&self.target])?;
-        let (mut file, target) = (self.file, self.target);
-        let renamed = file.sync().and_then(|()| file.persist(&target));
+        let (file, target) = (self.file, self.target);
+        let renamed = file.complete().and_then(|file| file.persist(&target));
         renamed.map_err(|e| Failure::at(target.display(), e))?;
         sync_folder(folder_of(&target));
         self.committer.written().extend(places);
         Ok(())
     }
+}
+
+/// Returns the failure of a run that would write a file twice.
+fn written_twice(target: &Path) -> Failure {
+    let shown = plain(target).display();
+    Failure::Usage(text!([shown]
+        "{shown} would be written twice by this run; give its outputs different names",
+        "{shown} が二度書かれることになります。出力ごとに別の名前を指定してください"
+    ))
 }
 
 /// Returns a path as people write it.
@@ -275,7 +297,10 @@ fn temporary_in(folder: &Path) -> io::Result<Temporary> {
 
 /// Writes a temporary file in the folder of the target; returns the number of bytes, the file and the target with
 /// links resolved. Devices and pipes are written directly.
-fn prepare(target: &Path, content: Content<'_>) -> io::Result<(u64, Option<(Temporary, PathBuf)>)> {
+fn prepare(
+    target: &Path,
+    content: Content<'_>,
+) -> io::Result<(u64, Option<(CompleteFile, PathBuf)>)> {
     let mut rights = None;
     let target = match fs::metadata(target) {
         Ok(known) if known.is_dir() => {
@@ -311,8 +336,7 @@ fn prepare(target: &Path, content: Content<'_>) -> io::Result<(u64, Option<(Temp
     if let Some(rights) = rights {
         file.as_file_mut().set_permissions(rights)?;
     }
-    file.sync()?;
-    Ok((length, Some((file, target))))
+    Ok((length, Some((file.complete()?, target))))
 }
 
 #[cfg(test)]
