@@ -339,6 +339,7 @@ fn images_of_parts_are_not_replaced_by_those_of_tiles() {
     image::RgbImage::new(97, 61)
         .save(textures.join("sign.png"))
         .unwrap();
+    fs::write(textures.join("other.png"), "of another house").unwrap();
     let house = "<House><Storey><Row>KSK  sign </Row><Row>KSK  KSK</Row><Row>KSK  KSK</Row>\
         <Row>KSK  KSK</Row></Storey></House>";
     let town = format!(

@@ -145,17 +145,20 @@ pub(crate) fn sync_folder(folder: &Path) {
     let _ = folder;
 }
 
+/// Returns whether a file of this name is a temporary one.
+pub(crate) fn is_temporary(name: &str) -> bool {
+    name.strip_prefix(PREFIX).is_some_and(|rest| {
+        rest.len() == LETTERS && rest.bytes().all(|b| b.is_ascii_alphanumeric())
+    })
+}
+
 /// Removes the temporary files that crashed programs have left in a folder, once for each folder.
 fn sweep(folder: &Path) {
     if !lock(&SWEPT).insert(folder.to_owned()) {
         return;
     }
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-        let name = entry.file_name();
-        let letters = name.to_str().and_then(|name| name.strip_prefix(PREFIX));
-        let ours = letters.is_some_and(|rest| {
-            rest.len() == LETTERS && rest.bytes().all(|b| b.is_ascii_alphanumeric())
-        });
+        let ours = entry.file_name().to_str().is_some_and(is_temporary);
         let old = || {
             entry
                 .metadata()

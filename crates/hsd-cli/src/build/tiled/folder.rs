@@ -1,9 +1,11 @@
 //! A folder that keeps the files of tiles, each whole or not at all.
 
 use crate::files::output::Committer;
-use crate::files::temporary::sync_folder;
+use crate::files::temporary::{is_temporary, sync_folder};
 use hsd_export::pieces::Pieces;
 use hsd_export::tileset::TreeFiles;
+use hsd_scene::texture;
+use hsd_scene::texture::palette::COLOURS;
 use hsd_town::tiles::TileStore;
 use hsd_town::tiles::work;
 use std::collections::BTreeSet;
@@ -11,8 +13,11 @@ use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// The folders in which a town's own files stand; what else is in them is swept away.
+/// The folders of the files of a town. Those of earlier runs are removed from them.
 const OF_TOWN: &[&str] = &["tiles", "textures"];
+
+/// The number of digits of a hash in the names of files.
+const HASH: usize = 16;
 
 /// A folder that takes the files of tiles.
 pub(in crate::build) struct Folder {
@@ -102,8 +107,10 @@ impl Folder {
     ) -> io::Result<()> {
         for entry in fs::read_dir(self.path.join(folder))? {
             let entry = entry?;
-            let name = format!("{folder}/{}", entry.file_name().to_string_lossy());
-            if !own.contains(&name) && entry.file_type()?.is_file() {
+            let file = entry.file_name();
+            let file = file.to_string_lossy();
+            let is_stale = is_generated(&file) && !own.contains(&format!("{folder}/{file}"));
+            if is_stale && entry.file_type()?.is_file() {
                 self.remove(&entry.path())?;
             }
         }
@@ -122,6 +129,19 @@ impl Folder {
             Err(_) => self.commit(name, &fs::read(&source)?.into()),
         }
     }
+}
+
+/// Returns whether a town may have written a file of this name. Others are of the user, who may keep images for parts in a
+/// folder of the same name.
+fn is_generated(name: &str) -> bool {
+    let stem = |name: &str| name.split('.').next().unwrap_or_default().to_owned();
+    let own = stem(name);
+    let is_hash = |word: &str| word.len() == HASH && word.bytes().all(|b| b.is_ascii_hexdigit());
+    let mut textures = texture::FILES.iter().map(|(file, _)| stem(file));
+    is_temporary(name)
+        || own.split('-').any(is_hash)
+        || own == COLOURS
+        || textures.any(|texture| texture == own)
 }
 
 /// Returns true if two paths are known to be of one file.
