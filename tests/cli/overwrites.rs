@@ -392,7 +392,8 @@ fn two_outputs_with_one_path_are_refused() {
     fs::write(folder.path().join("cameras.json"), cameras).unwrap();
     let render = "render sound.hsd --camera cameras.json -o x";
     let textures = format!("textures -o m --sheet m/{one}");
-    for line in [&*textures, render] {
+    let sheet = "build sound.hsd --variants 2 -o v.gltf --sheet v_textures/stone_color.jpg";
+    for line in [&*textures, render, sheet] {
         let arguments: Vec<&str> = line.split(' ').collect();
         let output = hsd(folder.path(), &arguments);
         let said = stderr(&output);

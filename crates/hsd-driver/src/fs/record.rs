@@ -55,19 +55,16 @@ impl InputRecord {
     }
 }
 
-/// Returns the canonical path of a file. Only the folder of a missing file is resolved.
+/// Returns the canonical path of a file; of a missing one, as far as its folders exist.
 pub fn location(path: &Path) -> PathBuf {
     if let Ok(real) = path.canonicalize() {
         return real;
     }
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
+    let (Some(folder), Some(name)) = (path.parent(), path.file_name()) else {
+        return path.to_owned();
     };
-    match (folder.canonicalize(), path.file_name()) {
-        (Ok(folder), Some(name)) => folder.join(name),
-        _ => path.to_owned(),
-    }
+    let is_here = folder.as_os_str().is_empty();
+    location(if is_here { Path::new(".") } else { folder }).join(name)
 }
 
 fn number_at(path: &Path) -> Option<FileNumber> {
