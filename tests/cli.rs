@@ -9,6 +9,7 @@ mod folders;
 mod languages;
 mod leftovers;
 mod messages;
+mod overwrites;
 mod plan;
 mod printing;
 mod render;

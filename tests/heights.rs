@@ -1,6 +1,6 @@
 //! Grids of heights: every format gives back the surface that its file was made from; damage and absurd sizes are told.
 
-mod files;
+pub(crate) mod files;
 
 use crate::support::Numbers;
 use files::*;

@@ -3,27 +3,27 @@
 use hsd::glam::{DVec2, dvec2};
 
 /// Where the plane grids begin: near Kyoto, in zone 6 of Japan.
-pub(super) const AT: DVec2 = dvec2(-22_000.0, -108_000.0);
-pub(super) const SIDE: f64 = 10.0;
-pub(super) const COLUMNS: usize = 30;
-pub(super) const ROWS: usize = 20;
+pub(crate) const AT: DVec2 = dvec2(-22_000.0, -108_000.0);
+pub(crate) const SIDE: f64 = 10.0;
+pub(crate) const COLUMNS: usize = 30;
+pub(crate) const ROWS: usize = 20;
 
 /// The surface of the plane grids, which bilinear steps give back exactly.
-pub(super) fn slope(p: DVec2) -> f64 {
+pub(crate) fn slope(p: DVec2) -> f64 {
     let p = p - AT;
     40.0 + 0.05 * p.x - 0.03 * p.y + 0.0004 * p.x * p.y
 }
 
 /// The middle of a cell, its row counted from the north.
-pub(super) fn middle(column: usize, row: usize) -> DVec2 {
+pub(crate) fn middle(column: usize, row: usize) -> DVec2 {
     AT + dvec2(column as f64 + 0.5, (ROWS - 1 - row) as f64 + 0.5) * SIDE
 }
 
-pub(super) fn cells() -> impl Iterator<Item = f64> {
+pub(crate) fn cells() -> impl Iterator<Item = f64> {
     (0..ROWS).flat_map(|row| (0..COLUMNS).map(move |column| slope(middle(column, row))))
 }
 
-pub(super) fn ascii() -> Vec<u8> {
+pub(crate) fn ascii() -> Vec<u8> {
     let mut text = format!(
         "NCOLS {COLUMNS}\nNROWS {ROWS}\nXLLCORNER {}\nYLLCORNER {}\nCELLSIZE {SIDE}\nNODATA_VALUE -1\n",
         AT.x, AT.y
@@ -37,19 +37,19 @@ pub(super) fn ascii() -> Vec<u8> {
 
 /// How a GeoTIFF is written.
 #[derive(Clone, Copy)]
-pub(super) struct Tiff {
-    pub(super) big_endian: bool,
-    pub(super) bits: u16,
+pub(crate) struct Tiff {
+    pub(crate) big_endian: bool,
+    pub(crate) bits: u16,
     /// 1 unsigned, 2 signed, 3 floating.
-    pub(super) format: u16,
-    pub(super) bands: u16,
-    pub(super) of_points: bool,
-    pub(super) vertical: u16,
-    pub(super) code: u16,
-    pub(super) turn: f64,
+    pub(crate) format: u16,
+    pub(crate) bands: u16,
+    pub(crate) of_points: bool,
+    pub(crate) vertical: u16,
+    pub(crate) code: u16,
+    pub(crate) turn: f64,
 }
 
-pub(super) const TIFF: Tiff = Tiff {
+pub(crate) const TIFF: Tiff = Tiff {
     big_endian: false,
     bits: 32,
     format: 3,
@@ -61,7 +61,7 @@ pub(super) const TIFF: Tiff = Tiff {
 };
 
 /// Writes a GeoTIFF in strips of seven rows.
-pub(super) fn tiff(how: Tiff, values: &[f64]) -> Vec<u8> {
+pub(crate) fn tiff(how: Tiff, values: &[f64]) -> Vec<u8> {
     const STRIP: usize = 7;
     let in_order = |mut bytes: Vec<u8>| {
         if how.big_endian {
@@ -192,7 +192,7 @@ pub(super) fn tiff(how: Tiff, values: &[f64]) -> Vec<u8> {
 }
 
 /// A grid of GSI's: 9 columns and 6 rows over a hundredth of a degree, with the cells from `start` on and the last left out.
-pub(super) fn gml(start: usize, count: usize) -> Vec<u8> {
+pub(crate) fn gml(start: usize, count: usize) -> Vec<u8> {
     let mut lines = String::new();
     for cell in start..start + count {
         let (column, row) = (cell % 9, cell / 9);
@@ -217,12 +217,12 @@ pub(super) fn gml(start: usize, count: usize) -> Vec<u8> {
 }
 
 /// The surface of the grid of GSI's.
-pub(super) fn of_degrees(p: DVec2) -> f64 {
+pub(crate) fn of_degrees(p: DVec2) -> f64 {
     50.0 + 3000.0 * (p.x - 135.75) - 2000.0 * (p.y - 34.98)
 }
 
 /// A tile of text, in which the last row has no heights.
-pub(super) fn tile() -> Vec<u8> {
+pub(crate) fn tile() -> Vec<u8> {
     let row = |row: usize| -> String {
         let cell = |column: usize| match row {
             255 => "e".to_owned(),
@@ -233,4 +233,4 @@ pub(super) fn tile() -> Vec<u8> {
     (0..256).map(row).collect::<String>().into_bytes()
 }
 
-pub(super) const TILE: &str = "dem/14/14547/6463.txt";
+pub(crate) const TILE: &str = "dem/14/14547/6463.txt";

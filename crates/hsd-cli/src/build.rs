@@ -19,8 +19,9 @@ use super::options::{DetailArgs, InputArgs, exit};
 use super::{Failure, Outcome};
 use crate::files::input::{Inputs, STDIN};
 use crate::files::messages::{MessageArgs, Teller, Told};
-use crate::files::output;
-use crate::files::output::Model;
+#[cfg(feature = "compress")]
+use crate::files::output::Files;
+use crate::files::output::{Committer, Model};
 use crate::files::terminal::counted;
 use clap::Args;
 use hsd_base::diagnostic::{Diagnostic, Diagnostics, Language, Noun, Text, noun};
@@ -143,27 +144,42 @@ impl Build {
             self.check_compress(job)?;
             self.check_join(job)?;
             self.format_args.check(job)?;
-            job.check_overwrite()?;
             job.check_terminal()?;
             self.message_args.check(&job.output)?;
         }
+        let committer = self.committer(&jobs)?;
         if self.watch {
             return watch::run(self, &jobs, language);
         }
-        let built = self.all(&jobs, language)?;
+        let built = self.all((&jobs, &committer), language)?;
         match &self.sheet {
-            Some(sheet) => Ok(built.worse(self.contact_sheet(sheet, jobs.is_empty(), language)?)),
+            Some(sheet) => {
+                let target = (&**sheet, &committer);
+                Ok(built.worse(self.contact_sheet(target, jobs.is_empty(), language)?))
+            }
             None => Ok(built),
         }
     }
 
+    /// Returns the committer of a run. Fails if an output is a file that the command line names as an input.
+    pub(super) fn committer(&self, jobs: &[Job]) -> Result<Committer, Failure> {
+        let committer = Committer::reading(self.input_args.files());
+        committer.check(jobs.iter().map(|job| &job.output))?;
+        committer.named_by("--sheet").check(&self.sheet)?;
+        Ok(committer)
+    }
+
     /// Runs all jobs; a failed job does not stop the others.
-    pub(super) fn all(&self, jobs: &[Job], language: Language) -> Outcome {
+    pub(super) fn all(
+        &self,
+        (jobs, committer): (&[Job], &Committer),
+        language: Language,
+    ) -> Outcome {
         let teller = self.message_args.teller(language);
         let progress = Progress::new(self.quiet, jobs.len(), teller);
         let (mut spoiled, mut failure) = (0, None);
         for job in jobs {
-            match self.one(job, &progress) {
+            match self.one((job, committer), &progress) {
                 Ok(true) => spoiled += 1,
                 Ok(false) => {}
                 Err(Failure::Io(message)) => {
@@ -194,20 +210,29 @@ impl Build {
     }
 
     /// Runs one job; returns whether its source files have errors.
-    fn one(&self, job: &Job, progress: &Progress) -> Result<bool, Failure> {
+    fn one(
+        &self,
+        (job, committer): (&Job, &Committer),
+        progress: &Progress,
+    ) -> Result<bool, Failure> {
         match self.streams(job) {
-            true => self.stream(job, progress),
-            false => self.whole(job, progress),
+            true => self.stream((job, committer), progress),
+            false => self.whole((job, committer), progress),
         }
     }
 
     /// Runs one job with the whole scene in memory; returns whether its source files have errors.
-    fn whole(&self, job: &Job, progress: &Progress) -> Result<bool, Failure> {
+    fn whole(
+        &self,
+        (job, committer): (&Job, &Committer),
+        progress: &Progress,
+    ) -> Result<bool, Failure> {
         let start = Instant::now();
         let mut out = Diagnostics::new();
         let limits = self.input_args.limits();
         let inputs = Inputs::read(&job.inputs, limits.bytes, &mut out)?;
         let world = self.input_args.world(&job.inputs);
+        let world = world.recorded_in(&committer.inputs);
         let options = self.options(job.seed, &inputs, &mut out)?;
         let mut compiled = hsd_driver::compile(&inputs.accepted(), &world, &options, &mut out);
         let Compiled {
@@ -242,13 +267,13 @@ impl Build {
         let scene = &compiled.scene;
         let size = hsd_driver::timed(&mut times, "write", || {
             if self.compress {
-                return compressed(scene, &library, &job.output);
+                return compressed(scene, &library, (&job.output, committer));
             }
             let mut model = Started::new(job.model, self, &in_memory)?;
             model.add(scene.whole(), &library)?;
             let made = Finished::scene(scene, &library);
             let files = model.finish(made, &job.output, self.textures_beside)?;
-            output::write_model(&job.output, files, &read)
+            committer.write(&job.output, files)
         })?;
         progress.teller.built(&told, Some(&job.output), &read)?;
         if progress.verbose || self.stats {
@@ -380,14 +405,18 @@ impl Build {
 
 /// Writes a compressed model and returns its size in bytes.
 #[cfg(feature = "compress")]
-fn compressed(scene: &Scene, library: &Library, output: &Path) -> Result<u64, Failure> {
+fn compressed(
+    scene: &Scene,
+    library: &Library,
+    (output, committer): (&Path, &Committer),
+) -> Result<u64, Failure> {
     let pictures = Ktx2::new(scene, library);
     let glb = Glb::compressed(scene, &pictures);
-    output::write(output, output::Files::glb(glb))
+    committer.write(output, Files::glb(glb))
 }
 
 #[cfg(not(feature = "compress"))]
-fn compressed(_: &Scene, _: &Library, _: &Path) -> Result<u64, Failure> {
+fn compressed(_: &Scene, _: &Library, _: (&Path, &Committer)) -> Result<u64, Failure> {
     Err(Failure::Usage(NO_COMPRESS.into()))
 }
 

@@ -4,12 +4,11 @@ use super::options::{InputArgs, report};
 use super::{Exit, Failure, Outcome};
 use crate::files::diff;
 use crate::files::input::{Inputs, STDIN};
-use crate::files::output;
-use crate::files::output::Files;
+use crate::files::output::{Committer, Files};
 use crate::files::terminal::{FILE, counted};
 use clap::{Args, ValueEnum};
 use hsd_base::diagnostic::{Diagnostics, Language, visible};
-use hsd_base::source::Source;
+use hsd_base::source::{Source, World};
 use hsd_base::text;
 use hsd_report::{Format, Report};
 use hsd_syntax::print::{self, Form};
@@ -79,16 +78,23 @@ impl Fmt {
     pub(super) fn run(&self, language: Language) -> Outcome {
         self.input_args.check_folders()?;
         let targets = self.targets()?;
+        let committer = self.committer(&targets)?;
         let limits = self.input_args.limits();
         let mut out = Diagnostics::new();
         let inputs = Inputs::readable(&self.input_args.inputs, limits.bytes, &mut out);
         let options = self.input_args.options(&inputs, &mut out)?;
         let mut tally = Tally::default();
-        for ((source, target), accepted) in inputs.sources.iter().zip(&targets).zip(inputs.taken())
-        {
-            let text = accepted.then(|| self.text(source, &options, &mut out));
+        let world = self.input_args.world(&self.input_args.inputs);
+        let world = world.recorded_in(&committer.inputs);
+        let files = self.input_args.inputs.iter().zip(&targets);
+        let sources = inputs.sources.iter().zip(inputs.taken());
+        for ((source, accepted), (input, target)) in sources.zip(files) {
+            let text = accepted.then(|| self.text(source, &world, &options, &mut out));
             match text.flatten() {
-                Some(text) => self.one(source, &text, target, &mut tally, language)?,
+                Some(text) => {
+                    let target = (&**target, &committer.editing(input));
+                    self.one(source, &text, target, &mut tally, language)?;
+                }
                 None => tally.spoiled = true,
             }
         }
@@ -109,6 +115,7 @@ impl Fmt {
     fn text(
         &self,
         source: &Source,
+        world: &dyn World,
         options: &hsd_driver::Options,
         out: &mut Diagnostics,
     ) -> Option<String> {
@@ -116,8 +123,7 @@ impl Fmt {
         if self.to.is_none_or(|to| to.form() == here) {
             return print::format(source, &options.expand.limits, out);
         }
-        let world = self.input_args.world(&self.input_args.inputs);
-        hsd_driver::convert(source, &world, options, out)
+        hsd_driver::convert(source, world, options, out)
     }
 
     /// Writes one formatted text, or with `--check` prints how it would change.
@@ -125,7 +131,7 @@ impl Fmt {
         &self,
         source: &Source,
         text: &str,
-        target: &Path,
+        (target, committer): (&Path, &Committer),
         tally: &mut Tally,
         language: Language,
     ) -> Result<(), Failure> {
@@ -147,7 +153,16 @@ impl Fmt {
             return Err(Failure::at(target.display(), denied));
         }
         let bytes = print::encode(text, source);
-        output::write(target, Files::bytes(bytes)).map(drop)
+        committer.write(target, Files::bytes(bytes)).map(drop)
+    }
+
+    /// Returns the committer of a run. Fails if an output is an input other than its own.
+    fn committer(&self, targets: &[PathBuf]) -> Result<Committer, Failure> {
+        let committer = Committer::reading(self.input_args.files());
+        for (input, target) in self.input_args.inputs.iter().zip(targets) {
+            committer.editing(input).check([target])?;
+        }
+        Ok(committer)
     }
 
     /// Returns the output path of each input.

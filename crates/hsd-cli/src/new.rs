@@ -2,8 +2,7 @@
 
 use super::{Exit, Failure, Outcome};
 use crate::files::input::STDIN;
-use crate::files::output;
-use crate::files::output::Files;
+use crate::files::output::{Committer, Files};
 use crate::files::terminal::{padded, width};
 use clap::Args;
 use hsd_base::diagnostic::{Language, Text};
@@ -58,7 +57,7 @@ impl New {
                 "{shown} はすでにあります。--force で上書きするか、-o で別の名前を指定してください"
             )));
         }
-        output::write(&path, Files::bytes(kind.text().into_bytes()))?;
+        Committer::default().write(&path, Files::bytes(kind.text().into_bytes()))?;
         if !stdout {
             let (ja, en) = (kind.ja, kind.en);
             let message = text!([shown, ja, en]

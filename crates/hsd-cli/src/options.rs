@@ -121,6 +121,11 @@ pub(super) struct ReadArgs {
 }
 
 impl InputArgs {
+    /// Returns the files that the command line names.
+    pub(super) fn files(&self) -> impl Iterator<Item = &PathBuf> {
+        self.inputs.iter().chain(&self.catalogs)
+    }
+
     /// Returns the same with other paths.
     pub(super) fn moved(self, to: &dyn Fn(&Path) -> PathBuf) -> InputArgs {
         let all = |paths: Vec<PathBuf>| paths.iter().map(|path| to(path)).collect();

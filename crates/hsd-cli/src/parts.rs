@@ -5,6 +5,7 @@ mod sheet;
 
 use super::options::exit;
 use super::{Failure, Outcome};
+use crate::files::output::Committer;
 use crate::files::terminal::{padded, width};
 use clap::{Args, ValueEnum};
 use hsd_base::diagnostic::{Language, Noun, Text, noun, visible};
@@ -72,17 +73,19 @@ pub(super) fn list(filter: Option<String>, language: Language) -> String {
 
 impl Parts {
     pub(super) fn run(&self, language: Language) -> Outcome {
+        let committer = Committer::reading(&self.catalogs).named_by("--sheet");
+        committer.check(&self.sheet)?;
         let custom;
         let (all, sound): (&[PartDef], bool) = match self.catalogs.is_empty() {
             true => (parse::builtin().parts(), true),
             false => {
-                custom = custom::read(&self.catalogs, language)?;
+                custom = custom::read(&self.catalogs, &committer.inputs, language)?;
                 (custom.parts(), custom.sound)
             }
         };
         let parts: Vec<&PartDef> = all.iter().filter(|p| self.takes(p)).collect();
         if let Some(output) = &self.sheet {
-            sheet::write(&parts, output)?;
+            sheet::write(&parts, output, &committer)?;
             return Ok(exit(!sound));
         }
         let text = match self.format {

@@ -12,8 +12,7 @@ use super::view::{FileHost, check_page};
 use super::{Failure, Outcome};
 use crate::build::town;
 use crate::files::input::Inputs;
-use crate::files::output;
-use crate::files::output::Files;
+use crate::files::output::{Committer, Files};
 use browser::Browser;
 use clap::{Args, ValueEnum};
 use hsd_base::diagnostic::{Diagnostic, Diagnostics, Language};
@@ -28,6 +27,7 @@ use percent_encoding::{NON_ALPHANUMERIC, utf8_percent_encode};
 use progress::Progress;
 use shots::{Scenery, Shot, ViewParser};
 use standing::Camera;
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
@@ -193,24 +193,25 @@ impl Render {
     pub(super) fn run(&self, language: Language) -> Outcome {
         self.read_args.check_folders()?;
         let target = self.target()?;
+        let cameras = self.camera.as_deref().map(cameras::read).transpose()?;
+        let committer = self.committer(&target, cameras.as_deref())?;
         check_page()?;
         let browser = Browser::find()?;
         if let Target::Folder(folder, _) = target {
             std::fs::create_dir_all(folder).map_err(|e| Failure::at(folder.display(), e))?;
         }
-        let cameras = self.camera.as_deref().map(cameras::read).transpose()?;
         let count = cameras.as_ref().map_or(self.count(), Vec::len);
         let mut spoiled = false;
         let mut progress = Progress::new(self.inputs.len() * count);
         for input in &self.inputs {
-            match self.seen(input, language)? {
+            match self.seen(input, &committer, language)? {
                 None => {
                     progress.total -= count;
                     spoiled = true;
                 }
                 Some(seen) => {
                     let built = match seen.town {
-                        true => Some(self.built(input, language)?),
+                        true => Some(self.built(input, &committer, language)?),
                         false => None,
                     };
                     let input = built.as_ref().map_or(input, |built| &built.model);
@@ -218,9 +219,10 @@ impl Render {
                         Some(cameras) => cameras.clone(),
                         None => self.shots(input, &seen)?,
                     };
+                    committer.check(shots.iter().map(|shot| target.path(input, &shot.name)))?;
                     self.one(
                         (input, &shots),
-                        &target,
+                        (&target, &committer),
                         &browser,
                         (language, &mut progress),
                     )?;
@@ -228,6 +230,26 @@ impl Render {
             }
         }
         Ok(exit(spoiled))
+    }
+
+    /// Returns the committer of a run. Fails if an image is a file that the command line names as an input.
+    fn committer(
+        &self,
+        target: &Target<'_>,
+        cameras: Option<&[Shot]>,
+    ) -> Result<Committer, Failure> {
+        let named = self.inputs.iter().chain(&self.read_args.catalogs);
+        let committer = Committer::reading(named.chain(&self.camera));
+        if let Target::File(path, _) = target {
+            committer.check([path])?;
+        }
+        let mut paths = vec![];
+        for input in &self.inputs {
+            let shots = cameras.unwrap_or_default().iter();
+            paths.extend(shots.map(|shot| target.path(input, &shot.name)));
+        }
+        committer.check(paths)?;
+        Ok(committer)
     }
 
     /// Returns the number of pictures of each input, if no file says it.
@@ -239,12 +261,18 @@ impl Render {
     }
 
     /// Builds the model of a town and tells what is wrong with it; a feature without a house spoils no picture.
-    fn built(&self, input: &Path, language: Language) -> Result<BuiltTown, Failure> {
+    fn built(
+        &self,
+        input: &Path,
+        committer: &Committer,
+        language: Language,
+    ) -> Result<BuiltTown, Failure> {
         let folder = tempfile::tempdir()?;
         let stem = input.file_stem().unwrap_or_default().to_string_lossy();
         let model = folder.path().join(format!("{stem}.glb"));
         let detail = self.detail_args.detail();
-        town::model(input, &self.read_args, detail, &model).run(language)?;
+        let town = town::model(input, &self.read_args, detail, &model);
+        town.run_with(committer, language)?;
         if !model.exists() {
             let shown = input.display();
             return Err(Failure::Io(text!([shown]
@@ -313,7 +341,12 @@ impl Render {
     }
 
     /// Prints the diagnostics of a source file or a model; returns nothing if they make it fail.
-    fn seen(&self, input: &PathBuf, language: Language) -> Result<Option<Seen>, Failure> {
+    fn seen(
+        &self,
+        input: &PathBuf,
+        committer: &Committer,
+        language: Language,
+    ) -> Result<Option<Seen>, Failure> {
         let model = input
             .extension()
             .is_some_and(|e| e.eq_ignore_ascii_case("glb"));
@@ -322,11 +355,12 @@ impl Render {
             ..Seen::default()
         };
         let (sources, list) = if model {
+            committer.add_inputs(hsd_view::texture_files(input));
             let message = hsd_view::check_model(input);
             let (source, list) = message.map_err(|e| Failure::at(input.display(), e))?;
             (vec![source], list)
         } else {
-            self.checked(input, &mut seen)?
+            self.checked(input, committer, &mut seen)?
         };
         // What is wrong with a town is told when it is built, with its maps.
         if !list.is_empty() && !seen.town {
@@ -341,6 +375,7 @@ impl Render {
     fn checked(
         &self,
         input: &PathBuf,
+        committer: &Committer,
         seen: &mut Seen,
     ) -> Result<(Vec<Source>, Vec<Diagnostic>), Failure> {
         let mut out = Diagnostics::new();
@@ -348,6 +383,7 @@ impl Render {
         let inputs = Inputs::read(own, self.read_args.limits().bytes, &mut out)?;
         let options = self.read_args.options(&inputs, &mut out)?;
         let world = self.read_args.world(own);
+        let world = world.recorded_in(&committer.inputs);
         let checked = hsd_driver::check(&inputs.accepted(), &world, &options, &mut out);
         (seen.houses, seen.views) = (checked.building.houses, checked.views);
         seen.town = checked.is_town;
@@ -359,7 +395,7 @@ impl Render {
     fn one(
         &self,
         (input, shots): (&Path, &[Shot]),
-        target: &Target<'_>,
+        target: (&Target<'_>, &Committer),
         browser: &Browser,
         (language, progress): (Language, &mut Progress),
     ) -> Result<(), Failure> {
@@ -378,6 +414,7 @@ impl Render {
                 editor: None,
                 writes: false,
                 scratch: Default::default(),
+                record: target.1.inputs.clone(),
             }),
             front: None,
             port: 0,
@@ -426,12 +463,13 @@ impl Render {
     fn take(
         &self,
         mut run: Run<'_>,
-        target: &Target<'_>,
+        (target, committer): (&Target<'_>, &Committer),
         language: Language,
         progress: &mut Progress,
     ) -> Result<(), Failure> {
         let shown = run.input.display();
         let mut last_response = Instant::now();
+        let mut received = BTreeSet::new();
         loop {
             match run.screenshots.recv_timeout(POLL_INTERVAL) {
                 Ok(Screenshot::Picture { view, png }) => {
@@ -440,7 +478,12 @@ impl Render {
                     let Some(shot) = run.shots.iter().find(|s| s.id == view) else {
                         continue;
                     };
-                    let path = write(run.input, target, &shot.name, png)?;
+                    // A page that is loaded again sends its images again.
+                    if !received.insert(view) {
+                        continue;
+                    }
+                    let path = target.path(run.input, &shot.name);
+                    write(&path, target.kind(), png, committer)?;
                     progress.done += 1;
                     if !self.quiet {
                         let message = progress.message(&path);
@@ -472,22 +515,37 @@ impl Render {
     }
 }
 
-/// Writes an image and returns its path.
-fn write(input: &Path, target: &Target<'_>, view: &str, png: Vec<u8>) -> Result<PathBuf, Failure> {
-    let (path, kind) = match target {
-        Target::File(path, kind) => (path.to_path_buf(), *kind),
-        Target::Folder(folder, kind) => {
-            let stem = input.file_stem().unwrap_or_default().to_string_lossy();
-            let name = format!("{stem}-{view}.{}", kind.extension());
-            (folder.join(name), *kind)
+impl Target<'_> {
+    /// Returns the path of the image of a view.
+    fn path(&self, input: &Path, view: &str) -> PathBuf {
+        match self {
+            Target::File(path, _) => path.to_path_buf(),
+            Target::Folder(folder, kind) => {
+                let stem = input.file_stem().unwrap_or_default().to_string_lossy();
+                folder.join(format!("{stem}-{view}.{}", kind.extension()))
+            }
         }
-    };
+    }
+
+    fn kind(&self) -> ImageFormat {
+        match self {
+            Target::File(_, kind) | Target::Folder(_, kind) => *kind,
+        }
+    }
+}
+
+/// Writes an image.
+fn write(
+    path: &Path,
+    kind: ImageFormat,
+    png: Vec<u8>,
+    committer: &Committer,
+) -> Result<(), Failure> {
     let drawn = image::load_from_memory_with_format(&png, image::ImageFormat::Png);
     let drawn = drawn.map_err(|e| Failure::at(path.display(), io::Error::other(e.to_string())))?;
     let bytes = match kind {
         ImageFormat::Png => png,
         ImageFormat::Jpg => texture::jpeg(&drawn.into_rgb8(), QUALITY),
     };
-    output::write(&path, Files::bytes(bytes))?;
-    Ok(path)
+    committer.write(path, Files::bytes(bytes)).map(drop)
 }

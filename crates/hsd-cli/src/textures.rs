@@ -1,7 +1,7 @@
 //! `hsd textures`: writes the procedural textures of the materials.
 
 use super::{Exit, Failure, Outcome};
-use crate::files::output::{self, Files};
+use crate::files::output::{Committer, Files};
 use crate::files::terminal::counted;
 use clap::Args;
 use hsd_base::diagnostic::{Language, noun};
@@ -30,6 +30,7 @@ pub(super) struct Textures {
 
 impl Textures {
     pub(super) fn run(&self, language: Language) -> Outcome {
+        let committer = Committer::default();
         if let Some(folder) = &self.output {
             let shown = folder.display();
             std::fs::create_dir_all(folder).map_err(|e| Failure::at(&shown, e))?;
@@ -38,7 +39,7 @@ impl Textures {
                 .map(|(name, bytes)| (folder.join(name), bytes.to_vec()))
                 .collect();
             let count = counted(files.len(), noun("texture", "テクスチャー{}枚"));
-            output::write_all(files)?;
+            committer.write_all(files)?;
             let message = text!([count, shown]
                 "wrote {count} to {shown}",
                 "{count}を {shown} に書きました"
@@ -47,7 +48,8 @@ impl Textures {
         }
         if let Some(file) = &self.sheet {
             let shown = file.display();
-            output::write(file, Files::bytes(texture::contact_sheet()))?;
+            let committer = committer.named_by("--sheet");
+            committer.write(file, Files::bytes(texture::contact_sheet()))?;
             let message = text!([shown] "wrote {shown}", "{shown} を書きました");
             writeln!(io::stderr(), "{}", message.in_language(language))?;
         }

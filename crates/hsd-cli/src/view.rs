@@ -80,6 +80,7 @@ impl View {
             editor,
             writes: !self.read_only,
             scratch: Default::default(),
+            record: Default::default(),
         };
         let preview = match &self.input {
             Some(input) => start(input, &self.read_args, host, self.port, language)?,

@@ -3,7 +3,10 @@
 //! Image names are looked up in a listing of the folder, never joined to a path, and the resolved file must be inside the
 //! folder. Whatever a source file contains, no file outside the given folders is read.
 
+mod record;
 mod roots;
+
+pub use record::{InputRecord, location};
 
 use hsd_base::budget::Budget;
 use hsd_base::source::{IncludeError, PictureFile, Stream, World};
@@ -13,7 +16,7 @@ use std::fs;
 use std::fs::File;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;
-use std::io::BufReader;
+use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
@@ -29,6 +32,8 @@ pub struct FolderWorld {
     /// The maximum size of an image file in bytes; larger files would exceed the pixel limit.
     bytes: u64,
     budget: Arc<Budget>,
+    /// The files that were opened.
+    record: InputRecord,
 }
 
 #[derive(Debug)]
@@ -50,6 +55,7 @@ impl FolderWorld {
             roots: Roots::default(),
             bytes: pixels.saturating_mul(8).max(1 << 20),
             budget: Arc::default(),
+            record: InputRecord::default(),
         }
     }
 
@@ -65,6 +71,30 @@ impl FolderWorld {
     pub fn with_memory(self, bytes: u64) -> FolderWorld {
         let budget = Arc::new(Budget::new(bytes));
         FolderWorld { budget, ..self }
+    }
+
+    /// Adds every file that is opened to this record.
+    #[must_use]
+    pub fn recorded_in(self, record: &InputRecord) -> FolderWorld {
+        let record = record.clone();
+        FolderWorld { record, ..self }
+    }
+
+    /// Returns an image by its path. Files that are not images are returned too, so that a diagnostic can report them.
+    fn image_file(&self, path: &str) -> PictureFile {
+        self.record.add(Path::new(path));
+        let size = header(Path::new(path)).filter(|(w, h)| *w > 0 && *h > 0);
+        PictureFile {
+            path: path.to_owned(),
+            size: size.unwrap_or((1, 1)),
+        }
+    }
+
+    /// Returns the canonical path of a file below a root, which is about to be opened.
+    fn opened(&self, path: &str) -> io::Result<PathBuf> {
+        let real = self.roots.resolved(path)?;
+        self.record.add(Path::new(path));
+        Ok(real)
     }
 }
 
@@ -91,12 +121,12 @@ impl Folder {
 impl World for FolderWorld {
     fn picture(&self, name: &str) -> Option<PictureFile> {
         let path = self.folders.iter().find_map(|f| f.find(name))?;
-        Some(file(path.to_str()?))
+        Some(self.image_file(path.to_str()?))
     }
 
     fn image(&self, from: &str, href: &str) -> Result<PictureFile, IncludeError> {
         let path = self.roots.find(from, href)?;
-        Ok(file(&path))
+        Ok(self.image_file(&path))
     }
 
     fn picture_bytes(&self, path: &str) -> io::Result<Vec<u8>> {
@@ -111,6 +141,7 @@ impl World for FolderWorld {
                 "the file exceeds the size limit of images",
             ));
         }
+        self.record.add(path);
         fs::read(path)
     }
 
@@ -123,15 +154,19 @@ impl World for FolderWorld {
     }
 
     fn text_bytes(&self, path: &str, limit: usize) -> io::Result<Vec<u8>> {
-        self.roots.bytes(path, limit)
+        let mut bytes = vec![];
+        let file = File::open(self.opened(path)?)?;
+        // One byte more than the limit shows that the file is longer.
+        file.take(limit as u64 + 1).read_to_end(&mut bytes)?;
+        Ok(bytes)
     }
 
     fn open(&self, path: &str) -> io::Result<Box<dyn Stream>> {
-        Ok(Box::new(self.roots.open(path)?))
+        Ok(Box::new(File::open(self.opened(path)?)?))
     }
 
     fn stamp(&self, path: &str) -> Option<u64> {
-        stamp(&self.roots.resolved(path).ok()?)
+        stamp(&self.opened(path).ok()?)
     }
 
     fn budget(&self) -> Arc<Budget> {
@@ -139,16 +174,7 @@ impl World for FolderWorld {
     }
 
     fn on_disk(&self, path: &str) -> Option<PathBuf> {
-        self.roots.resolved(path).ok()
-    }
-}
-
-/// Returns an image by its path. Files that are not images are returned too, so that a diagnostic can report them.
-fn file(path: &str) -> PictureFile {
-    let size = header(Path::new(path)).filter(|(w, h)| *w > 0 && *h > 0);
-    PictureFile {
-        path: path.to_owned(),
-        size: size.unwrap_or((1, 1)),
+        self.opened(path).ok()
     }
 }
 

@@ -12,7 +12,7 @@ mod raw;
 mod spread;
 mod units;
 
-pub use files::{MapFile, NoFiles, files};
+pub use files::{MapFile, NoFiles, files, with_side_files};
 pub use ground::{Ground, GroundLayer, NoGround};
 pub use join::{Joined, NoJoin, Unjoined};
 pub use kept::KeptMaps;

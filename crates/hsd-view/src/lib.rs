@@ -87,6 +87,11 @@ pub fn check_model(model: &Path) -> io::Result<(Source, Vec<Diagnostic>)> {
     Ok((source, read.diagnostics))
 }
 
+/// Returns the paths of the external textures of a model.
+pub fn texture_files(model: &Path) -> Vec<PathBuf> {
+    model_file::textures(model)
+}
+
 /// Returns the folders of the external textures of a model, to be watched. `model` is a canonical path.
 pub fn texture_folders(model: &Path) -> BTreeSet<PathBuf> {
     model_file::folders(model)

@@ -114,6 +114,17 @@ fn picture(root: &Path, path: &Path) -> Result<Vec<u8>, Noun> {
     }
 }
 
+/// Returns the paths of the external textures of a model; none of one that is damaged.
+pub(super) fn textures(model: &Path) -> Vec<PathBuf> {
+    let folder = model.parent().unwrap_or(Path::new(""));
+    let named = fs::read(model).ok().and_then(|bytes| names(&bytes));
+    named
+        .into_iter()
+        .flatten()
+        .map(|name| folder.join(name))
+        .collect()
+}
+
 /// Returns the folders of the external textures of a model, below its own. `model` is a canonical path.
 pub(super) fn folders(model: &Path) -> BTreeSet<PathBuf> {
     let root = model.parent().unwrap_or(Path::new("/"));

@@ -1,7 +1,7 @@
 //! `hsd draw`: drawings to scale.
 
 use crate::files::input::Inputs;
-use crate::files::output::{self, Files};
+use crate::files::output::{Committer, Files};
 use crate::options::{DetailArgs, InputArgs, exit, report};
 use crate::{Exit, Failure, Outcome};
 use clap::{Args, ValueEnum};
@@ -147,6 +147,8 @@ impl Draw {
     pub(crate) fn run(&self, language: Language) -> Outcome {
         let kind = Kind::of(&self.output)?;
         self.input_args.check_folders()?;
+        let committer = Committer::reading(self.input_args.files().chain(&self.font));
+        committer.check([&self.output])?;
         let mut out = Diagnostics::new();
         let limit = self.input_args.limits().bytes;
         let inputs = Inputs::read(&self.input_args.inputs, limit, &mut out)?;
@@ -155,6 +157,7 @@ impl Draw {
         options.all_roofs = true;
         options.shown = self.detail_args.shown();
         let world = self.input_args.world(&self.input_args.inputs);
+        let world = world.recorded_in(&committer.inputs);
         let compiled = hsd_driver::compile(&inputs.accepted(), &world, &options, &mut out);
         let list = out.into_sorted();
         if !list.is_empty() {
@@ -175,7 +178,7 @@ impl Draw {
         self.check_house(&subject, building)?;
         let sheet = self.sheet(&subject, language)?;
         let bytes = self.bytes(&sheet, kind, language)?;
-        let length = output::write(&self.output, Files::bytes(bytes))?;
+        let length = committer.write(&self.output, Files::bytes(bytes))?;
         self.tell(&sheet, length, language)?;
         Ok(exit(false))
     }

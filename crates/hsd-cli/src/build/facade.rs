@@ -1,6 +1,7 @@
 //! `hsd facade`: photographs of a wall become its parts and a text that builds it.
 
 use super::plan::values::corners;
+use crate::files::output::Committer;
 use crate::options::report;
 use crate::{Exit, Failure, Outcome};
 use clap::Args;
@@ -91,6 +92,8 @@ impl Facade {
         let mut out = Diagnostics::new();
         let mut sources = vec![];
         let mut told = None;
+        let committer = Committer::reading(self.photos.iter().chain(&self.masks));
+        committer.check(made::outputs_in(&self.output))?;
         if let Some(photos) = self.open(&mut sources, &mut out)? {
             let given = self.given();
             match front::read(&photos, &given) {
@@ -101,6 +104,7 @@ impl Facade {
                         front: &front,
                         given: &given,
                         fronts: self.fronts.as_deref(),
+                        committer: &committer,
                     };
                     told = Some(made.write(&mut sources, &mut out)?);
                 }

@@ -3,7 +3,7 @@
 use super::steps::{TownPlan, TownSeal, TownTile};
 use super::town::Town;
 use super::town::candidates::Candidates;
-use crate::files::output::{self, Files};
+use crate::files::output::{self, Committer, Files};
 use crate::files::terminal::counted;
 use crate::options::report;
 use crate::{Exit, Failure, Outcome};
@@ -118,10 +118,13 @@ impl Init {
                 "{name} はすでにあります。置き換えるなら `--force` を付けてください"
             )));
         }
+        let committer = Committer::reading(&self.maps);
         let folder = output::folder_of(&self.output);
         let world = FolderWorld::new(vec![], 0).with_roots(vec![folder.to_owned()]);
+        let world = world.recorded_in(&committer.inputs);
         let mut out = Diagnostics::new();
         let (layers, unread) = self.survey(&world, folder, &mut out)?;
+        committer.check([&self.output])?;
         let list = out.into_sorted();
         if !list.is_empty() {
             let written = Report::new(&[], &list).in_language(language);
@@ -141,7 +144,7 @@ impl Init {
             writeln!(io::stderr(), "{}", line.in_language(language))?;
         }
         let town = survey::town(&name, &layers);
-        output::write(&self.output, Files::bytes(town.into_bytes()))?;
+        committer.write(&self.output, Files::bytes(town.into_bytes()))?;
         let name = self.output.display();
         let layers = counted(layers.len(), noun("layer", "レイヤー{}枚"));
         let line = text!([name, layers]

@@ -19,23 +19,6 @@ pub(crate) struct Job {
 }
 
 impl Job {
-    /// Fails if the model would overwrite a source file.
-    pub(super) fn check_overwrite(&self) -> Result<(), Failure> {
-        let real = |p: &Path| p.canonicalize().ok();
-        let output = real(&self.output);
-        let same = |input: &&PathBuf| output.is_some() && real(input) == output;
-        match self.inputs.iter().find(same) {
-            Some(text) if text.is_file() => {
-                let shown = text.display();
-                Err(Failure::Usage(text!([shown]
-                    "{shown} is an input and would be overwritten",
-                    "{shown} は入力のテキストなので、上書きできません"
-                )))
-            }
-            _ => Ok(()),
-        }
-    }
-
     /// Fails if the model would be written to a terminal.
     pub(super) fn check_terminal(&self) -> Result<(), Failure> {
         if self.output.as_os_str() == STDIN && io::stdout().is_terminal() {

@@ -1,6 +1,6 @@
 //! `hsd plan`: drawn floor plans become a house.
 
-use crate::files::output;
+use crate::files::output::Committer;
 use crate::files::terminal::counted;
 use crate::options::report;
 use crate::{Exit, Failure, Outcome};
@@ -117,12 +117,15 @@ impl Plan {
         let before = self.before()?;
         let mut out = Diagnostics::new();
         let mut sources = vec![];
-        let legends = self.legends(&mut sources, &mut out)?;
+        let committer = self.committer();
+        let legends = self.legends(&committer, &mut sources, &mut out)?;
+        committer.check(self.outputs())?;
         let mut told = None;
-        match self.sheets(legends.as_ref(), &mut sources, &mut out)? {
+        match self.sheets((legends.as_ref(), &committer), &mut sources, &mut out)? {
             Some(Read::Sheets(sheets)) => match self.house(&sheets) {
                 Some(house) => {
-                    told = Some(self.write(&house, &sheets, before, &mut sources, &mut out)?);
+                    let read = (&house, &*sheets, before);
+                    told = Some(self.write(read, &committer, &mut sources, &mut out)?);
                 }
                 None => {
                     let sheet = sources.last().map(|source| source.span(0..0));
@@ -130,7 +133,7 @@ impl Plan {
                 }
             },
             Some(Read::House(text)) => {
-                told = Some(self.write_drawn(text, &mut sources, &mut out)?)
+                told = Some(self.write_drawn(text, &committer, &mut sources, &mut out)?)
             }
             None => {}
         }
@@ -144,6 +147,36 @@ impl Plan {
             writeln!(io::stderr(), "{}", told.in_language(language))?;
         }
         Ok(if failed { Exit::Errors } else { Exit::Done })
+    }
+
+    /// Returns the committer of a run, which knows the plans.
+    fn committer(&self) -> Committer {
+        let committer = Committer::reading(&self.inputs);
+        match self.steps {
+            Some(_) => committer.named_by("-o, --steps"),
+            None => committer,
+        }
+    }
+
+    /// Returns the outputs whose names are known before a plan is read.
+    fn outputs(&self) -> Vec<PathBuf> {
+        let storeys = 1..=self.inputs.len();
+        let sheets = storeys.map(|storey| [self.sheet_path(storey), self.review_path(storey)]);
+        let house = [self.output.clone(), self.beside("plan.json")];
+        house.into_iter().chain(sheets.flatten()).collect()
+    }
+
+    /// Returns the path of the image of a storey for `hsd view`, counted from 1.
+    fn sheet_path(&self, storey: usize) -> PathBuf {
+        self.beside(&format!("sheet-{storey}.jpg"))
+    }
+
+    /// Returns the path of the image of a storey with its doubts, counted from 1.
+    fn review_path(&self, storey: usize) -> PathBuf {
+        match self.inputs.len() {
+            1 => self.beside("review.png"),
+            _ => self.beside(&format!("review-{storey}.png")),
+        }
     }
 
     /// The text that is there, and what it was when it was read; fails if nothing says so.
@@ -206,9 +239,8 @@ impl Plan {
     /// Writes the house and what is beside it; says what was written.
     fn write(
         &self,
-        house: &House,
-        sheets: &[Sheet],
-        before: Option<(String, String)>,
+        (house, sheets, before): (&House, &[Sheet], Option<(String, String)>),
+        committer: &Committer,
         sources: &mut Vec<Source>,
         out: &mut Diagnostics,
     ) -> Result<hsd_base::diagnostic::Text, Failure> {
@@ -232,7 +264,7 @@ impl Plan {
             out,
         );
         sources.push(source);
-        output::write_all(self.files(house, sheets, text)?)?;
+        committer.write_all(self.files(house, sheets, text)?)?;
         let (name, rooms) = (
             self.output.display(),
             sheets.iter().map(|s| s.found.shape.rooms.len()).sum(),
@@ -249,6 +281,7 @@ impl Plan {
     fn write_drawn(
         &self,
         text: String,
+        committer: &Committer,
         sources: &mut Vec<Source>,
         out: &mut Diagnostics,
     ) -> Result<hsd_base::diagnostic::Text, Failure> {
@@ -258,7 +291,7 @@ impl Plan {
         let (world, options) = (FolderWorld::new(vec![], 0), hsd_driver::Options::default());
         hsd_driver::check(&[&source], &world, &options, out);
         sources.push(source);
-        output::write_all(vec![(self.output.clone(), text.into_bytes())])?;
+        committer.write_all(vec![(self.output.clone(), text.into_bytes())])?;
         Ok(text!([name]
             "{name}: the house as `hsd draw` had drawn it; `hsd build {name} -o OUT.glb` builds it",
             "{name}: `hsd draw` が描いた家に戻しました。`hsd build {name} -o OUT.glb` で作れます"
@@ -321,7 +354,7 @@ impl Plan {
                 (origin.0 - shift.0, origin.1 - shift.1),
                 metres,
             );
-            let path = self.beside(&format!("sheet-{storey}.jpg"));
+            let path = self.sheet_path(storey);
             kept.push(PlanSheet {
                 storey: storey as u32,
                 picture: name_of(&path),
@@ -335,12 +368,8 @@ impl Plan {
                 .filter(|d| d.storey == k)
                 .map(|d| d.at)
                 .collect();
-            let review = match sheets.len() {
-                1 => "review.png".to_owned(),
-                _ => format!("review-{storey}.png"),
-            };
             files.push((
-                self.beside(&review),
+                self.review_path(storey),
                 bytes(&marks::review(&sheet.found, &doubts), ImageFormat::Png)?,
             ));
             files.extend(self.steps(k, (&sheet.found).into())?);

@@ -9,6 +9,7 @@ pub(super) use tile::TownTile;
 
 use super::tiled::{self, Folder};
 use super::town::{check_packed, planned, print};
+use crate::files::output::Committer;
 use crate::files::terminal::counted;
 use crate::options::InputArgs;
 use crate::{Exit, Failure, Outcome};
@@ -65,7 +66,8 @@ impl TownPlan {
     pub(crate) fn run(&self, language: Language) -> Outcome {
         check_packed(self.compress)?;
         let failed = |error| Failure::at(self.output.display(), error);
-        let folder = Folder::of_work(&self.output).map_err(failed)?;
+        let committer = Committer::default();
+        let folder = Folder::of_work(&self.output, &committer).map_err(failed)?;
         let asked = Asked::new(
             &self.input_args,
             (&self.detail, self.compress),
@@ -79,10 +81,11 @@ impl TownPlan {
         };
         let detail = self.detail.iter().copied().max().unwrap_or(3);
         planned(
-            &self.input_args,
+            (&self.input_args, &committer),
             (Detail::ALL[usize::from(detail)], Some(lodging)),
             language.into(),
             |input, read, plan, out, _| {
+                committer.check([self.output.join(work::MANIFEST)])?;
                 let made = self.plan(&folder, &asked, input, (&read, plan))?;
                 let mut sources = vec![input.source.clone()];
                 sources.extend(read.included);

@@ -5,7 +5,7 @@ use super::statistics::{statistics, summary};
 use super::{Build, Job, Progress};
 use crate::Failure;
 use crate::files::input::{Inputs, STDIN};
-use crate::files::output::{self, Files, Model, folder_of};
+use crate::files::output::{Committer, Files, Model, folder_of};
 use hsd_base::diagnostic::Diagnostics;
 use hsd_base::source::Source;
 use hsd_driver::{Feed, Streamed};
@@ -29,12 +29,17 @@ impl Build {
     }
 
     /// Runs one job; returns whether its source files have errors.
-    pub(super) fn stream(&self, job: &Job, progress: &Progress) -> Result<bool, Failure> {
+    pub(super) fn stream(
+        &self,
+        (job, committer): (&Job, &Committer),
+        progress: &Progress,
+    ) -> Result<bool, Failure> {
         let start = Instant::now();
         let mut out = Diagnostics::new();
         let limits = self.input_args.limits();
         let inputs = Inputs::in_pieces(&job.inputs, &limits, &mut out)?;
         let world = self.input_args.world(&job.inputs);
+        let world = world.recorded_in(&committer.inputs);
         let options = hsd_driver::Options {
             own_meshes: self.join || self.format_args.has_own_meshes(job.model),
             ..self.options(job.seed, &inputs, &mut out)?
@@ -75,7 +80,7 @@ impl Build {
             let files = model.finish(made, &job.output, self.textures_beside);
             let files = files.map_err(failed)?;
             let sizes = files.sizes();
-            let size = output::write_model(&job.output, files, &read)?;
+            let size = committer.write(&job.output, files)?;
             Ok::<_, Failure>((size, sizes))
         })?;
         progress.teller.built(&told, Some(&job.output), &read)?;

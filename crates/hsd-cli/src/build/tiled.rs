@@ -9,7 +9,7 @@ pub(super) use progress::Progress;
 use super::streamed;
 use crate::Failure;
 use crate::files::messages::Teller;
-use crate::files::output::{folder_of, write_all, write_poured};
+use crate::files::output::{Committer, folder_of};
 use crate::files::terminal::{HOUSE, bytes, counted};
 use hsd_base::diagnostic::{Diagnostics, Language, Noun, Text, noun};
 use hsd_base::source::Source;
@@ -46,12 +46,50 @@ pub(super) struct Wish<'a> {
     pub(super) quiet: bool,
 }
 
-/// Writes the table of decisions and the report into a folder, or beside a model; with them the envelopes of lots, if there are any.
-pub(super) fn tables(output: &Path, ledger: &mut Ledger) -> Result<(), Failure> {
-    let beside = |name: &str| match output.is_dir() {
+/// The root of a town in tiles.
+pub(super) const TILESET: &str = "tileset.json";
+
+/// The tables that every town has.
+const TABLES: [&str; 2] = ["decisions.csv", "report.json"];
+
+/// The files of a town with envelopes of lots.
+const ENVELOPES: [&str; 5] = ["obj", "mtl", "glb", "csv", "html"];
+
+/// Returns the path of a table: in the folder of a town, or beside its model.
+fn beside(output: &Path, name: &str) -> PathBuf {
+    match output.is_dir() {
         true => output.join(name),
         false => output.with_extension(name),
-    };
+    }
+}
+
+/// Returns the paths of the tables of every town.
+pub(super) fn table_paths(output: &Path) -> [PathBuf; 2] {
+    TABLES.map(|name| beside(output, name))
+}
+
+/// Fails if a model or a table of a town that was built, but not yet written, is an input.
+pub(super) fn check_outputs(
+    (output, ledger): (&Path, &Ledger),
+    main: Option<&Path>,
+    committer: &Committer,
+) -> Result<(), Failure> {
+    let envelopes = ENVELOPES.map(|ending| beside(output, &format!("envelopes.{ending}")));
+    let envelopes = envelopes
+        .into_iter()
+        .filter(|_| !ledger.envelopes.is_empty());
+    let main = main.into_iter().map(Path::to_owned);
+    committer.check(main.chain(table_paths(output)).chain(envelopes))
+}
+
+/// Writes the table of decisions and the report into a folder, or beside a model; with them the envelopes of lots, if there are any.
+pub(super) fn tables(
+    output: &Path,
+    ledger: &mut Ledger,
+    committer: &Committer,
+) -> Result<(), Failure> {
+    check_outputs((output, ledger), None, committer)?;
+    let beside = |name: &str| beside(output, name);
     let rows = &ledger.envelopes;
     if !rows.is_empty() {
         let (scene, path) = (envelopes::scene(rows), beside("envelopes.obj"));
@@ -65,16 +103,17 @@ pub(super) fn tables(output: &Path, ledger: &mut Ledger) -> Result<(), Failure> 
         files.push((beside("envelopes.glb"), gltf::glb(&scene, &library)));
         files.push((beside("envelopes.csv"), envelopes::table(rows).into_bytes()));
         files.push((beside("envelopes.html"), envelopes::page(rows).into_bytes()));
-        write_all(files)?;
+        committer.write_all(files)?;
     }
     let (table, report) = (&mut ledger.decisions, &ledger.report);
-    write_poured(vec![
+    let [decisions_path, report_path] = table_paths(output);
+    committer.write_poured(vec![
         (
-            beside("decisions.csv"),
+            decisions_path,
             Box::new(|out: &mut dyn Write| table.write(out)),
         ),
         (
-            beside("report.json"),
+            report_path,
             Box::new(|out: &mut dyn Write| {
                 serde_json::to_writer_pretty(out, report)?;
                 Ok(0)
@@ -94,14 +133,14 @@ pub(super) fn spools_beside(
 /// Builds a town in tiles below a folder; returns whether something is missing that the author wanted, the files that were
 /// read, and what was found.
 pub(super) fn build(
-    wish: &Wish<'_>,
+    (wish, committer): (&Wish<'_>, &Committer),
     input: TownInput<'_>,
     (read, plan): (hsd_driver::Read, &Plan),
     mut out: Diagnostics,
     teller: Teller,
 ) -> Result<(bool, Vec<Source>, Diagnostics), Failure> {
     let failed = |error| Failure::at(wish.output.display(), error);
-    let folder = Folder::of_town(wish.output).map_err(failed)?;
+    let folder = Folder::of_town(wish.output, committer).map_err(failed)?;
     let division = ast::town::Tiles {
         detail: wish
             .levels
@@ -134,14 +173,16 @@ pub(super) fn finish(
 ) -> Result<(), Failure> {
     let failed = |error| Failure::at(wish.output.display(), error);
     let tree = made.tileset(plan);
-    tables(wish.output, &mut made.ledger)?;
+    tables(wish.output, &mut made.ledger, &folder.committer)?;
     // The root comes last: whoever reads it finds what it names.
     let mut branches = BTreeSet::new();
     for (name, bytes) in tree.branches {
         folder.commit(&name, &bytes.into()).map_err(failed)?;
         branches.insert(name);
     }
-    write_all(vec![(wish.output.join("tileset.json"), tree.root)])?;
+    folder.sync();
+    let root = vec![(wish.output.join(TILESET), tree.root)];
+    folder.committer.write_all(root)?;
     folder.sweep(&made.files(), &branches).map_err(failed)?;
     if !wish.quiet {
         for line in lines(wish, made) {

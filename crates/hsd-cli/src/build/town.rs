@@ -7,10 +7,10 @@ mod text;
 
 use super::NO_COMPRESS;
 use super::tiled;
-use super::tiled::{FEATURE, Progress, Wish, tables};
+use super::tiled::{FEATURE, Progress, TILESET, Wish, table_paths, tables};
 use crate::files::input::Inputs;
 use crate::files::messages::{MessageArgs, Teller};
-use crate::files::output::{self, Files};
+use crate::files::output::{Committer, Files};
 use crate::files::terminal::counted;
 use crate::options::{InputArgs, ReadArgs, exit};
 use crate::{Exit, Failure, Outcome};
@@ -20,6 +20,7 @@ use hsd_base::diagnostic::{Diagnostics, Language};
 use hsd_base::source::Source;
 use hsd_base::text;
 use hsd_export::gltf::Writer;
+use hsd_ir::ast;
 use hsd_scene::Detail;
 use hsd_town::decision::problems;
 use hsd_town::layer;
@@ -99,7 +100,7 @@ type Built = (bool, Vec<Source>, Diagnostics);
 /// Reads a town and its maps and hands them to `then`, with the files of these; tells what is wrong with one that cannot be read.
 /// The features of a town wait in spools, if there is a maker of these.
 pub(super) fn planned(
-    args: &InputArgs,
+    (args, committer): (&InputArgs, &Committer),
     (detail, lodging): (Detail, Option<Lodging<'_>>),
     teller: Teller,
     then: impl FnOnce(TownInput<'_>, hsd_driver::Read, &Plan, Diagnostics, &[PathBuf]) -> Outcome,
@@ -111,6 +112,7 @@ pub(super) fn planned(
             "`hsd town` が一度に作る町は一つです"
         )));
     };
+    committer.add_inputs(args.files());
     let mut out = Diagnostics::new();
     let limits = args.limits();
     let inputs = Inputs::read(std::slice::from_ref(input), limits.bytes, &mut out)?;
@@ -119,6 +121,7 @@ pub(super) fn planned(
         ..args.options(&inputs, &mut out)?
     };
     let world = args.world(&args.inputs);
+    let world = world.recorded_in(&committer.inputs);
     let accepted = inputs.accepted();
     let mut read = hsd_driver::documents(&accepted, &world, &options, &mut out);
     let town = read.documents.iter_mut().find_map(|d| d.town.take());
@@ -132,14 +135,21 @@ pub(super) fn planned(
         return unread(&inputs.and(read.included), out, teller);
     };
     let input = TownInput::new(source, &world, &options);
-    let layers = town.layers.iter().map(|layer| &layer.src);
-    let named = layers.chain(town.tables.iter().map(|table| &table.src));
-    let found = named.filter_map(|src| layer::files(input.world, source.name(), src).ok());
-    let maps: Vec<PathBuf> = found.flatten().map(|file| file.path.into()).collect();
+    let maps = maps(input, &town);
+    committer.add_inputs(maps.iter().flat_map(|map| layer::with_side_files(map)));
     match run::plan_lodged(input, &town, lodging, &mut out)? {
         Some(plan) if !out.has_errors() => then(input, read, &plan, out, &maps),
         _ => unread(&inputs.and(read.included), out, teller),
     }
+}
+
+/// Returns the paths of the layers and tables of a town.
+pub(super) fn maps(input: TownInput<'_>, town: &ast::town::Town) -> Vec<PathBuf> {
+    let layers = town.layers.iter().map(|layer| &layer.src);
+    let named = layers.chain(town.tables.iter().map(|table| &table.src));
+    let files = |src| layer::files(input.world, input.source.name(), src).ok();
+    let found = named.filter_map(files).flatten();
+    found.map(|file| file.path.into()).collect()
 }
 
 /// Tells of a town that cannot be read.
@@ -170,6 +180,11 @@ pub(super) fn check_packed(packed: bool) -> Result<(), Failure> {
 
 impl Town {
     pub(crate) fn run(&self, language: Language) -> Outcome {
+        self.run_with(&Committer::default(), language)
+    }
+
+    /// Builds a town as part of a run that has read other files too.
+    pub(crate) fn run_with(&self, committer: &Committer, language: Language) -> Outcome {
         self.check_compress()?;
         let detail = self.detail.iter().copied().max().unwrap_or(3);
         let detail = Detail::ALL[usize::from(detail)];
@@ -182,10 +197,12 @@ impl Town {
         };
         let teller = self.message_args.teller(language);
         planned(
-            &self.input_args,
+            (&self.input_args, committer),
             (detail, by_tiles.then_some(lodging)),
             teller,
             |input, read, plan, out, maps| {
+                committer.check(self.outputs())?;
+                let input = (input, committer);
                 let town = (read, plan);
                 let mut written = true;
                 let (incomplete, included, out) = match CityForm::of(&self.output) {
@@ -200,7 +217,7 @@ impl Town {
                     _ => self.tiles(input, town, out, teller)?,
                 };
                 let spoiled = out.has_errors();
-                let mut sources = vec![input.source.clone()];
+                let mut sources = vec![input.0.source.clone()];
                 sources.extend(included);
                 let told = teller.report(&sources, &out.into_sorted())?;
                 let files = sources.iter().map(|source| PathBuf::from(source.name()));
@@ -209,6 +226,20 @@ impl Town {
                 Ok(exit(incomplete || spoiled))
             },
         )
+    }
+
+    /// Returns the outputs whose names are known before anything is built.
+    fn outputs(&self) -> Vec<PathBuf> {
+        let is_new_folder =
+            !self.output.is_dir() && (self.is_folder() || self.output.extension().is_none());
+        let main = match () {
+            // There are no inputs in it.
+            () if is_new_folder => return vec![],
+            () if self.is_folder() => Some(self.output.join(TILESET)),
+            () if self.is_obj() => None,
+            () => Some(self.output.clone()),
+        };
+        main.into_iter().chain(table_paths(&self.output)).collect()
     }
 
     /// Returns true if nothing is said but messages.
@@ -234,51 +265,44 @@ impl Town {
     fn city(
         &self,
         form: CityForm,
-        input: TownInput<'_>,
+        (input, committer): (TownInput<'_>, &Committer),
         town: (hsd_driver::Read, &Plan),
         out: Diagnostics,
         teller: Teller,
     ) -> Result<Built, Failure> {
         let openings = self.detail.iter().copied().max().unwrap_or(3) > 0;
         let wish = (&*self.output, form, openings, self.is_quiet(teller));
-        city::build(wish, input, town, out, teller)
+        city::build(wish, (input, committer), town, out, teller)
     }
 
     /// Builds a town as a `.obj` a tile.
     fn objects(
         &self,
-        input: TownInput<'_>,
+        (input, committer): (TownInput<'_>, &Committer),
         town: (hsd_driver::Read, &Plan),
         out: Diagnostics,
         teller: Teller,
     ) -> Result<Built, Failure> {
         let wish = (&*self.output, input.options.detail, self.is_quiet(teller));
-        obj::build(wish, input, town, out, teller)
+        obj::build(wish, (input, committer), town, out, teller)
     }
 
     /// Writes the houses of a town as one source file.
     fn texts(
         &self,
-        input: TownInput<'_>,
+        (input, committer): (TownInput<'_>, &Committer),
         town: (hsd_driver::Read, &Plan),
         out: Diagnostics,
         teller: Teller,
     ) -> Result<Built, Failure> {
-        let same = |path: &Path| path.canonicalize().ok();
-        if same(&self.output).is_some_and(|own| same(Path::new(input.source.name())) == Some(own)) {
-            return Err(Failure::Usage(text!(
-                "the output is the town file itself: write the houses to another file",
-                "出力先が町のファイルそのものです。別のファイルに書いてください"
-            )));
-        }
         let wish = (&*self.output, self.is_quiet(teller));
-        text::build(wish, input, town, out, teller)
+        text::build(wish, (input, committer), town, out, teller)
     }
 
     /// Builds a town in tiles.
     fn tiles(
         &self,
-        input: TownInput<'_>,
+        (input, committer): (TownInput<'_>, &Committer),
         town: (hsd_driver::Read, &Plan),
         out: Diagnostics,
         teller: Teller,
@@ -290,13 +314,13 @@ impl Town {
             stats: self.stats,
             quiet: self.is_quiet(teller),
         };
-        tiled::build(&wish, input, town, out, teller)
+        tiled::build((&wish, committer), input, town, out, teller)
     }
 
     /// Builds a town and writes its files; returns with it whether it did, since a town with errors is not written.
     fn build(
         &self,
-        input: TownInput<'_>,
+        (input, committer): (TownInput<'_>, &Committer),
         (read, plan): (hsd_driver::Read, &Plan),
         mut out: Diagnostics,
         teller: Teller,
@@ -328,8 +352,9 @@ impl Town {
         }
         writer.made_from(&streamed.provenance);
         let glb = writer.glb(&streamed.materials, &streamed.library, &streamed.grown);
-        let size = output::write(&model, Files::glb(glb.map_err(failed)?))?;
-        tables(&model, &mut ledger)?;
+        tiled::check_outputs((&model, &ledger), Some(&model), committer)?;
+        let size = committer.write(&model, Files::glb(glb.map_err(failed)?))?;
+        tables(&model, &mut ledger, committer)?;
         self.summary(&model, size, &ledger, streamed.houses, teller)?;
         Ok(((ledger.is_incomplete(), included, out), true))
     }

@@ -2,8 +2,7 @@
 
 use super::{Build, Job};
 use crate::files::input::Inputs;
-use crate::files::output;
-use crate::files::output::Files;
+use crate::files::output::{Committer, Files};
 use crate::options::{exit, report};
 use crate::{Exit, Failure, Outcome};
 use hsd_base::diagnostic::{Diagnostics, Language};
@@ -90,11 +89,17 @@ impl Build {
     }
 
     /// Draws all variants into one image. `tell` prints the diagnostics, for runs that build no model.
-    pub(super) fn contact_sheet(&self, path: &Path, tell: bool, language: Language) -> Outcome {
+    pub(super) fn contact_sheet(
+        &self,
+        (path, committer): (&Path, &Committer),
+        tell: bool,
+        language: Language,
+    ) -> Outcome {
         let mut out = Diagnostics::new();
         let limits = self.input_args.limits();
         let inputs = Inputs::read(&self.input_args.inputs, limits.bytes, &mut out)?;
         let world = self.input_args.world(&self.input_args.inputs);
+        let world = world.recorded_in(&committer.inputs);
         let options = self.options(None, &inputs, &mut out)?;
         let made = hsd_driver::compile(&inputs.accepted(), &world, &options, &mut out);
         let list = out.into_sorted();
@@ -111,14 +116,15 @@ impl Build {
             &made.scene,
             &sheet::variants(&made.scene, &made.building.houses),
         );
-        write_sheet(path, drawn, self.quiet, language)?;
+        let committer = committer.named_by("--sheet");
+        write_sheet((path, &committer), drawn, self.quiet, language)?;
         Ok(Exit::Done)
     }
 }
 
 /// Writes a contact sheet in the format of its extension.
 pub(super) fn write_sheet(
-    path: &Path,
+    (path, committer): (&Path, &Committer),
     drawn: RgbImage,
     quiet: bool,
     language: Language,
@@ -127,7 +133,7 @@ pub(super) fn write_sheet(
         Some(SheetFormat::Png) => texture::png(DynamicImage::ImageRgb8(drawn), true),
         _ => texture::jpeg(&drawn, QUALITY),
     };
-    output::write(path, Files::bytes(bytes))?;
+    committer.write(path, Files::bytes(bytes))?;
     if !quiet {
         let shown = path.display();
         let message = text!([shown] "wrote {shown}", "{shown} を書きました");

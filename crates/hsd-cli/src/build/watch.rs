@@ -40,7 +40,8 @@ pub(crate) fn run(build: &Build, jobs: &[Job], language: Language) -> Outcome {
             .map_err(failed)?;
     }
     loop {
-        match build.all(jobs, language) {
+        let committer = build.committer(jobs);
+        match committer.and_then(|committer| build.all((jobs, &committer), language)) {
             Ok(_) => {}
             Err(Failure::Io(message)) => {
                 writeln!(io::stderr(), "hsd: {}", message.in_language(language))?;

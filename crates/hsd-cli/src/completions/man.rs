@@ -1,5 +1,6 @@
 //! `hsd man`: writes manual pages, which packages install.
 
+use crate::files::output::Committer;
 use crate::language::japanese;
 use crate::{Cli, Exit, Failure, Outcome};
 use clap::{Args, Command, CommandFactory};
@@ -33,21 +34,28 @@ impl Man {
                 program
             }
         };
-        write(&program, &self.folder, language)?;
+        let mut pages = vec![];
+        add_pages(&program, &self.folder, language, &mut pages)?;
+        Committer::default().named_by("DIR").write_all(pages)?;
         Ok(Exit::Done)
     }
 }
 
-/// Writes the page of a command and those of the commands below it.
-fn write(command: &Command, folder: &Path, language: Language) -> Result<(), Failure> {
+/// Adds the page of a command and those of its subcommands.
+fn add_pages(
+    command: &Command,
+    folder: &Path,
+    language: Language,
+    pages: &mut Vec<(PathBuf, Vec<u8>)>,
+) -> Result<(), Failure> {
     let page = Page::new(command.clone());
     let path = folder.join(page.get_filename());
-    let made = text(&page, language).and_then(|text| fs::write(&path, text));
-    made.map_err(|error| Failure::at(path.display(), error))?;
+    let text = text(&page, language).map_err(|error| Failure::at(path.display(), error))?;
+    pages.push((path, text.into_bytes()));
     let shown = command.get_subcommands().filter(|c| !c.is_hide_set());
     shown
         .into_iter()
-        .try_for_each(|below| write(below, folder, language))
+        .try_for_each(|below| add_pages(below, folder, language, pages))
 }
 
 /// Returns the source of a page.

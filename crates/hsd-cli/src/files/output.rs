@@ -1,9 +1,10 @@
-//! Writes outputs atomically: all files under temporary names first, then renamed.
+//! The outputs of a run: their formats, their contents, and the committer that writes them.
+
+mod commit;
+
+pub(crate) use commit::Committer;
 
 use crate::Failure;
-use crate::files::input::STDIN;
-use crate::files::reason;
-use crate::files::temporary::Temporary;
 use clap::ValueEnum;
 use hsd_base::diagnostic::Text;
 use hsd_base::text;
@@ -12,7 +13,7 @@ use hsd_export::{OutFile, obj, stl};
 use std::borrow::Cow;
 use std::fs;
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Model formats.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -189,133 +190,10 @@ fn poured(
     out.flush().map(|()| length)
 }
 
-/// Writes files that are complete already, all or none of them.
-pub(crate) fn write_all(files: Vec<(PathBuf, Vec<u8>)>) -> Result<(), Failure> {
-    let files = files.into_iter();
-    write_contents(files.map(|(path, bytes)| (path, Content::Bytes(bytes.into())))).map(drop)
-}
-
-/// Writes files that are written from start to end, all or none of them.
-pub(crate) fn write_poured(files: Vec<(PathBuf, Box<Pour<'_>>)>) -> Result<(), Failure> {
-    let files = files.into_iter();
-    write_contents(files.map(|(path, pour)| (path, Content::Poured(pour)))).map(drop)
-}
-
-/// Writes the files of a model at and beside `path`; returns their total size in bytes. None of the files beside it
-/// may replace one of `sources`, the files that the model is made from.
-pub(crate) fn write_model(
-    path: &Path,
-    files: Files<'_>,
-    sources: &[PathBuf],
-) -> Result<u64, Failure> {
-    let real = |p: &Path| p.canonicalize().ok();
-    let sources: Vec<PathBuf> = sources.iter().filter_map(|p| real(p)).collect();
-    for (name, _) in &files.beside {
-        let target = folder_of(path).join(name);
-        if real(&target).is_some_and(|target| sources.contains(&target)) {
-            let shown = target.display();
-            return Err(Failure::Usage(text!([shown]
-                "{shown} is an input and would be overwritten by a file beside the model; choose another name with -o",
-                "{shown} は入力ファイルですが、モデルに添えるファイルで上書きされてしまいます。-o で別の名前を指定してください"
-            )));
-        }
-    }
-    write(path, files)
-}
-
-/// Writes the files of a model at and beside `path`; returns their total size in bytes.
-pub(crate) fn write(path: &Path, files: Files<'_>) -> Result<u64, Failure> {
-    if path.as_os_str() == STDIN {
-        let mut out = io::stdout().lock();
-        let length = files.main.write_stream(&mut out)?;
-        out.flush()?;
-        return Ok(length);
-    }
-    let folder = folder_of(path);
-    let beside = files.beside.into_iter();
-    let beside = beside.map(|(name, content)| (folder.join(name), content));
-    // Keeps the exact path of the main file, which may not be UTF-8.
-    let main = (path.to_owned(), files.main);
-    write_contents(beside.chain([main]))
-}
-
-/// Writes all files under temporary names, then renames them; returns their total size in bytes.
-fn write_contents<'a>(files: impl Iterator<Item = (PathBuf, Content<'a>)>) -> Result<u64, Failure> {
-    let (mut ready, mut length) = (vec![], 0);
-    for (target, content) in files {
-        let prepared = prepare(&target, content);
-        let (bytes, file) = prepared.map_err(|e| Failure::at(target.display(), e))?;
-        length += bytes;
-        ready.extend(file);
-    }
-    for (temporary, target) in ready {
-        let renamed = temporary.persist(&target);
-        renamed.map_err(|e| Failure::at(target.display(), e))?;
-    }
-    Ok(length)
-}
-
 /// Returns the folder of a file.
 pub(crate) fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     }
-}
-
-/// Fails if there is no such folder.
-fn there(folder: &Path) -> io::Result<()> {
-    if folder.is_dir() {
-        return Ok(());
-    }
-    let shown = folder.display();
-    let why = text!([shown] "no such folder: {shown}", "フォルダー {shown} がありません");
-    Err(reason::error(io::ErrorKind::NotFound, why))
-}
-
-/// Creates a temporary file in a folder, which must be there.
-pub(crate) fn temporary_in(folder: &Path) -> io::Result<Temporary> {
-    there(folder)?;
-    // Drops the temporary path from the error message.
-    Temporary::new_in(folder).map_err(|e| io::Error::from(e.kind()))
-}
-
-/// Writes a temporary file in the folder of the target; returns the number of bytes, the file and the target with
-/// links resolved. Devices and pipes are written directly.
-fn prepare(target: &Path, content: Content<'_>) -> io::Result<(u64, Option<(Temporary, PathBuf)>)> {
-    let mut rights = None;
-    let target = match fs::metadata(target) {
-        Ok(known) if known.is_dir() => {
-            let why = text!("is a folder", "フォルダーです");
-            return Err(reason::error(io::ErrorKind::Other, why));
-        }
-        Ok(known) if !known.is_file() => {
-            let mut device = fs::OpenOptions::new().write(true).open(target)?;
-            return Ok((content.write_stream(&mut device)?, None));
-        }
-        Ok(known) => {
-            rights = Some(known.permissions());
-            target.canonicalize()?
-        }
-        Err(_) => target.to_owned(),
-    };
-    let folder = folder_of(&target);
-    let of_textures = folder.to_string_lossy().ends_with("_textures") && !folder.exists();
-    let asked = if of_textures {
-        folder_of(folder)
-    } else {
-        folder
-    };
-    there(asked)?;
-    // Other folders are not created, so that a misspelt path fails.
-    if of_textures {
-        fs::create_dir(folder)?;
-    }
-    let mut file = temporary_in(folder)?;
-    let length = content.write_file(file.as_file_mut())?;
-    // Keeps the permissions of an existing file.
-    if let Some(rights) = rights {
-        file.as_file_mut().set_permissions(rights)?;
-    }
-    Ok((length, Some((file, target))))
 }

@@ -6,7 +6,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 use std::time::Duration;
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempPath};
 
 /// The beginning of the names of temporary files.
 const PREFIX: &str = ".hsd-";
@@ -101,9 +101,26 @@ impl Temporary {
         self.file.as_file_mut()
     }
 
+    /// Puts the contents on disk and closes the file. Only then can it get its name, so that no crash leaves half a file there.
+    pub(crate) fn complete(self) -> io::Result<CompleteFile> {
+        self.file.as_file().sync_all()?;
+        Ok(CompleteFile {
+            path: self.file.into_temp_path(),
+            guarded: self.guarded,
+        })
+    }
+}
+
+/// A file whose contents are on disk, under a temporary name.
+pub(crate) struct CompleteFile {
+    path: TempPath,
+    guarded: Guarded,
+}
+
+impl CompleteFile {
     /// Gives the file its name unless there is one of that name; returns whether it got it.
     pub(crate) fn persist_new(self, target: &Path) -> io::Result<bool> {
-        let named = match self.file.persist_noclobber(target) {
+        let named = match self.path.persist_noclobber(target) {
             Ok(_) => true,
             Err(failed) if failed.error.kind() == io::ErrorKind::AlreadyExists => false,
             Err(failed) => return Err(failed.error),
@@ -114,10 +131,25 @@ impl Temporary {
 
     /// Gives the file its name; one that exists is replaced.
     pub(crate) fn persist(self, target: &Path) -> io::Result<()> {
-        self.file.persist(target).map_err(|e| e.error)?;
+        self.path.persist(target).map_err(|e| e.error)?;
         drop(self.guarded);
         Ok(())
     }
+}
+
+/// Puts the names of the files in a folder on disk. Where a system cannot, it does so later: the files are complete.
+pub(crate) fn sync_folder(folder: &Path) {
+    #[cfg(unix)]
+    let _ = File::open(folder).and_then(|folder| folder.sync_all());
+    #[cfg(not(unix))]
+    let _ = folder;
+}
+
+/// Returns whether a file of this name is a temporary one.
+pub(crate) fn is_temporary(name: &str) -> bool {
+    name.strip_prefix(PREFIX).is_some_and(|rest| {
+        rest.len() == LETTERS && rest.bytes().all(|b| b.is_ascii_alphanumeric())
+    })
 }
 
 /// Removes the temporary files that crashed programs have left in a folder, once for each folder.
@@ -126,11 +158,7 @@ fn sweep(folder: &Path) {
         return;
     }
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-        let name = entry.file_name();
-        let letters = name.to_str().and_then(|name| name.strip_prefix(PREFIX));
-        let ours = letters.is_some_and(|rest| {
-            rest.len() == LETTERS && rest.bytes().all(|b| b.is_ascii_alphanumeric())
-        });
+        let ours = entry.file_name().to_str().is_some_and(is_temporary);
         let old = || {
             entry
                 .metadata()

@@ -5,7 +5,7 @@ use crate::files::input::Inputs;
 use crate::options::report;
 use hsd_base::diagnostic::{Diagnostics, Language};
 use hsd_base::source::Limits;
-use hsd_driver::fs::FolderWorld;
+use hsd_driver::fs::{FolderWorld, InputRecord};
 use hsd_ir::catalog::{Catalog, PartDef};
 use hsd_report::{Format, Report};
 use std::borrow::Cow;
@@ -27,14 +27,19 @@ impl CustomParts {
     }
 }
 
-/// Reads catalogue files and prints their diagnostics.
-pub(super) fn read(paths: &[PathBuf], language: Language) -> Result<CustomParts, Failure> {
+/// Reads catalogue files and prints their diagnostics. Adds the files that are read to the record.
+pub(super) fn read(
+    paths: &[PathBuf],
+    record: &InputRecord,
+    language: Language,
+) -> Result<CustomParts, Failure> {
     let limits = Limits::default();
     let mut out = Diagnostics::new();
     let inputs = Inputs::read(paths, limits.bytes, &mut out)?;
     let folder = |p: &PathBuf| p.parent().unwrap_or(Path::new("")).to_owned();
     let folders: Vec<PathBuf> = paths.iter().map(folder).collect();
     let world = FolderWorld::new(folders.clone(), limits.pixels).with_roots(folders);
+    let world = world.recorded_in(record);
     let sources = inputs.accepted();
     let mut read =
         hsd_driver::documents(&sources, &world, &hsd_driver::Options::default(), &mut out);

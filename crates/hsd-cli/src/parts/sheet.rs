@@ -1,8 +1,7 @@
 //! `hsd parts --sheet`: the catalogue as an HTML page or a glTF model.
 
 use super::{class_word, rounded, with_blanks};
-use crate::files::output;
-use crate::files::output::Files;
+use crate::files::output::{Committer, Files};
 use crate::{Exit, Failure, Outcome};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -20,17 +19,17 @@ use std::path::Path;
 const DENSITY: f64 = 150.0;
 
 /// Writes the page or the model, depending on the file extension.
-pub(super) fn write(parts: &[&PartDef], to: &Path) -> Outcome {
+pub(super) fn write(parts: &[&PartDef], to: &Path, committer: &Committer) -> Outcome {
     let extension = to.extension().map(|e| e.to_ascii_lowercase());
     match extension.as_ref().and_then(|e| e.to_str()) {
         Some("html" | "htm") => {
             let page = page(parts).into_bytes();
-            output::write(to, Files::bytes(page))?;
+            committer.write(to, Files::bytes(page))?;
         }
         Some("glb") => {
             let scene = part_sheet::scene(parts, Detail::Everything);
             let library = Library::default();
-            output::write(to, Files::glb(Glb::inside(&scene, &library)))?;
+            committer.write(to, Files::glb(Glb::inside(&scene, &library)))?;
         }
         _ => {
             let shown = to.display();

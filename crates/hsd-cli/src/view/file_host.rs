@@ -2,17 +2,18 @@
 
 use crate::Failure;
 use crate::files::input::Inputs;
-use crate::files::output::folder_of;
-use crate::files::temporary::{Guarded, Temporary};
+use crate::files::output::{Committer, Files};
+use crate::files::temporary::Guarded;
 use crate::options::ReadArgs;
 use hsd_base::diagnostic::{Diagnostics, Language};
 use hsd_base::source::{Source, Span, World};
 use hsd_base::text;
 use hsd_driver::Options;
+use hsd_driver::fs::InputRecord;
 use hsd_scene::{Detail, Shown};
 use hsd_view::EditorHost;
 use std::fs::{self, File};
-use std::io::{self, Read, Write};
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::{Mutex, PoisonError};
@@ -31,6 +32,18 @@ pub(crate) struct FileHost {
     pub(crate) writes: bool,
     /// The folders of towns.
     pub(crate) scratch: Mutex<Vec<(TempDir, Guarded)>>,
+    /// The files that were read.
+    pub(crate) record: InputRecord,
+}
+
+/// Returns a failure as an I/O error.
+fn stopped(stop: Failure) -> io::Error {
+    match stop {
+        Failure::Io(why) | Failure::Usage(why) => {
+            io::Error::other(why.in_language(Language::English).into_owned())
+        }
+        Failure::Pipe => io::ErrorKind::BrokenPipe.into(),
+    }
 }
 
 impl EditorHost for FileHost {
@@ -42,12 +55,6 @@ impl EditorHost for FileHost {
         let inputs = [path.to_owned()];
         let limit = self.read_args.limits().bytes;
         let mut out = Diagnostics::new();
-        let stopped = |stop: Failure| match stop {
-            Failure::Io(why) | Failure::Usage(why) => {
-                io::Error::other(why.in_language(Language::English).into_owned())
-            }
-            Failure::Pipe => io::ErrorKind::BrokenPipe.into(),
-        };
         let read = Inputs::read(&inputs, limit, &mut out).map_err(stopped)?;
         if !read.taken().all(|taken| taken) {
             return Err(io::Error::other(
@@ -59,7 +66,8 @@ impl EditorHost for FileHost {
             shown: self.shown,
             ..self.read_args.options(&read, &mut out).map_err(stopped)?
         };
-        let world = self.read_args.world(&inputs);
+        self.record.add(path);
+        let world = self.read_args.world(&inputs).recorded_in(&self.record);
         if let Some(source) = read.sources.into_iter().next() {
             work(source, &world, &options);
         }
@@ -93,17 +101,14 @@ impl EditorHost for FileHost {
         if fs::read(path)? != before {
             return Err(io::Error::other("the file has changed on disk"));
         }
-        // Writes to the target of a link and keeps the link.
-        let path = path.canonicalize()?;
-        let permissions = fs::metadata(&path)?.permissions();
         // Renaming would replace even a read-only file.
-        if permissions.readonly() {
+        if fs::metadata(path)?.permissions().readonly() {
             return Err(io::ErrorKind::PermissionDenied.into());
         }
-        let mut file = Temporary::new_in(folder_of(&path))?;
-        file.as_file_mut().write_all(after)?;
-        file.as_file_mut().set_permissions(permissions)?;
-        file.persist(&path)
+        // Strokes and edits change the file itself.
+        let committer = Committer::knowing(self.record.clone()).editing(path);
+        let written = committer.write(path, Files::bytes(after.to_vec()));
+        written.map(drop).map_err(stopped)
     }
 
     fn opens(&self) -> bool {

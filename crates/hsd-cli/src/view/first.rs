@@ -1,13 +1,13 @@
 //! What the program does without arguments on a desktop, as after a double click: it shows a folder of houses to change.
 
 use crate::Failure;
-use crate::files::output::{self, Files};
+use crate::files::output::Committer;
 use hsd_base::diagnostic::Language;
 use hsd_base::text;
 use hsd_syntax::templates::{EXAMPLES, TYPES};
 use std::ffi::OsString;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The folder in that of the user, whose houses are theirs from then on.
 const FOLDER: &str = "hsd-houses";
@@ -61,9 +61,7 @@ fn fill(folder: &Path) -> Result<(), Failure> {
     let types = TYPES.iter().take(TOWN_HOUSES).chain(EXAMPLES);
     let types = types.map(|t| (format!("{}.hsd", t.word), t.text()));
     let first = std::iter::once((FIRST.0.to_owned(), FIRST.1.to_owned()));
-    for (name, text) in first.chain(types) {
-        let path: PathBuf = folder.join(name);
-        output::write(&path, Files::bytes(text.into_bytes()))?;
-    }
-    Ok(())
+    let files = first.chain(types);
+    let files = files.map(|(name, text)| (folder.join(name), text.into_bytes()));
+    Committer::default().write_all(files.collect())
 }

@@ -3,13 +3,14 @@
 use crate::Failure;
 use crate::build::facade::made::{self, Made, png};
 use crate::build::facade::said;
-use crate::files::output;
+use crate::files::output::{self, Committer};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use glam::{DVec2, dvec2};
 use hsd_base::diagnostic::{Diagnostics, Language, Text};
 use hsd_base::source::{FileId, Source};
 use hsd_base::text;
+use hsd_driver::fs::InputRecord;
 use hsd_report::{Format, Report, Style};
 use hsd_trace::front::brush::{Stroke, painted};
 use hsd_trace::front::grid::Grid;
@@ -47,6 +48,8 @@ pub(super) struct Photographs {
     writes: bool,
     language: Language,
     all: Vec<Opened>,
+    /// The files of the photographs.
+    record: InputRecord,
 }
 
 /// A photograph.
@@ -123,6 +126,7 @@ impl Photographs {
             writes,
             language,
             all,
+            record: Committer::reading(photos).inputs,
         }))
     }
 
@@ -208,15 +212,17 @@ impl Photographs {
         let mut written = None;
         match front::read(photos, given) {
             Ok(front) => {
+                let committer = &Committer::knowing(self.record.clone());
                 let made = Made {
                     output: &self.output,
                     photos,
                     front: &front,
                     given,
                     fronts: None,
+                    committer,
                 };
                 let words = made.write(&mut sources, &mut out).and_then(|words| {
-                    output::write_all(self.kept(told, photos)?)?;
+                    committer.write_all(self.kept(told, photos)?)?;
                     Ok(words)
                 });
                 written = Some(words.map_err(|failure| self.failed(&failure))?);

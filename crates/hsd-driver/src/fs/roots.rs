@@ -2,8 +2,8 @@
 //! by links.
 
 use hsd_base::source::IncludeError;
-use std::fs::{self, File};
-use std::io::{self, Read};
+use std::fs;
+use std::io;
 use std::path::{Component, Path, PathBuf};
 
 /// Folders that contain all readable files.
@@ -61,19 +61,6 @@ impl Roots {
     fn inside(&self, real_path: &Path) -> bool {
         let mut roots = self.list.iter().filter_map(|r| real(r));
         roots.any(|r| real_path.starts_with(r)) && real_path.is_file()
-    }
-
-    /// Returns the contents of a file found before: at most `limit` bytes, plus one if there are more.
-    pub(super) fn bytes(&self, path: &str, limit: usize) -> io::Result<Vec<u8>> {
-        let mut bytes = vec![];
-        let file = self.open(path)?;
-        file.take(limit as u64 + 1).read_to_end(&mut bytes)?;
-        Ok(bytes)
-    }
-
-    /// Opens a file below a root.
-    pub(super) fn open(&self, path: &str) -> io::Result<File> {
-        File::open(self.resolved(path)?)
     }
 
     /// Returns the canonical path of a file below a root.

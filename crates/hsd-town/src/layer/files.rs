@@ -6,6 +6,7 @@ use hsd_base::source::{IncludeError, Span, Spanned, World};
 use hsd_base::text;
 use std::collections::BTreeSet;
 use std::ops::Range;
+use std::path::{Path, PathBuf};
 
 /// The most files of a layer.
 const MOST: usize = 20_000;
@@ -35,6 +36,12 @@ pub struct NoFiles {
     pub span: Span,
     /// The reason.
     pub why: Text,
+}
+
+/// Returns the path of a map and those that its side files would have.
+pub fn with_side_files(map: &Path) -> impl Iterator<Item = PathBuf> {
+    let beside = BESIDE.iter().map(|ending| map.with_extension(ending));
+    std::iter::once(map.to_owned()).chain(beside)
 }
 
 /// Returns the files that a town file called `from` names as `src`. A name with a comma or a star is that of a file if it

@@ -2,7 +2,7 @@
 
 use super::said;
 use crate::Failure;
-use crate::files::output;
+use crate::files::output::Committer;
 use crate::files::terminal::counted;
 use hsd_base::diagnostic::{Diagnostics, Text, noun};
 use hsd_base::source::{FileId, Source, Span};
@@ -18,6 +18,18 @@ use std::path::{Path, PathBuf};
 /// The most pixels of a part, as of all images of a house.
 const PIXELS: u64 = 64_000_000;
 
+/// The record of what was read.
+const FACADE: &str = "facade.json";
+
+/// The catalogue of the parts.
+const PARTS: &str = "parts.csv";
+
+/// The whole wall, seen straight.
+const RECTIFIED: &str = "rectified.png";
+
+/// The photograph beside the wall.
+const COMPARED: &str = "compared.png";
+
 /// A wall that was read, and the folder for it.
 pub(crate) struct Made<'m> {
     /// The folder.
@@ -30,6 +42,8 @@ pub(crate) struct Made<'m> {
     pub(crate) given: &'m Given,
     /// The name of whole fronts that are also written.
     pub(crate) fronts: Option<&'m str>,
+    /// The committer, which knows the photographs.
+    pub(crate) committer: &'m Committer,
 }
 
 impl Made<'_> {
@@ -40,8 +54,7 @@ impl Made<'_> {
         out: &mut Diagnostics,
     ) -> Result<Text, Failure> {
         std::fs::create_dir_all(self.output).map_err(|e| Failure::at(self.output.display(), e))?;
-        let name = self.output.file_name().unwrap_or("front".as_ref());
-        let path = self.output.join(format!("{}.hsd", name.to_string_lossy()));
+        let [path, street] = sources_in(self.output);
         let text = front::text::write(self.front, &self.head());
         self.doubts(sources[0].span(0..0), out);
         let source = Source::new(
@@ -50,10 +63,9 @@ impl Made<'_> {
             text.as_bytes(),
         );
         let mut files = self.files()?;
-        let street = self.output.join(street(&name.to_string_lossy()));
         files.push((street, front::street::write(self.front).into_bytes()));
         files.push((path.clone(), text.into_bytes()));
-        output::write_all(files)?;
+        self.committer.write_all(files)?;
         let world = FolderWorld::new(vec![self.output.to_owned()], PIXELS);
         hsd_driver::check(&[&source], &world, &hsd_driver::Options::default(), out);
         sources.push(source);
@@ -89,16 +101,10 @@ impl Made<'_> {
         let path = |name: &str| self.output.join(name);
         let compared = sheet::draw(&photos[0], front);
         let mut files = vec![
-            (
-                path("facade.json"),
-                record::json(photos, front).into_bytes(),
-            ),
-            (
-                path("parts.csv"),
-                front::text::catalogue(front).into_bytes(),
-            ),
-            (path("rectified.png"), png(&front.wall)?),
-            (path("compared.png"), png(&compared)?),
+            (path(FACADE), record::json(photos, front).into_bytes()),
+            (path(PARTS), front::text::catalogue(front).into_bytes()),
+            (path(RECTIFIED), png(&front.wall)?),
+            (path(COMPARED), png(&compared)?),
         ];
         for part in &front.parts {
             for (name, picture) in part.names().iter().zip(part.pictures()) {
@@ -159,6 +165,19 @@ impl Made<'_> {
             })
             .collect()
     }
+}
+
+/// Returns the paths of the source files that are written into a folder: the front, and the front in a street.
+fn sources_in(folder: &Path) -> [PathBuf; 2] {
+    let name = folder.file_name().unwrap_or("front".as_ref());
+    let name = name.to_string_lossy();
+    [format!("{name}.hsd"), street(&name)].map(|file| folder.join(file))
+}
+
+/// Returns the outputs in a folder whose names are known before the photographs are read.
+pub(super) fn outputs_in(folder: &Path) -> impl Iterator<Item = PathBuf> {
+    let others = [FACADE, PARTS, RECTIFIED, COMPARED].map(|name| folder.join(name));
+    others.into_iter().chain(sources_in(folder))
 }
 
 /// The name of the text that puts the front of a folder into a street.

@@ -2,7 +2,7 @@
 
 use super::{Plan, SHAKU, name_of};
 use crate::Failure;
-use crate::files::output;
+use crate::files::output::Committer;
 use glam::DVec2;
 use hsd_base::diagnostic::Diagnostics;
 use hsd_base::source::{FileId, Source};
@@ -86,6 +86,7 @@ impl Plan {
     /// The legends that were asked for, or all; drawings are read by those of CAD too.
     pub(super) fn legends(
         &self,
+        committer: &Committer,
         sources: &mut Vec<Source>,
         out: &mut Diagnostics,
     ) -> Result<Option<Legends>, Failure> {
@@ -94,7 +95,10 @@ impl Plan {
         for name in self.legends.iter().filter(|name| *name != "cad") {
             let text = match known(name) {
                 Some((_, text)) => text.as_bytes().to_vec(),
-                None => std::fs::read(name).map_err(|e| Failure::at(name, e))?,
+                None => {
+                    committer.add_inputs([name]);
+                    std::fs::read(name).map_err(|e| Failure::at(name, e))?
+                }
             };
             texts.push((name.clone(), text));
         }
@@ -133,7 +137,7 @@ impl Plan {
     /// Reads all files; `None` if one of them has no plan.
     pub(super) fn sheets(
         &self,
-        legends: Option<&Legends>,
+        (legends, committer): (Option<&Legends>, &Committer),
         sources: &mut Vec<Source>,
         out: &mut Diagnostics,
     ) -> Result<Option<Read>, Failure> {
@@ -163,7 +167,7 @@ impl Plan {
                     match self.picture(&picture, file, legends) {
                         Ok(sheet) => sheets.push(sheet),
                         Err(stopped) => {
-                            output::write_all(self.steps(k, (&*stopped).into())?)?;
+                            committer.write_all(self.steps(k, (&*stopped).into())?)?;
                             out.push(said::refused(source.span(0..0), stopped.why));
                         }
                     }

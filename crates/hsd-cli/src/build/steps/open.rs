@@ -1,8 +1,9 @@
 //! Planned work as the steps after the plan find it: the folder, its manifest, and the town read again from its own file.
 
 use crate::build::tiled::Folder;
-use crate::build::town::print;
+use crate::build::town::{maps, print};
 use crate::files::input::{Inputs, STDIN};
+use crate::files::output::Committer;
 use crate::options::InputArgs;
 use crate::{Exit, Failure, Outcome};
 use hsd_base::diagnostic::{Diagnostics, Language};
@@ -104,11 +105,11 @@ fn manifest(work: &Path, folder: &Folder) -> Result<Manifest, Failure> {
 
 /// Opens planned work and hands it to `then`.
 pub(super) fn opened(
-    work: &Path,
+    (work, committer): (&Path, &Committer),
     language: Language,
     then: impl FnOnce(&Worker<'_>, &Manifest, (&Source, &Folder)) -> Outcome,
 ) -> Outcome {
-    let folder = Folder::of_planned(work);
+    let folder = Folder::of_planned(work, committer);
     let manifest = manifest(work, &folder)?;
     let damaged = || stale(work, &NotOpened::Damaged);
     let asked: Asked = serde_json::from_value(manifest.asked.clone()).map_err(|_| damaged())?;
@@ -117,6 +118,7 @@ pub(super) fn opened(
         .map_err(|e| Failure::at(work.display(), e))?;
     let args = &asked.input;
     args.check_folders()?;
+    committer.add_inputs(args.files());
     let mut out = Diagnostics::new();
     let inputs = Inputs::read(&args.inputs, args.limits().bytes, &mut out)?;
     let detail = asked.detail.iter().copied().max().unwrap_or(3);
@@ -125,6 +127,7 @@ pub(super) fn opened(
         ..args.options(&inputs, &mut out)?
     };
     let world = args.world(&args.inputs);
+    let world = world.recorded_in(&committer.inputs);
     let accepted = inputs.accepted();
     let mut read = hsd_driver::documents(&accepted, &world, &options, &mut out);
     let town = read.documents.iter_mut().find_map(|d| d.town.take());
@@ -133,6 +136,8 @@ pub(super) fn opened(
         return Ok(Exit::Errors);
     };
     let input = TownInput::new(source, &world, &options);
+    // The maps were read when the town was planned.
+    committer.add_inputs(maps(input, &town));
     let division = Tiles {
         detail: match asked.detail.is_empty() {
             true => town.tiles.detail.clone(),

@@ -1,8 +1,9 @@
 //! `hsd town seal`: puts a town together of the tiles of planned work.
 
 use super::open::opened;
-use crate::build::tiled::{self, Folder, Wish};
+use crate::build::tiled::{self, Folder, TILESET, Wish};
 use crate::build::town::print;
+use crate::files::output::Committer;
 use crate::files::terminal::counted;
 use crate::options::exit;
 use crate::{Failure, Outcome};
@@ -54,7 +55,13 @@ pub(crate) struct TownSeal {
 
 impl TownSeal {
     pub(crate) fn run(&self, language: Language) -> Outcome {
-        opened(&self.work, language, |worker, manifest, (source, from)| {
+        let committer = Committer::default();
+        let work = (&*self.work, &committer);
+        opened(work, language, |worker, manifest, (source, from)| {
+            if self.output.is_dir() {
+                committer.check([self.output.join(TILESET)])?;
+                committer.check(tiled::table_paths(&self.output))?;
+            }
             let mut out = Diagnostics::new();
             let failed = |error| Failure::at(self.work.display(), error);
             let spool = tiled::spools_beside(&self.work.join(work::MANIFEST));
@@ -64,7 +71,7 @@ impl TownSeal {
                 Err(unmade) => return Err(self.missing(&unmade, manifest)),
             };
             let failed = |error| Failure::at(self.output.display(), error);
-            let folder = Folder::of_town(&self.output).map_err(failed)?;
+            let folder = Folder::of_town(&self.output, &committer).map_err(failed)?;
             for tile in &made.tiles {
                 made.kept += usize::from(folder.has(&tile.file()));
             }

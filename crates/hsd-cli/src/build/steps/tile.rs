@@ -1,6 +1,7 @@
 //! `hsd town tile`: makes tiles of planned work.
 
 use super::open::opened;
+use crate::files::output::Committer;
 use crate::{Exit, Failure, Outcome};
 use clap::Args;
 use hsd_base::diagnostic::{Language, Text};
@@ -65,7 +66,8 @@ struct Queue<'q> {
 
 impl TownTile {
     pub(crate) fn run(&self, language: Language) -> Outcome {
-        opened(&self.work, language, |worker, manifest, _| {
+        let committer = Committer::default();
+        opened((&self.work, &committer), language, |worker, manifest, _| {
             let threads = match self.threads {
                 Some(threads) => threads.get(),
                 None => rayon::current_num_threads(),

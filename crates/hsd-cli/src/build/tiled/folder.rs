@@ -1,8 +1,11 @@
 //! A folder that keeps the files of tiles, each whole or not at all.
 
-use crate::files::temporary::Temporary;
+use crate::files::output::Committer;
+use crate::files::temporary::{is_temporary, sync_folder};
 use hsd_export::pieces::Pieces;
 use hsd_export::tileset::TreeFiles;
+use hsd_scene::texture;
+use hsd_scene::texture::palette::COLOURS;
 use hsd_town::tiles::TileStore;
 use hsd_town::tiles::work;
 use std::collections::BTreeSet;
@@ -10,40 +13,72 @@ use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// The folders in which a town's own files stand; what else is in them is swept away.
+/// The folders of the files of a town. Those of earlier runs are removed from them.
 const OF_TOWN: &[&str] = &["tiles", "textures"];
+
+/// The number of digits of a hash in the names of files.
+const HASH: usize = 16;
 
 /// A folder that takes the files of tiles.
 pub(in crate::build) struct Folder {
     path: PathBuf,
     own: &'static [&'static str],
+    /// The committer, which knows the inputs: none of them is replaced or removed.
+    pub(super) committer: Committer,
 }
 
 impl Folder {
     /// Makes the folder of a town.
-    pub(in crate::build) fn of_town(path: &Path) -> io::Result<Folder> {
-        Folder::made(path, OF_TOWN)
+    pub(in crate::build) fn of_town(path: &Path, committer: &Committer) -> io::Result<Folder> {
+        Folder::made(path, OF_TOWN, committer)
     }
 
     /// Makes the folder of a town that is made in steps.
-    pub(in crate::build) fn of_work(path: &Path) -> io::Result<Folder> {
-        Folder::made(path, &work::FOLDERS)
+    pub(in crate::build) fn of_work(path: &Path, committer: &Committer) -> io::Result<Folder> {
+        Folder::made(path, &work::FOLDERS, committer)
     }
 
     /// Returns the folder of planned work, which is there.
-    pub(in crate::build) fn of_planned(path: &Path) -> Folder {
+    pub(in crate::build) fn of_planned(path: &Path, committer: &Committer) -> Folder {
         Folder {
             path: path.to_owned(),
             own: &work::FOLDERS,
+            committer: committer.clone(),
         }
     }
 
-    fn made(path: &Path, own: &'static [&'static str]) -> io::Result<Folder> {
+    fn made(
+        path: &Path,
+        own: &'static [&'static str],
+        committer: &Committer,
+    ) -> io::Result<Folder> {
         for folder in own {
             fs::create_dir_all(path.join(folder))?;
         }
-        let path = path.to_owned();
-        Ok(Folder { path, own })
+        Ok(Folder {
+            path: path.to_owned(),
+            own,
+            committer: committer.clone(),
+        })
+    }
+
+    /// Puts the names of all its files on disk.
+    pub(in crate::build) fn sync(&self) {
+        for folder in self.own {
+            sync_folder(&self.path.join(folder));
+        }
+        sync_folder(&self.path);
+    }
+
+    /// Removes a file, which another process may have removed. An input is kept.
+    fn remove(&self, path: &Path) -> io::Result<()> {
+        if self.committer.inputs.find(path).is_some() {
+            return Ok(());
+        }
+        match fs::remove_file(path) {
+            Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
+            _ => Ok(()),
+        }
     }
 
     /// Removes the files that are none of `own` or `branches`: of other inputs, or left by a run that was killed.
@@ -56,7 +91,7 @@ impl Folder {
             let entry = entry?;
             let name = entry.file_name().to_string_lossy().into_owned();
             if TreeFiles::is_branch(&name) && !branches.contains(&name) {
-                gone(&entry.path())?;
+                self.remove(&entry.path())?;
             }
         }
         self.own
@@ -72,9 +107,11 @@ impl Folder {
     ) -> io::Result<()> {
         for entry in fs::read_dir(self.path.join(folder))? {
             let entry = entry?;
-            let name = format!("{folder}/{}", entry.file_name().to_string_lossy());
-            if !own.contains(&name) && entry.file_type()?.is_file() {
-                gone(&entry.path())?;
+            let file = entry.file_name();
+            let file = file.to_string_lossy();
+            let is_stale = is_generated(&file) && !own.contains(&format!("{folder}/{file}"));
+            if is_stale && entry.file_type()?.is_file() {
+                self.remove(&entry.path())?;
             }
         }
         Ok(())
@@ -94,12 +131,17 @@ impl Folder {
     }
 }
 
-/// Removes a file, which another process may have removed.
-fn gone(path: &Path) -> io::Result<()> {
-    match fs::remove_file(path) {
-        Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
-        _ => Ok(()),
-    }
+/// Returns whether a town may have written a file of this name. Others are of the user, who may keep images for parts in a
+/// folder of the same name.
+fn is_generated(name: &str) -> bool {
+    let stem = |name: &str| name.split('.').next().unwrap_or_default().to_owned();
+    let own = stem(name);
+    let is_hash = |word: &str| word.len() == HASH && word.bytes().all(|b| b.is_ascii_hexdigit());
+    let mut textures = texture::FILES.iter().map(|(file, _)| stem(file));
+    is_temporary(name)
+        || own.split('-').any(is_hash)
+        || own == COLOURS
+        || textures.any(|texture| texture == own)
 }
 
 /// Returns true if two paths are known to be of one file.
@@ -127,18 +169,6 @@ impl TileStore for Folder {
     }
 
     fn commit(&self, name: &str, bytes: &Pieces) -> io::Result<()> {
-        let target = self.path.join(name);
-        let folder = target.parent().unwrap_or(&self.path);
-        let mut file = Temporary::new_in(folder)?;
-        bytes.write(file.as_file_mut())?;
-        file.as_file_mut().sync_all()?;
-        if file.persist_new(&target)? || bytes.are(&fs::read(&target)?) {
-            return Ok(());
-        }
-        // An image that has changed since.
-        let mut file = Temporary::new_in(folder)?;
-        bytes.write(file.as_file_mut())?;
-        file.as_file_mut().sync_all()?;
-        file.persist(&target)
+        self.committer.write_shared(&self.path.join(name), bytes)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{planned, print};
 use crate::build::variants::{check_sheet, write_sheet};
+use crate::files::output::Committer;
 use crate::options::{DetailArgs, InputArgs};
 use crate::{Exit, Failure, Outcome};
 use clap::Args;
@@ -57,13 +58,15 @@ impl Candidates {
     pub(crate) fn run(&self, language: Language) -> Outcome {
         check_sheet(&self.output, Some(self.variants))?;
         let detail = self.detail_args.detail();
+        let committer = Committer::default();
         planned(
-            &self.input_args,
+            (&self.input_args, &committer),
             (detail, None),
             language.into(),
             |input, read, plan, out, _| {
+                committer.check([&self.output])?;
                 let lot = self.lot(plan)?;
-                self.draw(input, &read, (plan, lot), out, language)
+                self.draw((input, &committer), &read, (plan, lot), out, language)
             },
         )
     }
@@ -106,7 +109,7 @@ impl Candidates {
 
     fn draw(
         &self,
-        input: TownInput<'_>,
+        (input, committer): (TownInput<'_>, &Committer),
         read: &hsd_driver::Read,
         (plan, lot): (&Plan, LotId),
         mut out: Diagnostics,
@@ -158,7 +161,7 @@ impl Candidates {
         let drawn = sheet::sheet(&level.scene, &cells.collect::<Vec<Cell>>());
         let spoiled = out.has_errors();
         print(&sources, out, language)?;
-        write_sheet(&self.output, drawn, self.quiet, language)?;
+        write_sheet((&self.output, committer), drawn, self.quiet, language)?;
         if !self.quiet {
             write!(io::stdout(), "{lines}")?;
         }

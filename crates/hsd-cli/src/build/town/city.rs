@@ -1,9 +1,9 @@
 //! `hsd town` to a `.city.json` or `.city.jsonl`: a town as CityJSON.
 
 use crate::Failure;
-use crate::build::tiled::{FEATURE, Progress, spools_beside, tables};
+use crate::build::tiled::{FEATURE, Progress, check_outputs, spools_beside, tables};
 use crate::files::messages::Teller;
-use crate::files::output::{folder_of, temporary_in};
+use crate::files::output::Committer;
 use crate::files::terminal::{HOUSE, bytes, counted};
 use hsd_base::diagnostic::{Diagnostics, Text};
 use hsd_base::source::Source;
@@ -42,7 +42,7 @@ impl CityForm {
 /// the author wanted, the files that were read, and what was found.
 pub(super) fn build(
     (path, form, openings, quiet): (&Path, CityForm, bool, bool),
-    input: TownInput<'_>,
+    (input, committer): (TownInput<'_>, &Committer),
     (read, plan): (hsd_driver::Read, &Plan),
     mut out: Diagnostics,
     teller: Teller,
@@ -54,7 +54,7 @@ pub(super) fn build(
         spool: plan.lodged.is_some().then_some(&spool),
         ..parts.job(input, plan, &read.catalog, &plan.town.tiles)
     };
-    let mut file = temporary_in(folder_of(path)).map_err(failed)?;
+    let mut file = committer.draft(path)?;
     let head = city::city(plan);
     let mut written = BufWriter::new(file.as_file_mut());
     let (mut houses, mut kept) = (0, vec![]);
@@ -87,8 +87,9 @@ pub(super) fn build(
     }
     written.flush().map_err(failed)?;
     drop(written);
-    file.persist(path).map_err(failed)?;
-    tables(path, &mut ledger)?;
+    check_outputs((path, &ledger), Some(path), committer)?;
+    file.finish()?;
+    tables(path, &mut ledger, committer)?;
     if !quiet {
         let line = summary(path, &ledger, houses, size);
         writeln!(io::stderr(), "{}", line.in_language(teller.language))?;

@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::build::tiled::{FEATURE, Progress, spools_beside, tables};
 use crate::files::messages::Teller;
-use crate::files::output::{folder_of, write_all};
+use crate::files::output::{Committer, folder_of};
 use crate::files::terminal::{bytes, counted};
 use hsd_base::diagnostic::{Diagnostics, noun};
 use hsd_base::source::Source;
@@ -20,7 +20,7 @@ use std::path::Path;
 /// the author wanted, the files that were read, and what was found.
 pub(super) fn build(
     (path, detail, quiet): (&Path, Detail, bool),
-    input: TownInput<'_>,
+    (input, committer): (TownInput<'_>, &Committer),
     (read, plan): (hsd_driver::Read, &Plan),
     mut out: Diagnostics,
     teller: Teller,
@@ -48,7 +48,7 @@ pub(super) fn build(
                 let written: Vec<_> = written.collect();
                 files += 1;
                 size += written.iter().map(|(_, bytes)| bytes.len()).sum::<usize>();
-                write_all(written).map_err(|why| {
+                committer.write_all(written).map_err(|why| {
                     failure = Some(why);
                     io::ErrorKind::Other.into()
                 })
@@ -63,7 +63,7 @@ pub(super) fn build(
         None => Failure::at(path.display(), error),
     })?;
     progress.finish()?;
-    tables(path, &mut ledger)?;
+    tables(path, &mut ledger, committer)?;
     if !quiet {
         let (name, report) = (path.display(), &ledger.report);
         let (features, built) = (counted(report.features, FEATURE), report.built);

@@ -1,9 +1,9 @@
 //! `hsd town` to a `.hsd`: the houses of a town as one source file.
 
 use crate::Failure;
-use crate::build::tiled::{FEATURE, Progress, tables};
+use crate::build::tiled::{FEATURE, Progress, check_outputs, tables};
 use crate::files::messages::Teller;
-use crate::files::output::write_all;
+use crate::files::output::Committer;
 use crate::files::terminal::{HOUSE, counted};
 use hsd_base::diagnostic::{Diagnostics, Language};
 use hsd_base::source::{FileId, Source, Span};
@@ -19,7 +19,7 @@ use std::path::Path;
 /// that were read, and what was found.
 pub(super) fn build(
     (path, quiet): (&Path, bool),
-    input: TownInput<'_>,
+    (input, committer): (TownInput<'_>, &Committer),
     (read, plan): (Read, &Plan),
     mut out: Diagnostics,
     teller: Teller,
@@ -62,8 +62,9 @@ pub(super) fn build(
     let file = laid_out.unwrap_or(file);
     let (mut ledger, included) = town.finish(&mut out);
     progress.finish()?;
-    write_all(vec![(path.to_owned(), file.into_bytes())])?;
-    tables(path, &mut ledger)?;
+    check_outputs((path, &ledger), Some(path), committer)?;
+    committer.write_all(vec![(path.to_owned(), file.into_bytes())])?;
+    tables(path, &mut ledger, committer)?;
     let failed = |error| Failure::at(path.display(), error);
     let language = teller.language;
     not_written(&unwritten, language).map_err(failed)?;
