@@ -4,7 +4,7 @@
 use super::key::TileKey;
 use super::shelves::Shelves;
 use super::{LotId, Plan};
-use crate::grid::{Bounds, meet, wider};
+use crate::grid::{Bounds, Grid, meet, wider};
 use crate::layer::{Lot, Lots};
 use crate::neighbour::TOUCHING;
 use hsd_export::spool::NewSpool;
@@ -53,6 +53,8 @@ pub struct Lodged {
     shelves: Mutex<Shelves>,
     /// Its tiles, by number.
     pub tiles: Vec<LodgedTile>,
+    /// The boxes of its tiles.
+    index: Grid,
     /// The number of features.
     pub features: usize,
     /// The keys that several features of a layer have.
@@ -111,6 +113,7 @@ impl Lodger {
         Ok(Lodged {
             shelves: Mutex::new(self.shelves),
             features: self.parts.iter().map(|tile| tile.features).sum(),
+            index: Grid::new(self.parts.iter().map(|tile| tile.bounds).collect()),
             tiles: self.parts,
             twice,
         })
@@ -167,8 +170,8 @@ impl Lodged {
         let wide = plan.beside();
         for far in [TOUCHING, wide] {
             let reach = wider(bounds, far);
-            for (n, tile) in self.tiles.iter().enumerate() {
-                if n != number && meet(tile.bounds, reach) && !others.contains_key(&n) {
+            for n in self.index.near(reach).into_iter().map(|n| n as usize) {
+                if n != number && !others.contains_key(&n) {
                     others.insert(n, self.read(n)?);
                 }
             }

@@ -36,7 +36,7 @@ impl LotSite<'_> {
         });
         // Roads cross over the ballast, whatever their width.
         let roads = self.plan.laid.roads.near(self.lot().shape.bounds(), half);
-        let roads = roads.map(|road| Way {
+        let roads = roads.into_iter().map(|road| Way {
             line: road.line,
             half: [road.half[0] + WIDEST, road.half[0], road.half[0]],
             own: false,
