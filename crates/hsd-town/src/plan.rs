@@ -14,7 +14,7 @@ mod zones;
 pub use key::TileKey;
 pub use laid::LaidFirst;
 pub(crate) use lodged::Lodger;
-pub use lodged::{Lodged, LodgedTile, Lodging};
+pub use lodged::{Lodged, LodgedTile, Lodging, UnusedLot};
 pub use packed::PartReader;
 pub use poles::{KnownPole, KnownPoles};
 pub use roads::{BORDERS, RoadPiece, Roads};
@@ -204,6 +204,40 @@ impl Plan {
                 Ok(())
             }
         }
+    }
+
+    /// Calls `see` with each feature of the layers that no rule names.
+    pub fn each_unused(&self, see: &mut dyn FnMut(UnusedLot)) {
+        let layers = self.layers.iter().enumerate();
+        for (number, layer) in layers.filter(|(number, _)| !self.is_ruled(*number)) {
+            for lot in &layer.lots {
+                see(UnusedLot {
+                    id: (number, lot.number as usize),
+                    key: lot.key.clone(),
+                    at: lot.shape.centre(),
+                });
+            }
+        }
+        let lodged = self.lodged.iter().flat_map(|lodged| &lodged.unused);
+        lodged.for_each(|lot| {
+            see(UnusedLot {
+                key: lot.key.clone(),
+                ..*lot
+            });
+        });
+    }
+
+    /// Returns the layers that nothing in the town depends on: no rule names them, they are no streets, and no other layer is
+    /// joined to them.
+    pub(crate) fn idle_layers(&self) -> impl Iterator<Item = usize> {
+        let layers = self.layers.iter().enumerate();
+        let idle = layers.filter(|(number, layer)| {
+            let name = &layer.layer.name.value;
+            let mut joins = self.town.layers.iter().flat_map(|layer| &layer.joins);
+            let is_joined = joins.any(|join| join.layer.value == *name);
+            !self.is_ruled(*number) && !self.streets.contains_key(name) && !is_joined
+        });
+        idle.map(|(number, _)| number)
     }
 
     /// Returns true if rules name a layer.

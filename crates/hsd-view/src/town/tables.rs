@@ -183,12 +183,21 @@ fn cells(line: &str) -> Vec<String> {
                 rest.next();
             }
             '"' => quoted = !quoted,
-            ',' if !quoted => cells.push(std::mem::take(&mut cell)),
+            ',' if !quoted => cells.push(plain(std::mem::take(&mut cell))),
             c => cell.push(c),
         }
     }
-    cells.push(cell);
+    cells.push(plain(cell));
     cells
+}
+
+/// Returns a cell without the apostrophe that keeps spreadsheets from running it.
+fn plain(cell: String) -> String {
+    const RUN: [char; 6] = ['=', '+', '-', '@', '\t', '\r'];
+    match cell.strip_prefix('\'') {
+        Some(run) if run.starts_with(RUN) => run.to_owned(),
+        _ => cell,
+    }
 }
 
 #[cfg(test)]
