@@ -26,14 +26,18 @@ pub struct Grid {
 #[derive(Clone, Copy, Debug)]
 struct GridNode {
     bounds: Bounds,
+    /// The box of the middles of the boxes in it.
+    middles: Bounds,
     /// The least number of the boxes in it.
     least: u32,
 }
 
-/// A node or a box that a search for the nearest boxes has yet to look at. The order is that of distances, then of numbers.
+/// A node or a box that a search for the nearest boxes has yet to look at. The order is that of distances, then of the distances
+/// of middles, then of numbers: boxes that all meet are ordered by place too.
 #[derive(Clone, Copy, Debug)]
 struct Waiting {
     distance: f64,
+    of_middle: f64,
     least: u32,
     /// The level above that of the node; 0 for a box.
     level: usize,
@@ -45,7 +49,9 @@ impl Ord for Waiting {
     fn cmp(&self, other: &Waiting) -> Ordering {
         let place = |own: &Waiting| (own.least, own.level, own.at);
         let by_distance = self.distance.total_cmp(&other.distance);
-        by_distance.then_with(|| place(self).cmp(&place(other)))
+        by_distance
+            .then(self.of_middle.total_cmp(&other.of_middle))
+            .then_with(|| place(self).cmp(&place(other)))
     }
 }
 
@@ -71,6 +77,7 @@ impl Grid {
             .iter()
             .map(|n| GridNode {
                 bounds: bounds[*n as usize],
+                middles: [middle(bounds[*n as usize]); 2],
                 least: *n,
             })
             .collect();
@@ -98,7 +105,8 @@ impl Grid {
     }
 
     /// Returns the numbers of the boxes within a distance of a box on both axes, ascending. Of more than `most` the nearest
-    /// count, and of equally near ones those with the least numbers: so the time is bounded where everything is at one place.
+    /// count, of equally near ones those with the nearest middles, and of these those with the least numbers: so the time is
+    /// bounded where everything is at one place.
     pub fn nearest(&self, to: Bounds, far: f64, most: usize) -> Vec<u32> {
         let mut found = vec![];
         if !self.collect(wider(to, far), most, &mut found) {
@@ -132,16 +140,24 @@ impl Grid {
     /// Returns the nearest boxes to a box, the nearest first.
     fn by_distance(&self, to: Bounds, far: f64, most: usize) -> Vec<u32> {
         let within = wider(to, far);
+        let from = [middle(to); 2];
         let waiting = |level: usize, at: usize| {
             let bounds = self.box_of(level, at);
-            meet(bounds, within).then(|| Waiting {
-                distance: gap(bounds, to),
-                least: match level {
-                    0 => self.order[at],
-                    _ => self.levels[level - 1][at].least,
-                },
-                level,
-                at,
+            meet(bounds, within).then(|| {
+                let (middles, least) = match level {
+                    0 => ([middle(bounds); 2], self.order[at]),
+                    _ => {
+                        let node = &self.levels[level - 1][at];
+                        (node.middles, node.least)
+                    }
+                };
+                Waiting {
+                    distance: gap(bounds, to),
+                    of_middle: gap(middles, from),
+                    least,
+                    level,
+                    at,
+                }
             })
         };
         let root = waiting(self.levels.len(), 0);
@@ -182,7 +198,7 @@ impl Grid {
 /// Returns the numbers of boxes in an order in which those that follow each other are near each other.
 fn tiled(bounds: &[Bounds]) -> Vec<u32> {
     let mut order: Vec<u32> = (0..bounds.len() as u32).collect();
-    let middle = |n: u32| bounds[n as usize][0].midpoint(bounds[n as usize][1]);
+    let middle = |n: u32| middle(bounds[n as usize]);
     order.sort_by(|a, b| middle(*a).x.total_cmp(&middle(*b).x));
     let leaves = bounds.len().div_ceil(CHILDREN);
     let columns = leaves.isqrt().max(1);
@@ -195,14 +211,21 @@ fn tiled(bounds: &[Bounds]) -> Vec<u32> {
 
 /// Returns the nodes of the level above some nodes.
 fn around_each(nodes: &[GridNode]) -> Vec<GridNode> {
+    let both = |[a, b]: Bounds, [c, d]: Bounds| [a.min(c), b.max(d)];
     let around = |a: GridNode, b: &GridNode| GridNode {
-        bounds: [a.bounds[0].min(b.bounds[0]), a.bounds[1].max(b.bounds[1])],
+        bounds: both(a.bounds, b.bounds),
+        middles: both(a.middles, b.middles),
         least: a.least.min(b.least),
     };
     let chunks = nodes.chunks(CHILDREN);
     chunks
         .map(|chunk| chunk.iter().fold(chunk[0], around))
         .collect()
+}
+
+/// Returns the middle of a box.
+fn middle([low, high]: Bounds) -> DVec2 {
+    low.midpoint(high)
 }
 
 /// Returns the distance between two boxes.
@@ -265,7 +288,11 @@ mod tests {
             let within = wider(asked, 20.0);
             let mut wanted: Vec<u32> = index.near(within);
             let far = |n: &u32| gap(all[*n as usize], asked);
-            wanted.sort_by(|a, b| far(a).total_cmp(&far(b)).then(a.cmp(b)));
+            let off = |n: &u32| middle(all[*n as usize]).distance(middle(asked));
+            wanted.sort_by(|a, b| {
+                let by_distance = far(a).total_cmp(&far(b));
+                by_distance.then(off(a).total_cmp(&off(b))).then(a.cmp(b))
+            });
             wanted.truncate(64);
             wanted.sort_unstable();
             assert_eq!(index.nearest(asked, 20.0, 64), wanted);

@@ -22,7 +22,7 @@ const STRETCH: f64 = 64.0;
 const STRETCHES: f64 = 64.0;
 
 /// The pieces whose boxes are looked at round a stretch, at most. Of more the nearest count.
-const LOOKED_AT: usize = 512;
+const LOOKED_AT: usize = 256;
 
 /// The pieces that are beside a stretch, at most. Of more the nearest count.
 const BESIDE: usize = 128;
