@@ -267,7 +267,9 @@ impl Made {
             let uses = |id: usize| built.iter().find_map(|b| use_by(b, PictureId(id as u32)));
             let mut drafts = tessellator.houses(&built, number + first);
             places.tell(drafts.nodes_mut());
-            for (number, place) in drafts.take_oversized() {
+            let oversized = drafts.take_oversized();
+            let count = built.len() - oversized.len();
+            for (number, place) in oversized {
                 let mut own = Diagnostics::new();
                 own.push(too_many_triangles(place, triangles));
                 if let Some(on) = &features[number] {
@@ -278,7 +280,7 @@ impl Made {
             }
             Made {
                 houses: vec![drafts],
-                count: built.len(),
+                count,
                 first: built.first().map(|b| b.house.span),
                 found,
                 left_out,

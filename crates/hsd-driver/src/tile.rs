@@ -4,8 +4,8 @@
 use super::Options;
 use super::house::{Expansion, FeatureHouse, LeftOut, OnFeature};
 use super::models::{not_shown, use_by};
-use hsd_base::diagnostic::messages::limits::too_many_triangles;
 use hsd_base::diagnostic::Diagnostics;
+use hsd_base::diagnostic::messages::limits::too_many_triangles;
 use hsd_base::source::{Source, World};
 use hsd_export::images::Library;
 use hsd_export::sound;
@@ -153,7 +153,12 @@ impl<'a> TileDriver<'a> {
         let (mut houses, mut left_out) = (vec![], BTreeMap::new());
         for number in 0..made.houses.len() {
             let before = scene.part().nodes.len();
-            self.add(made, number, (tessellator, &mut scene), (out, &mut left_out));
+            self.add(
+                made,
+                number,
+                (tessellator, &mut scene),
+                (out, &mut left_out),
+            );
             houses.push((number, before..scene.part().nodes.len()));
         }
         tell_flaws(made, scene.part(), &houses, out);

@@ -389,7 +389,12 @@ impl Entry {
     }
 
     /// Returns what is kept of a feature that no rule has looked at.
-    fn undecided(id: LotId, (layer, key): (&str, &str), at: Option<DVec2>, why: Undecided) -> Entry {
+    fn undecided(
+        id: LotId,
+        (layer, key): (&str, &str),
+        at: Option<DVec2>,
+        why: Undecided,
+    ) -> Entry {
         let (what, reason) = match &why {
             Undecided::Unused => ("unused", "no rule names its layer"),
             Undecided::Skipped { what, reason, .. } => (*what, &**reason),

@@ -170,7 +170,11 @@ impl Grid {
                 0 => found.push(next.least),
                 level => {
                     let children = self.children(level, next.at);
-                    open.extend(children.filter_map(|at| waiting(level - 1, at)).map(Reverse));
+                    open.extend(
+                        children
+                            .filter_map(|at| waiting(level - 1, at))
+                            .map(Reverse),
+                    );
                 }
             }
         }

@@ -26,6 +26,7 @@ use super::frontage::first_front;
 use super::grid::Grid;
 use super::layer::{Ground, Lot, Lots, Shape, TownFrame, Unjoined};
 use super::neighbour::{Neighbours, TOUCHING};
+use super::run::is_divided;
 use super::shape::Segment;
 use super::street::{FAR, Piece, Streets, StreetsBuilder, WIDE, class_width};
 use super::table::Rows;
@@ -235,7 +236,9 @@ impl Plan {
             let name = &layer.layer.name.value;
             let mut joins = self.town.layers.iter().flat_map(|layer| &layer.joins);
             let is_joined = joins.any(|join| join.layer.value == *name);
-            !self.is_ruled(*number) && !self.streets.contains_key(name) && !is_joined
+            let is_street = self.streets.contains_key(name);
+            let is_divided = is_divided(&self.town, &layer.layer);
+            !self.is_ruled(*number) && !is_street && !is_joined && !is_divided
         });
         idle.map(|(number, _)| number)
     }

@@ -14,6 +14,14 @@ const ROUNDING: f64 = 0.01;
 /// Coordinates that round to the same multiple of this are the same, metres.
 const SAME: f64 = 0.001;
 
+/// Fields that differ where one part of a building is above another.
+const LEVELS: [&str; 4] = [
+    "building:part",
+    "min_height",
+    "building:min_level",
+    "min_level",
+];
+
 /// A feature that is left out.
 #[derive(Clone, Debug)]
 pub struct LeftLot {
@@ -67,8 +75,8 @@ impl Sieve {
         }
     }
 
-    /// Returns why a feature is left out; `None` if it is not.
-    pub fn refuse(&mut self, lot: &Lot) -> Option<LeftWhy> {
+    /// Returns why a feature of a layer is left out; `None` if it is not.
+    pub fn refuse(&mut self, layer: &Lots, lot: &Lot) -> Option<LeftWhy> {
         let Shape::Area(ring, holes) = &lot.shape else {
             return None;
         };
@@ -76,7 +84,8 @@ impl Sieve {
             return Some(LeftWhy::Outside);
         }
         let seen = self.seen.as_mut()?;
-        let is_new = seen.insert(outline_hash(ring, holes, lot.z));
+        let level = LEVELS.map(|field| layer.word(lot, field).unwrap_or_default());
+        let is_new = seen.insert(outline_hash((ring, holes), lot.z, &level));
         (!is_new).then_some(LeftWhy::Twice)
     }
 }
@@ -84,14 +93,15 @@ impl Sieve {
 impl Lots {
     /// Leaves out what a sieve refuses.
     pub fn sift(&mut self, sieve: &mut Sieve) {
-        let left = &mut self.left;
-        self.lots.retain(|lot| match sieve.refuse(lot) {
-            Some(why) => {
-                left.push(LeftLot::of(lot, why));
-                false
+        let lots = std::mem::take(&mut self.lots).into_iter();
+        let mut kept = vec![];
+        for lot in lots {
+            match sieve.refuse(self, &lot) {
+                Some(why) => self.left.push(LeftLot::of(&lot, why)),
+                None => kept.push(lot),
             }
-            None => true,
-        });
+        }
+        self.lots = kept;
     }
 }
 
@@ -122,12 +132,16 @@ fn is_centre_inside(ring: &[DVec2], centre: DVec2) -> bool {
 }
 
 /// Returns the hash of an outline: the same wherever its rings begin.
-fn outline_hash(ring: &[DVec2], holes: &[Vec<DVec2>], z: f64) -> u128 {
+fn outline_hash((ring, holes): (&[DVec2], &[Vec<DVec2>]), z: f64, level: &[String]) -> u128 {
     let mut all: Vec<Vec<[i64; 2]>> = holes.iter().map(|hole| from_least(hole)).collect();
     all.sort();
     all.insert(0, from_least(ring));
     let mut hasher = XxHash3_128::new();
     hasher.write(&((z / SAME).round() as i64).to_le_bytes());
+    for text in level {
+        hasher.write(&text.len().to_le_bytes());
+        hasher.write(text.as_bytes());
+    }
     for ring in all {
         hasher.write(&ring.len().to_le_bytes());
         for x in ring.into_iter().flatten() {
@@ -141,7 +155,10 @@ fn outline_hash(ring: &[DVec2], holes: &[Vec<DVec2>], z: f64) -> u128 {
 fn from_least(ring: &[DVec2]) -> Vec<[i64; 2]> {
     let unit = |x: f64| (x / SAME).round() as i64;
     let mut corners: Vec<[i64; 2]> = ring.iter().map(|p| [unit(p.x), unit(p.y)]).collect();
-    let least = corners.iter().enumerate().min_by_key(|(_, corner)| **corner);
+    let least = corners
+        .iter()
+        .enumerate()
+        .min_by_key(|(_, corner)| **corner);
     let first = least.map_or(0, |(n, _)| n);
     corners.rotate_left(first);
     corners
@@ -161,10 +178,12 @@ mod tests {
         let one = ring(&[(0.0, 0.0), (8.0, 0.0), (8.0, 5.0), (0.0, 5.0)]);
         let mut other = one.clone();
         other.rotate_left(2);
-        assert_eq!(outline_hash(&one, &[], 0.0), outline_hash(&other, &[], 0.0));
+        let hash = |ring: &[DVec2], z, level: &str| outline_hash((ring, &[]), z, &[level.into()]);
+        assert_eq!(hash(&one, 0.0, ""), hash(&other, 0.0, ""));
         other[0].x += 0.1;
-        assert_ne!(outline_hash(&one, &[], 0.0), outline_hash(&other, &[], 0.0));
-        assert_ne!(outline_hash(&one, &[], 0.0), outline_hash(&one, &[], 3.0));
+        assert_ne!(hash(&one, 0.0, ""), hash(&other, 0.0, ""));
+        assert_ne!(hash(&one, 0.0, ""), hash(&one, 3.0, ""));
+        assert_ne!(hash(&one, 0.0, ""), hash(&one, 0.0, "yes"));
     }
 
     #[test]

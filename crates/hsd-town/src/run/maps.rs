@@ -6,8 +6,8 @@ mod lodge;
 use super::TownInput;
 use super::font::font;
 use crate::layer::{
-    self, Ground, KeptMaps, LeftWhy, Lots, MapFile, NoFiles, NoGround, NoOutlines, NotPlaced, Raw, Sieve,
-    TownFrame, part,
+    self, Ground, KeptMaps, LeftWhy, Lots, MapFile, NoFiles, NoGround, NoOutlines, NotPlaced, Raw,
+    Sieve, TownFrame, part,
 };
 use crate::plan::{Lodger, Lodging, Plan, has_no_streets};
 use crate::table::{NoTable, Rows};
@@ -126,7 +126,7 @@ fn layers(
         if written.divided.is_some() {
             lots.sift(&mut Sieve::new(true));
             // What is wrong with the map is told of the layer that is divided.
-            (lots.faults, lots.unread) = Default::default();
+            (lots.faults, lots.unread, lots.left) = Default::default();
             lots.divide();
         }
         lots.faults
@@ -140,8 +140,15 @@ fn layers(
 fn sieve(town: &Town, layer: &Layer) -> Sieve {
     let name = &layer.name.value;
     let has_rules = town.rules.iter().any(|rule| rule.each.value == *name);
+    let is_housed = has_rules && town.housed.contains(name);
     // Parts of divided areas do not overlap.
-    Sieve::new(has_rules && town.housed.contains(name) && layer.divided.is_none())
+    Sieve::new(layer.divided.is_none() && (is_housed || is_divided(town, layer)))
+}
+
+/// Returns true if the areas of a layer are divided into the features of others.
+pub(crate) fn is_divided(town: &Town, layer: &Layer) -> bool {
+    let is_part = |part: &Layer| part.divided.is_some() && part.src.span == layer.src.span;
+    layer.divided.is_none() && town.layers.iter().any(is_part)
 }
 
 /// Reports the features of a layer that are left out.

@@ -1,11 +1,11 @@
 //! A town as CityJSON: the houses of one tile after another, each with its levels of detail.
 
 use super::input::{TileSalt, evaluate};
+use super::make::lost_houses;
 use super::mesh::tiles;
 use super::run::TileJob;
 use super::{piece, terrain};
 use crate::Plan;
-use super::make::lost_houses;
 use crate::decision::problems;
 use crate::stream::Ledger;
 use hsd_base::diagnostic::Diagnostics;

@@ -73,12 +73,13 @@ pub fn make(
             files.add(name, *detail, content);
         }
     }
+    let lost = left_everywhere(&made.left_out, &missing);
     let known = TileRecord {
         tile: tile.key.stem(),
         inputs: hash,
-        houses: row_of.len(),
+        houses: row_of.len() - lost.len(),
         pictures: picture_hashes(&made.pictures, world),
-        left_out: left_everywhere(&made.left_out, &missing)
+        left_out: lost
             .into_iter()
             .map(|(number, left)| {
                 let lost = LostHouse::from(left);

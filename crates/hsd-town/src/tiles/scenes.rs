@@ -1,7 +1,7 @@
 //! A town as scenes, one for each tile and each piece of its ground: for back ends that write a file a tile.
 
-use super::make::lost_houses;
 use super::input::{TileSalt, evaluate};
+use super::make::lost_houses;
 use super::mesh::tiles;
 use super::run::TileJob;
 use super::terrain;

@@ -47,7 +47,7 @@ impl Passing<'_> {
             }
         }
         self.passed += 1;
-        if let Some(why) = self.sieve.refuse(&lot) {
+        if let Some(why) = self.sieve.refuse(&self.head, &lot) {
             self.head.left.push(LeftLot::of(&lot, why));
             return;
         }

@@ -121,7 +121,11 @@ impl Joints<'_> {
         let near = self.index.near(wider([end; 2], MEETS)).into_iter();
         let others = near.filter_map(|n| {
             let other = &self.ways[n as usize / 2];
-            let at = if n % 2 == 0 { other.line.from } else { other.line.to };
+            let at = if n % 2 == 0 {
+                other.line.from
+            } else {
+                other.line.to
+            };
             (other.line != way.line && at.distance(end) < MEETS).then_some(other.half[0])
         });
         others.fold(0.0, f64::max)

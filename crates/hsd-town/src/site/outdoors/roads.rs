@@ -89,8 +89,7 @@ impl LotSite<'_> {
 
     /// Returns the width of the road, metres.
     fn width(&self, wish: &Road, ways: &[Vec<DVec2>]) -> f64 {
-        wish.width
-            .unwrap_or_else(|| self.usual_width(ways))
+        wish.width.unwrap_or_else(|| self.usual_width(ways))
     }
 
     /// Returns the width of the road as the map has it, or that of its class, metres.
