@@ -10,7 +10,7 @@ const MAPS: [(&str, &str); 3] = [
     (
         "fences.geojson",
         r#"{"type":"FeatureCollection","features":[
-{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":[[0,-9],[400,-9]]}},
+{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":[[0,-9],[4000,-9]]}},
 {"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":[[0,-5],[9,-5]]}},
 {"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":[[0,-3],[0.1,-3]]}}]}"#,
     ),

@@ -618,13 +618,15 @@ impl TownReport {
         entry.envelopes
     }
 
-    /// Names its layers, those without features among them.
-    pub fn name_layers<'n>(&mut self, names: impl Iterator<Item = &'n str>) {
-        for (number, name) in names.enumerate() {
-            if self.layers.len() <= number {
-                self.layers.resize_with(number + 1, LayerCount::default);
-            }
-            self.layers[number].name = name.to_owned();
+    /// Names its layers, those without features among them; layers without a name are not counted.
+    pub fn name_layers<'n>(&mut self, names: impl Iterator<Item = Option<&'n str>>) {
+        let mut counts = std::mem::take(&mut self.layers).into_iter();
+        for name in names {
+            let count = counts.next().unwrap_or_default();
+            self.layers.extend(name.map(|name| LayerCount {
+                name: name.to_owned(),
+                ..count
+            }));
         }
     }
 }

@@ -207,10 +207,16 @@ impl Plan {
         }
     }
 
+    /// Returns true if the features of a layer are counted: parts of divided areas are only where rules name them.
+    pub(crate) fn is_counted(&self, layer: usize) -> bool {
+        self.is_ruled(layer) || self.layers[layer].layer.divided.is_none()
+    }
+
     /// Calls `see` with each feature of the layers that no rule names.
     pub fn each_unused(&self, see: &mut dyn FnMut(UnusedLot)) {
         let layers = self.layers.iter().enumerate();
-        for (number, layer) in layers.filter(|(number, _)| !self.is_ruled(*number)) {
+        let unruled = layers.filter(|(n, _)| !self.is_ruled(*n) && self.is_counted(*n));
+        for (number, layer) in unruled {
             for lot in &layer.lots {
                 see(UnusedLot {
                     id: (number, lot.number as usize),
@@ -238,7 +244,8 @@ impl Plan {
             let is_joined = joins.any(|join| join.layer.value == *name);
             let is_street = self.streets.contains_key(name);
             let is_divided = is_divided(&self.town, &layer.layer);
-            !self.is_ruled(*number) && !is_street && !is_joined && !is_divided
+            let is_ruled = self.is_ruled(*number) || !self.is_counted(*number);
+            !is_ruled && !is_street && !is_joined && !is_divided
         });
         idle.map(|(number, _)| number)
     }

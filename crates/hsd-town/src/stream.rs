@@ -260,7 +260,11 @@ impl Ledger {
                 out.push(say::field_missing(*span, name, *count));
             }
         }
-        let names = plan.layers.iter().map(|lots| &*lots.layer.name.value);
+        let names = plan.layers.iter().enumerate();
+        let names = names.map(|(number, lots)| {
+            let is_counted = plan.is_counted(number);
+            is_counted.then_some(&*lots.layer.name.value)
+        });
         self.report.name_layers(names);
         self.report_layers(plan, &closing, out);
         self.report.corrected.extend(closing.unjoined);

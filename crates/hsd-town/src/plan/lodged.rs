@@ -244,6 +244,7 @@ impl Plan {
             if !self.is_ruled(number) {
                 twice.insert(number, self.keys_of_several(number));
                 let lots = std::mem::take(&mut self.layers[number].lots).into_iter();
+                let lots = lots.filter(|_| self.is_counted(number));
                 unused.extend(lots.map(|lot| UnusedLot {
                     id: (number, lot.number as usize),
                     at: lot.shape.centre(),

@@ -183,7 +183,8 @@ impl Closing {
     /// Collects it from a town.
     pub fn of(plan: &Plan) -> Closing {
         let mut undecided = vec![];
-        for (number, lots) in plan.layers.iter().enumerate() {
+        let layers = plan.layers.iter().enumerate();
+        for (number, lots) in layers.filter(|(number, _)| plan.is_counted(*number)) {
             let layer = (number, &*lots.layer.name.value);
             let unread = (0..).zip(&lots.unread);
             undecided.extend(unread.map(|(n, fault)| Entry::unread(layer, fault, n)));

@@ -49,6 +49,7 @@ struct Skipped {
 struct Report {
     features: usize,
     built: usize,
+    unused: usize,
     skipped: Vec<SkippedFeature>,
 }
 
@@ -69,10 +70,11 @@ impl TownTables {
         read.and_then(Result::ok).unwrap_or_default()
     }
 
-    /// Returns the numbers of features, of built and of skipped ones; 0 without a report.
+    /// Returns the numbers of features that rules name, of built and of skipped ones; 0 without a report.
     pub(super) fn counts(&self) -> (usize, usize, usize) {
         let report = self.report();
-        (report.features, report.built, report.skipped.len())
+        let features = report.features.saturating_sub(report.unused);
+        (features, report.built, report.skipped.len())
     }
 
     /// Returns the line of a feature in the table of decisions, by the names of its columns; of any layer if none is named.
