@@ -1,5 +1,6 @@
 //! The program as its users run it.
 
+mod accounts;
 #[cfg(target_os = "linux")]
 mod desktop;
 mod draw;

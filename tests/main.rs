@@ -84,6 +84,7 @@ mod streams;
 mod tea_shop_pictures;
 mod tessellate;
 mod tiles;
+mod town_accounts;
 mod town_types;
 mod town_texts;
 mod town_grounds;

@@ -2,9 +2,10 @@
 
 use hsd::diagnostic::Language;
 use hsd::driver::Options;
+use hsd::town::decision::LayerCount;
 use hsd::town::plan::Plan;
 use hsd::town::stream::TownStream;
-use hsd::town::{TownInput, run};
+use hsd::town::{TownInput, TownReport, run};
 use hsd::{Diagnostics, FileId, FolderWorld, Source};
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,8 +13,12 @@ use std::path::{Path, PathBuf};
 
 /// A town that has been evaluated.
 pub(crate) struct Built {
+    /// The lines of the table, those of unused features left out.
     pub(crate) rows: Vec<BTreeMap<String, String>>,
+    /// The number of features of layers that rules name.
     pub(crate) features: usize,
+    /// The number of features of other layers.
+    pub(crate) unused: usize,
     pub(crate) built: usize,
     pub(crate) skipped: usize,
     pub(crate) houses: usize,
@@ -23,6 +28,13 @@ pub(crate) struct Built {
     pub(crate) found: Vec<String>,
     /// The code of each diagnostic, the text at its place, and its message.
     pub(crate) told: Vec<[String; 3]>,
+}
+
+impl Built {
+    /// Returns the table of decisions; empty for a town that cannot be read.
+    pub(crate) fn csv(&self) -> &str {
+        &self.csv
+    }
 }
 
 /// Evaluates a town beside maps of these names and texts.
@@ -47,6 +59,7 @@ pub(crate) fn in_folder(text: &str, folder: &Path, look: impl FnOnce(&Plan)) -> 
     let mut built = Built {
         rows: vec![],
         features: 0,
+        unused: 0,
         built: 0,
         skipped: 0,
         houses: 0,
@@ -60,8 +73,11 @@ pub(crate) fn in_folder(text: &str, folder: &Path, look: impl FnOnce(&Plan)) -> 
         built.houses = houses.by_ref().count();
         let (ledger, _) = houses.finish(&mut out);
         built.rows = rows(ledger.decisions.text());
+        check_accounts(&built.rows, &ledger.report);
+        built.rows.retain(|row| row["what"] != "unused");
         built.csv = ledger.decisions.text().to_owned();
-        built.features = ledger.report.features;
+        built.features = ledger.report.features - ledger.report.unused;
+        built.unused = ledger.report.unused;
         built.built = ledger.report.built;
         built.skipped = ledger.report.skipped.len();
         let corrected = ledger.report.corrected.into_iter();
@@ -81,6 +97,28 @@ pub(crate) fn in_folder(text: &str, folder: &Path, look: impl FnOnce(&Plan)) -> 
         built.told.push([code, place, message]);
     }
     built
+}
+
+/// Every feature has one state, in the report as in the table.
+fn check_accounts(rows: &[BTreeMap<String, String>], report: &TownReport) {
+    let TownReport {
+        features,
+        built,
+        unused,
+        layers,
+        skipped,
+        ..
+    } = report;
+    assert_eq!(*features, built + skipped.len() + unused);
+    let of_layers = |count: fn(&LayerCount) -> usize| layers.iter().map(count).sum::<usize>();
+    assert_eq!(of_layers(|layer| layer.features), *features);
+    assert_eq!(of_layers(|layer| layer.built), *built);
+    assert_eq!(of_layers(|layer| layer.skipped), skipped.len());
+    assert_eq!(of_layers(|layer| layer.unused), *unused);
+    // Houses behind houses have lines too.
+    assert!(rows.len() >= *features, "{} lines", rows.len());
+    let said = |what: &str| rows.iter().filter(|row| row["what"] == what).count();
+    assert_eq!(said("unused"), *unused);
 }
 
 fn rows(csv: &str) -> Vec<BTreeMap<String, String>> {

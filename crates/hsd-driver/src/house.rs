@@ -4,8 +4,10 @@
 use super::overlaps::{Ground, Grounds};
 use super::pieces::{Feed, PieceHouse, Pieces};
 use super::{Options, Read};
-use hsd_base::diagnostic::{Diagnostics, Origin};
+use hsd_base::diagnostic::{Code, Diagnostics, Origin, Text};
 use hsd_base::source::{Source, World};
+#[cfg(feature = "models")]
+use hsd_base::text;
 use hsd_ir::ast::{self, Document, Variant};
 use hsd_ir::building::{Building, Built};
 use hsd_ir::catalog::{Catalog, ScopeId};
@@ -151,9 +153,67 @@ impl Written<'_> {
     }
 }
 
+/// A house of a town that is left out, since it would exceed a limit.
+#[derive(Clone, Debug)]
+pub struct LeftOut {
+    /// The feature on which it would stand: the number of its layer, and its number there.
+    pub feature: (usize, usize),
+    /// The same as diagnostics name it.
+    pub origin: Origin,
+    /// The code of the diagnostic.
+    pub code: Code,
+    /// The reason.
+    pub why: Text,
+}
+
+/// A finished house.
+pub(super) struct Finished {
+    /// `None` for one that would exceed a limit.
+    pub(super) built: Option<Built>,
+    /// What was found in it.
+    pub(super) found: Diagnostics,
+    /// The feature on which it stands, in a town.
+    pub(super) on: Option<OnFeature>,
+}
+
+/// The feature on which a house of a town stands.
+#[derive(Clone, Debug)]
+pub(super) struct OnFeature {
+    pub(super) feature: (usize, usize),
+    pub(super) origin: Origin,
+}
+
+#[cfg(feature = "models")]
+impl OnFeature {
+    /// Returns the house that is left out for the reason that was found last.
+    pub(super) fn without_house(&self, found: &Diagnostics) -> LeftOut {
+        let last = found.iter().last();
+        LeftOut {
+            feature: self.feature,
+            origin: self.origin.clone(),
+            code: last.map_or(Code(904), |found| found.code),
+            why: last.map_or_else(
+                || text!("it would exceed a limit", "上限を超えます"),
+                |found| found.message.clone(),
+            ),
+        }
+    }
+}
+
+#[cfg(feature = "models")]
+impl Finished {
+    /// Returns the house of a feature that is left out, if this is one.
+    pub(super) fn left_out(&self) -> Option<LeftOut> {
+        let on = self.on.as_ref().filter(|_| self.built.is_none())?;
+        Some(on.without_house(&self.found))
+    }
+}
+
 /// A house of a town.
 #[derive(Debug)]
 pub struct FeatureHouse {
+    /// The number of the layer of its feature, and the number of that in the layer.
+    pub feature: (usize, usize),
     /// The house.
     pub house: ast::House,
     /// The feature on which it stands.
@@ -168,7 +228,7 @@ pub struct FeatureHouse {
 
 /// The feature on which a house stands, its name, and what stands in its place if it has errors.
 struct OfFeature {
-    origin: Origin,
+    on: OnFeature,
     name: String,
     plain: Option<Box<ast::House>>,
 }
@@ -176,7 +236,7 @@ struct OfFeature {
 /// Expanded houses with what was found in them; `None` for one that would exceed a limit.
 #[derive(Default)]
 pub(super) struct Batch {
-    pub(super) houses: Vec<(Option<program::House>, Diagnostics, Option<Origin>)>,
+    pub(super) houses: Vec<(Option<program::House>, Diagnostics, Option<OnFeature>)>,
     /// The number of their wall lines, and of the parts in them.
     lines: usize,
     parts: usize,
@@ -255,7 +315,10 @@ impl<'a> Expansion<'a> {
                 scope: catalog.known_in(0, 0),
                 variant: None,
                 feature: Some(OfFeature {
-                    origin: made.origin,
+                    on: OnFeature {
+                        feature: made.feature,
+                        origin: made.origin,
+                    },
                     name: made.name,
                     plain: made.plain,
                 }),
@@ -313,7 +376,7 @@ impl<'a> Expansion<'a> {
         };
         if let Some(first) = found.first_error() {
             let kind = house.name.map_or(String::new(), |name| name.value);
-            let (origin, why) = (feature.origin.clone(), &first.message);
+            let (origin, why) = (feature.on.origin.clone(), &first.message);
             let message = match feature.plain {
                 Some(_) => plain_body(origin, &kind, why),
                 None => not_laid(origin, &kind, why),
@@ -327,8 +390,8 @@ impl<'a> Expansion<'a> {
         if let Some(house) = &mut made {
             house.name = feature.name;
         }
-        let found = found.of_feature(&feature.origin);
-        batch.push(made, found, Some(feature.origin));
+        let found = found.of_feature(&feature.on.origin);
+        batch.push(made, found, Some(feature.on));
     }
 
     /// Makes all houses on the threads of the current `rayon` pool: while some are finished, those after them are expanded.
@@ -350,8 +413,8 @@ impl<'a> Expansion<'a> {
                 || batch.finish(catalog, cache, |_, houses| houses),
                 || self.batch(BATCH),
             );
-            for (built, found) in finished.into_iter().flatten() {
-                each(built, found, images)?;
+            for house in finished.into_iter().flatten() {
+                each(house.built, house.found, images)?;
             }
             next = ahead;
         }
@@ -376,14 +439,14 @@ impl<'a> Expansion<'a> {
 }
 
 impl Batch {
-    fn push(&mut self, house: Option<program::House>, found: Diagnostics, origin: Option<Origin>) {
+    fn push(&mut self, house: Option<program::House>, found: Diagnostics, on: Option<OnFeature>) {
         let storeys = house.iter().flat_map(|house| &house.storeys);
         let loops = storeys.flat_map(|storey| &storey.loops);
         for line in loops.flat_map(|walk| &walk.lines) {
             self.lines += 1;
             self.parts += line.units.len();
         }
-        self.houses.push((house, found, origin));
+        self.houses.push((house, found, on));
     }
 
     fn is_full(&self, most: usize) -> bool {
@@ -395,25 +458,24 @@ impl Batch {
         self,
         catalog: &Catalog,
         cache: &NewCache<'_>,
-        then: impl Fn(usize, Vec<(Option<Built>, Diagnostics)>) -> T + Sync,
+        then: impl Fn(usize, Vec<Finished>) -> T + Sync,
     ) -> Vec<T> {
         let chunks = self.houses.into_par_iter().chunks(CHUNK).enumerate();
         // One chunk at a time, so that no thread waits long for the last of another.
         let chunks = chunks.with_max_len(1).map(|(number, chunk)| {
             let mut cache = cache();
-            let finished = chunk.into_iter().map(|(house, mut found, origin)| {
+            let finished = chunk.into_iter().map(|(house, mut found, on)| {
                 let placed = house
                     .as_ref()
                     .and_then(|house| Some((house.placed?, house.span)));
                 let built = house.map(|house| finish(house, catalog, &mut cache, &mut found));
-                if let Some(origin) = origin {
-                    return (built, found.of_feature(&origin));
-                }
                 // What is wrong with a type of the library is mended where it is placed.
-                match placed {
-                    Some((by, span)) if by.library => (built, found.moved(span.file, by.span)),
-                    _ => (built, found),
-                }
+                let found = match (&on, placed) {
+                    (Some(on), _) => found.of_feature(&on.origin),
+                    (None, Some((by, span))) if by.library => found.moved(span.file, by.span),
+                    (None, _) => found,
+                };
+                Finished { built, found, on }
             });
             then(number * CHUNK, finished.collect())
         });

@@ -33,7 +33,7 @@ mod variants;
 #[cfg(feature = "models")]
 pub use beside::is_put_aside;
 pub use convert::convert;
-pub use house::{FeatureHouse, HouseBuilder, house};
+pub use house::{FeatureHouse, HouseBuilder, LeftOut, house};
 pub use hsd_passes::expand::{HouseContext, HouseId};
 #[cfg(feature = "models")]
 pub use models::{Compiled, Inspected, compile, compile_bytes, flaws, inspect, pictures, scene};

@@ -255,10 +255,10 @@ impl Grounds {
                     .flatten()
                     .chain(&large)
                     .copied()
+                    .take(pairs)
                     .collect(),
-                None => (0..number as u32).collect(),
+                None => (0..number as u32).take(pairs).collect(),
             };
-            near.truncate(pairs);
             pairs -= near.len();
             near.sort_unstable();
             near.dedup();

@@ -1,7 +1,7 @@
 //! A run that hands its houses on as they are made and keeps none: a town of any size takes the memory of some hundred
 //! houses. Long sources are read in pieces meanwhile; the others are in memory.
 
-use super::house::{BATCH, Batch, Expansion, FeatureHouse, NewCache};
+use super::house::{BATCH, Batch, Expansion, FeatureHouse, LeftOut, NewCache};
 use super::models::{not_shown, use_by};
 use super::overlaps::{Ground, SpilledGrounds};
 use super::pieces::Feed;
@@ -13,7 +13,6 @@ use hsd_base::source::{Source, Span, World};
 use hsd_export::images::Library;
 use hsd_export::sound;
 use hsd_export::spool::NewSpool;
-use hsd_ir::building::Built;
 use hsd_ir::catalog::Catalog;
 use hsd_ir::program::PictureId;
 use hsd_mesh::{HouseDrafts, SceneBuilder, Tessellator};
@@ -42,6 +41,8 @@ pub struct Streamed {
     pub provenance: Provenance,
     /// The number of houses.
     pub houses: usize,
+    /// The houses of a town that are left out, since they would exceed a limit.
+    pub left_out: Vec<LeftOut>,
     /// Their triangles, meshes and nodes.
     pub stats: Stats,
     /// The durations of the stages, in order.
@@ -131,6 +132,7 @@ struct Left {
     pictures: Vec<String>,
     provenance: Provenance,
     houses: usize,
+    left_out: Vec<LeftOut>,
     stats: Stats,
 }
 
@@ -150,6 +152,7 @@ impl Left {
             pictures: self.pictures,
             provenance: self.provenance,
             houses: self.houses,
+            left_out: self.left_out,
             stats: self.stats,
             times,
         }
@@ -180,6 +183,7 @@ fn run_houses(
         counter: Counter::default(),
         grounds: SpilledGrounds::new(apart, new),
         houses: 0,
+        left_out: vec![],
         together: FIRST,
         first: Span::default(),
         flaws: 0,
@@ -196,6 +200,7 @@ fn run_houses(
         counter,
         grounds,
         houses,
+        left_out,
         ..
     } = town;
     if apart {
@@ -212,6 +217,7 @@ fn run_houses(
         pictures: pictures.into_iter().map(|p| p.path).collect(),
         provenance: provenance(feed.sources, included, options),
         houses,
+        left_out,
         stats: counter.stats(),
     })
 }
@@ -232,6 +238,7 @@ struct Made {
     /// The place of the first house.
     first: Option<Span>,
     found: Vec<Diagnostics>,
+    left_out: Vec<LeftOut>,
     grounds: Vec<Ground>,
     /// New images by number, with the place that uses each first.
     images: Vec<(usize, Option<Span>)>,
@@ -242,21 +249,41 @@ impl Made {
     fn of(
         batch: Batch,
         number: usize,
-        (tessellator, places): (&Tessellator<'_>, &Places<'_>),
+        (tessellator, places, triangles): (&Tessellator<'_>, &Places<'_>, usize),
         (catalog, cache): (&Catalog, &NewCache<'_>),
     ) -> Made {
         let images = batch.images.clone();
         let chunks = batch.finish(catalog, cache, |first, houses| {
-            let (built, found): (Vec<Option<Built>>, Vec<Diagnostics>) = houses.into_iter().unzip();
-            let built: Vec<Built> = built.into_iter().flatten().collect();
+            let (mut built, mut found, mut features) = (vec![], vec![], vec![]);
+            let mut left_out: Vec<LeftOut> = vec![];
+            for house in houses {
+                left_out.extend(house.left_out());
+                found.push(house.found);
+                if let Some(house_built) = house.built {
+                    built.push(house_built);
+                    features.push(house.on);
+                }
+            }
             let uses = |id: usize| built.iter().find_map(|b| use_by(b, PictureId(id as u32)));
             let mut drafts = tessellator.houses(&built, number + first);
             places.tell(drafts.nodes_mut());
+            let oversized = drafts.take_oversized();
+            let count = built.len() - oversized.len();
+            for (number, place) in oversized {
+                let mut own = Diagnostics::new();
+                own.push(too_many_triangles(place, triangles));
+                if let Some(on) = &features[number] {
+                    left_out.push(on.without_house(&own));
+                    own = own.of_feature(&on.origin);
+                }
+                found.push(own);
+            }
             Made {
                 houses: vec![drafts],
-                count: built.len(),
+                count,
                 first: built.first().map(|b| b.house.span),
                 found,
+                left_out,
                 grounds: built
                     .iter()
                     .filter_map(|b| Ground::of(&b.house, catalog))
@@ -273,6 +300,7 @@ impl Made {
         self.count += next.count;
         self.first = self.first.or(next.first);
         self.found.extend(next.found);
+        self.left_out.extend(next.left_out);
         self.grounds.extend(next.grounds);
         for ((_, used), (_, also)) in self.images.iter_mut().zip(next.images) {
             *used = used.or(also);
@@ -306,6 +334,7 @@ struct Town<'a, 's> {
     counter: Counter,
     grounds: SpilledGrounds<'s>,
     houses: usize,
+    left_out: Vec<LeftOut>,
     /// The number of houses to make at a time.
     together: usize,
     /// The place of the first house.
@@ -320,10 +349,11 @@ impl Town<'_, '_> {
     fn build(
         &mut self,
         expansion: &mut Expansion<'_>,
-        makers: (&Tessellator<'_>, &Places<'_>),
+        (tessellator, places): (&Tessellator<'_>, &Places<'_>),
         catalog: &Catalog,
     ) -> io::Result<()> {
         let cache = || self.options.shown_roofs();
+        let makers = (tessellator, places, self.options.expand.limits.triangles);
         let (mut number, mut done) = (1, None);
         let mut next = expansion.batch(self.together);
         while let Some(batch) = next.take() {
@@ -365,6 +395,7 @@ impl Town<'_, '_> {
         for found in made.found {
             self.out.append(found);
         }
+        self.left_out.extend(made.left_out);
         self.grounds.add(made.grounds)?;
         let limits = &self.options.expand.limits;
         for (id, used) in made.images {
@@ -381,9 +412,6 @@ impl Town<'_, '_> {
         let bytes: usize = made.houses.iter().map(HouseDrafts::bytes).sum();
         self.together = paced(self.together, made.count, bytes);
         made.houses.into_iter().for_each(|h| self.scene.add(h));
-        for place in self.scene.take_oversized() {
-            self.out.push(too_many_triangles(place, limits.triangles));
-        }
         let part = self.scene.part();
         // One broken mesh may be shown a thousand times.
         let before = self.flaws;

@@ -2,10 +2,10 @@
 //! levels are made; what they look like is made some houses at a time.
 
 use super::Options;
-use super::house::{Expansion, FeatureHouse};
+use super::house::{Expansion, FeatureHouse, LeftOut, OnFeature};
 use super::models::{not_shown, use_by};
+use hsd_base::diagnostic::Diagnostics;
 use hsd_base::diagnostic::messages::limits::too_many_triangles;
-use hsd_base::diagnostic::{Diagnostics, Origin};
 use hsd_base::source::{Source, World};
 use hsd_export::images::Library;
 use hsd_export::sound;
@@ -15,6 +15,7 @@ use hsd_ir::program::PictureId;
 use hsd_mesh::{SceneBuilder, Tessellator};
 use hsd_passes::messages::pictures as say;
 use hsd_scene::{Detail, Material, Scene, ScenePart};
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::{io, slice};
 
@@ -34,7 +35,9 @@ pub struct TileDriver<'a> {
 /// The houses of a tile.
 pub struct TileHouses {
     /// In their order; `None` for one that would exceed a limit.
-    houses: Vec<(Option<Built>, Origin)>,
+    houses: Vec<(Option<Built>, OnFeature)>,
+    /// Those that would, by number.
+    pub left_out: BTreeMap<usize, LeftOut>,
     /// The images of their parts.
     pub library: Library,
     /// The paths of these images.
@@ -47,6 +50,8 @@ pub struct TileScene {
     pub scene: Scene,
     /// The nodes of each house, by its number in the tile; empty for one that is left out.
     pub houses: Vec<Range<usize>>,
+    /// The houses that would have too many triangles, by number.
+    pub left_out: BTreeMap<usize, LeftOut>,
     /// The images, with the pages that were baked for this level.
     pub library: Library,
 }
@@ -57,6 +62,8 @@ pub struct TileLooks {
     pub materials: Vec<Material>,
     /// The factor by which distances from the upper edge of each baked page have grown.
     pub grown: Vec<f32>,
+    /// The houses that would have too many triangles, by number.
+    pub left_out: BTreeMap<usize, LeftOut>,
     /// The images, with the pages that were baked for this level.
     pub library: Library,
 }
@@ -102,20 +109,23 @@ impl<'a> TileDriver<'a> {
         houses: Vec<FeatureHouse>,
         out: &mut Diagnostics,
     ) -> io::Result<TileHouses> {
-        let origins: Vec<Origin> = houses.iter().map(|h| h.origin.clone()).collect();
+        let on = |house: &FeatureHouse| OnFeature {
+            feature: house.feature,
+            origin: house.origin.clone(),
+        };
+        let features: Vec<OnFeature> = houses.iter().map(on).collect();
+        let mut left_out = BTreeMap::new();
         let (world, options) = (self.world, &self.options.expand);
         let houses = houses.into_iter();
         let mut expansion = Expansion::of_town(houses, self.catalog, self.source, world, options);
         let cache = || self.options.all_roofs();
         let mut made: Vec<Option<Built>> = vec![];
         while let Some(batch) = expansion.batch(usize::MAX) {
-            for (built, found) in batch
-                .finish(self.catalog, &cache, |_, houses| houses)
-                .into_iter()
-                .flatten()
-            {
-                made.push(built);
-                out.append(found);
+            let finished = batch.finish(self.catalog, &cache, |_, houses| houses);
+            for house in finished.into_iter().flatten() {
+                left_out.extend(house.left_out().map(|left| (made.len(), left)));
+                made.push(house.built);
+                out.append(house.found);
             }
         }
         let pictures = expansion.into_images()?;
@@ -129,7 +139,8 @@ impl<'a> TileDriver<'a> {
             });
         }
         Ok(TileHouses {
-            houses: made.into_iter().zip(origins).collect(),
+            houses: made.into_iter().zip(features).collect(),
+            left_out,
             library,
             pictures: pictures.into_iter().map(|p| p.path).collect(),
         })
@@ -139,10 +150,15 @@ impl<'a> TileDriver<'a> {
     pub fn level(&self, made: &TileHouses, detail: Detail, out: &mut Diagnostics) -> TileScene {
         let tessellator = self.tessellator(detail);
         let mut scene = SceneBuilder::new(detail).without_relief();
-        let mut houses = vec![];
+        let (mut houses, mut left_out) = (vec![], BTreeMap::new());
         for number in 0..made.houses.len() {
             let before = scene.part().nodes.len();
-            self.add(made, number, (tessellator, &mut scene), out);
+            self.add(
+                made,
+                number,
+                (tessellator, &mut scene),
+                (out, &mut left_out),
+            );
             houses.push((number, before..scene.part().nodes.len()));
         }
         tell_flaws(made, scene.part(), &houses, out);
@@ -152,6 +168,7 @@ impl<'a> TileDriver<'a> {
         TileScene {
             scene,
             houses: houses.into_iter().map(|(_, nodes)| nodes).collect(),
+            left_out,
             library,
         }
     }
@@ -169,9 +186,11 @@ impl<'a> TileDriver<'a> {
         let mut scene = SceneBuilder::new(detail).without_relief();
         scene.forget_twins();
         let (mut houses, mut bytes) = (vec![], 0);
+        let mut left_out = BTreeMap::new();
         for number in 0..made.houses.len() {
             let before = scene.part().nodes.len();
-            bytes += self.add(made, number, (tessellator, &mut scene), out);
+            let told = (&mut *out, &mut left_out);
+            bytes += self.add(made, number, (tessellator, &mut scene), told);
             houses.push((number, before..scene.part().nodes.len()));
             if bytes < BYTES && number + 1 < made.houses.len() {
                 continue;
@@ -192,6 +211,7 @@ impl<'a> TileDriver<'a> {
         TileLooks {
             materials,
             grown,
+            left_out,
             library,
         }
     }
@@ -201,28 +221,27 @@ impl<'a> TileDriver<'a> {
         &found.expect("levels are those of the town").1
     }
 
-    /// Adds a house to a scene; returns about how many bytes it takes there.
+    /// Adds a house to a scene, unless it has too many triangles; returns about how many bytes it takes there.
     fn add(
         &self,
         made: &TileHouses,
         number: usize,
         (tessellator, scene): (&Tessellator<'_>, &mut SceneBuilder),
-        out: &mut Diagnostics,
+        (out, left_out): (&mut Diagnostics, &mut BTreeMap<usize, LeftOut>),
     ) -> usize {
-        let (Some(built), origin) = &made.houses[number] else {
+        let (Some(built), on) = &made.houses[number] else {
             return 0;
         };
-        let drafts = tessellator.houses(slice::from_ref(built), number + 1);
+        let mut drafts = tessellator.houses(slice::from_ref(built), number + 1);
         let bytes = drafts.bytes();
-        scene.add(drafts);
-        let mut found = Diagnostics::new();
-        for place in scene.take_oversized() {
-            found.push(too_many_triangles(
-                place,
-                self.options.expand.limits.triangles,
-            ));
+        for (_, place) in drafts.take_oversized() {
+            let mut found = Diagnostics::new();
+            let limit = self.options.expand.limits.triangles;
+            found.push(too_many_triangles(place, limit));
+            left_out.insert(number, on.without_house(&found));
+            out.append(found.of_feature(&on.origin));
         }
-        out.append(found.of_feature(origin));
+        scene.add(drafts);
         bytes
     }
 }
@@ -243,7 +262,7 @@ fn tell_flaws(
             let mut found = Diagnostics::new();
             let place = flaw.span.unwrap_or_default();
             found.push(say::shape_left_out(place, &flaw.name));
-            out.append(found.of_feature(&made.houses[*number].1));
+            out.append(found.of_feature(&made.houses[*number].1.origin));
         }
     }
     false

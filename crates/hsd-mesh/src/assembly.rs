@@ -25,14 +25,19 @@ pub struct HouseDrafts {
     pub(crate) drafts: Vec<Arc<MeshDraft>>,
     /// The size of drafts that have become parts of these, bytes.
     pub(crate) joined: usize,
-    /// The places of houses left out, since they would show too many triangles.
-    pub(crate) oversized: Vec<Span>,
+    /// The houses left out, since they would show too many triangles: their numbers among these, and their places.
+    pub(crate) oversized: Vec<(usize, Span)>,
 }
 
 impl HouseDrafts {
     /// Returns the nodes of the houses.
     pub fn nodes_mut(&mut self) -> impl Iterator<Item = &mut Node> {
         self.nodes.iter_mut()
+    }
+
+    /// Takes the houses left out, since they would show too many triangles: their numbers among these, and their places.
+    pub fn take_oversized(&mut self) -> Vec<(usize, Span)> {
+        std::mem::take(&mut self.oversized)
     }
 
     /// Returns about how many bytes of memory it took to make them.
@@ -98,7 +103,8 @@ impl SceneBuilder {
             oversized,
             joined: _,
         } = houses;
-        self.scene.oversized.extend(oversized);
+        let places = oversized.into_iter().map(|(_, place)| place);
+        self.scene.oversized.extend(places);
         let first = self.first_node + self.scene.nodes.len() as u32;
         let mut drafts: Vec<Slot> = drafts.into_iter().map(Slot::Draft).collect();
         self.scene.nodes.reserve(nodes.len());
@@ -130,11 +136,6 @@ impl SceneBuilder {
             first_node: self.first_node,
             sound: false,
         }
-    }
-
-    /// Returns the places of the houses left out since the last call, since they would show too many triangles.
-    pub fn take_oversized(&mut self) -> Vec<Span> {
-        std::mem::take(&mut self.scene.oversized)
     }
 
     /// Drops the meshes and nodes that are there. Those that follow have the same numbers as if they were kept.

@@ -152,7 +152,7 @@ impl<'c> Tessellator<'c> {
             walker.house(built, number);
             if walker.is_full() {
                 walker.nodes.truncate(before);
-                oversized.push(built.house.span);
+                oversized.push((number - first, built.house.span));
             } else if detail == Detail::Body && built.house.outdoors.is_none() {
                 lean::join(&mut walker.nodes, walker.root, &mut walker.store);
             }

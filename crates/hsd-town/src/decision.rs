@@ -4,15 +4,17 @@ mod envelopes;
 
 pub use envelopes::ENVELOPES_HEAD;
 
-use super::layer::Lot;
+use super::layer::{LeftLot, Lot};
 use super::plan::LotId;
 use super::plot::Rectangle;
 use super::rear::{RearDecision, RearPlace};
 use super::shape::{Segment, azimuth};
 use super::site::law::EnvelopeRow;
 use super::site::{Decision, Footing, LotSite};
+use glam::DVec2;
 use hsd_base::diagnostic::{Code, Diagnostics, Language, Origin, Severity, Text};
 use hsd_base::source::Span;
+use hsd_driver::LeftOut;
 use hsd_ir::ast::Value;
 use hsd_ir::ast::town::PlaceOn;
 use hsd_map::Fault;
@@ -27,8 +29,8 @@ pub enum Outcome {
     Built,
     /// The author wants nothing here: the reason.
     Skipped(String),
-    /// No house can stand here.
-    Refused(Text),
+    /// Nothing can be made here: the code of the diagnostic and the reason.
+    Refused(Code, Text),
     /// No rule takes it.
     NoRule,
     /// Its rules make nothing.
@@ -192,8 +194,8 @@ impl Record {
         self.is_part || wanted(&self.outcome)
     }
 
-    /// Writes its line of the table.
-    pub fn line(&self, out: &mut String) {
+    /// Returns its line of the table.
+    pub fn line(&self) -> DecisionLine {
         let number = |n: f64| format!("{:.3}", n + 0.0);
         let of = |f: &dyn Fn(&Decision) -> Option<f64>| {
             self.decision
@@ -222,14 +224,27 @@ impl Record {
             if self.corner { "yes" } else { "no" }.to_owned(),
             of(&|d| d.iou),
             of(&|d| d.iou_full),
-            what.to_owned(),
-            why,
-            self.parameters(),
-            self.measures.trim_end().to_owned(),
         ];
-        let cells: Vec<String> = cells.iter().map(|cell| quoted(cell)).collect();
-        out.push_str(&cells.join(","));
-        out.push('\n');
+        let after = [self.parameters(), self.measures.trim_end().to_owned()];
+        DecisionLine {
+            before: row(&cells),
+            what: what.to_owned(),
+            why,
+            after: row(&after),
+        }
+    }
+
+    /// Returns the code, or a word, and the reason why nothing was made of it.
+    fn why_skipped(&self) -> (String, String) {
+        let (what, why) = self.what();
+        match (&self.outcome, self.problem) {
+            (Outcome::Refused(code, _), _) => (code.to_string(), why),
+            (Outcome::NoRule, _) => ("HSD1107".to_owned(), "no rule takes it".to_owned()),
+            (Outcome::Nothing, Some((_, code))) => {
+                (code.to_string(), "its rules make nothing".to_owned())
+            }
+            _ => (what.to_owned(), why),
+        }
     }
 
     /// Returns what became of it and why.
@@ -249,7 +264,7 @@ impl Record {
                 (on, code)
             }
             Outcome::Skipped(because) => ("skipped", because.clone()),
-            Outcome::Refused(why) => ("refused", why.in_language(Language::English).to_string()),
+            Outcome::Refused(_, why) => ("refused", why.in_language(Language::English).to_string()),
             Outcome::NoRule => ("no rule", String::new()),
             Outcome::Nothing => {
                 let code = self
@@ -261,19 +276,73 @@ impl Record {
     }
 }
 
+/// A line of the table of decisions. What became of the feature can still change: a house may turn out to exceed a limit.
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+pub struct DecisionLine {
+    /// The cells before `what`.
+    before: String,
+    what: String,
+    why: String,
+    /// The cells after `why`.
+    after: String,
+}
+
+impl DecisionLine {
+    /// Returns the line of a feature of which no rule decides anything.
+    fn undecided(layer: &str, key: &str, at: Option<DVec2>, (what, why): (&str, &str)) -> Self {
+        let columns = HEAD.split(',');
+        let mut cells = vec![String::new(); columns.take_while(|name| *name != "what").count()];
+        (cells[0], cells[1], cells[2]) = (key.to_owned(), layer.to_owned(), "0".to_owned());
+        if let Some(at) = at {
+            (cells[4], cells[5]) = (format!("{:.3}", at.x + 0.0), format!("{:.3}", at.y + 0.0));
+        }
+        DecisionLine {
+            before: row(&cells),
+            what: what.to_owned(),
+            why: why.to_owned(),
+            after: row(&[String::new(), String::new()]),
+        }
+    }
+
+    /// Returns it as it is written.
+    pub fn text(&self) -> String {
+        let (what, why) = (quoted(&self.what), quoted(&self.why));
+        format!("{},{what},{why},{}\n", self.before, self.after)
+    }
+}
+
+/// Returns cells of a line.
+fn row(cells: &[String]) -> String {
+    let cells: Vec<String> = cells.iter().map(|cell| quoted(cell)).collect();
+    cells.join(",")
+}
+
+/// The state of a feature. Each feature has exactly one.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+pub enum FeatureState {
+    /// Something of it exists.
+    Built,
+    /// Nothing does, with the code and the reason.
+    Skipped(SkippedFeature),
+    /// No rule names its layer.
+    Unused,
+}
+
 /// What the ledger of a town keeps of a feature.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Entry {
     /// The feature.
     pub id: LotId,
+    /// Its key; that of a house behind the house of a feature has the name of this house after it.
+    pub key: Box<str>,
     /// Its line of the table.
-    pub line: String,
-    /// True if something stands on it.
-    pub built: bool,
+    pub line: DecisionLine,
+    /// Its state.
+    pub state: FeatureState,
+    /// The number of its houses.
+    houses: usize,
     /// True for a house behind the house of a feature.
     pub is_part: bool,
-    /// Why nothing does.
-    pub skipped: Option<SkippedFeature>,
     /// How its geometry or its place was changed.
     pub corrected: Vec<SkippedFeature>,
     /// Its envelopes.
@@ -281,18 +350,18 @@ pub struct Entry {
     pub envelopes: Vec<EnvelopeRow>,
 }
 
+/// Features that cannot be read have numbers from here on, so that they come after those of their layer that can.
+const UNREAD: usize = usize::MAX / 2;
+
 impl Entry {
     /// Returns what is kept of a record.
     pub fn of(record: &Record) -> Entry {
-        let mut line = String::new();
-        record.line(&mut line);
         let of = |code: &str, reason: String| SkippedFeature {
             layer: record.layer.to_string(),
             key: record.key.to_string(),
             code: code.to_owned(),
             reason,
         };
-        let built = matches!(record.outcome, Outcome::Built);
         let left = record.parts_left;
         let parts = (left > 0).then(|| of("parts", format!("{left} smaller parts left out")));
         let off = match record.footing {
@@ -303,43 +372,148 @@ impl Entry {
         let off = off.map(|why| of("HSD1163", why.to_owned()));
         Entry {
             id: record.id,
-            line,
-            built,
+            key: record.key.clone(),
+            line: record.line(),
+            state: match record.outcome {
+                Outcome::Built => FeatureState::Built,
+                _ => {
+                    let (code, reason) = record.why_skipped();
+                    FeatureState::Skipped(of(&code, reason))
+                }
+            },
+            houses: record.houses,
             is_part: record.is_part,
-            skipped: (!built).then(|| {
-                let (what, why) = record.what();
-                of(what, why)
-            }),
             corrected: parts.into_iter().chain(off).collect(),
             envelopes: record.envelopes.clone(),
         }
     }
-}
 
-impl Entry {
-    /// Returns what is kept of a feature whose tile could not be made.
-    pub fn unmade(layer: usize, name: &str, lot: &Lot) -> Entry {
-        const WHY: &str = "its tile was not made";
-        let at = lot.shape.centre();
-        let mut cells = vec![String::new(); HEAD.split(',').count()];
-        cells[0] = quoted(&lot.key);
-        cells[1] = quoted(name);
-        cells[2] = "0".to_owned();
-        (cells[4], cells[5]) = (format!("{:.3}", at.x + 0.0), format!("{:.3}", at.y + 0.0));
-        (cells[17], cells[18]) = ("not made".to_owned(), WHY.to_owned());
+    /// Returns what is kept of a feature that no rule has looked at.
+    fn undecided(
+        id: LotId,
+        (layer, key): (&str, &str),
+        at: Option<DVec2>,
+        why: Undecided,
+    ) -> Entry {
+        let (what, reason) = match &why {
+            Undecided::Unused => ("unused", "no rule names its layer"),
+            Undecided::Skipped { what, reason, .. } => (*what, &**reason),
+        };
         Entry {
-            id: (layer, lot.number as usize),
-            line: cells.join(",") + "\n",
-            built: false,
+            id,
+            key: key.into(),
+            line: DecisionLine::undecided(layer, key, at, (what, reason)),
+            state: match why {
+                Undecided::Unused => FeatureState::Unused,
+                Undecided::Skipped { code, reason, .. } => FeatureState::Skipped(SkippedFeature {
+                    layer: layer.to_owned(),
+                    key: key.to_owned(),
+                    code,
+                    reason,
+                }),
+            },
+            houses: 0,
             is_part: false,
-            skipped: Some(SkippedFeature {
-                layer: name.to_owned(),
-                key: lot.key.to_string(),
-                code: "not made".to_owned(),
-                reason: WHY.to_owned(),
-            }),
             corrected: vec![],
             envelopes: vec![],
+        }
+    }
+
+    /// Returns what is kept of a feature whose tile could not be made.
+    pub fn unmade(layer: usize, name: &str, lot: &Lot) -> Entry {
+        let why = Undecided::Skipped {
+            what: "not made",
+            code: "not made".to_owned(),
+            reason: "its tile was not made".to_owned(),
+        };
+        let id = (layer, lot.number as usize);
+        Entry::undecided(id, (name, &lot.key), Some(lot.shape.centre()), why)
+    }
+
+    /// Returns what is kept of a feature of a layer that no rule names.
+    pub fn unused(id: LotId, (layer, key): (&str, &str), at: DVec2) -> Entry {
+        Entry::undecided(id, (layer, key), Some(at), Undecided::Unused)
+    }
+
+    /// Returns what is kept of a feature that cannot be read, of which there are some before it in its layer.
+    pub fn unread((layer, name): (usize, &str), fault: &Fault, before: usize) -> Entry {
+        let found = hsd_map::diagnostic(fault, 1, Span::default().into());
+        let key = fault.feature.as_ref().map(|which| which.key().to_string());
+        let why = Undecided::Skipped {
+            what: "not read",
+            code: found.code.to_string(),
+            reason: found.message.in_language(Language::English).to_string(),
+        };
+        let id = (layer, UNREAD + before);
+        Entry::undecided(id, (name, &key.unwrap_or_default()), None, why)
+    }
+
+    /// Returns what is kept of a feature that was left out before any rule saw it; there are some before it in its layer.
+    pub fn left((layer, name): (usize, &str), lot: &LeftLot, before: usize) -> Entry {
+        let why = Undecided::Skipped {
+            what: "left out",
+            code: lot.why.code().to_string(),
+            reason: lot.why.reason().to_owned(),
+        };
+        let id = (layer, UNREAD + before);
+        Entry::undecided(id, (name, &lot.key), Some(lot.at), why)
+    }
+
+    /// Takes a house from it that would exceed a limit; a feature without any house is skipped.
+    pub(crate) fn lose_house(&mut self, lost: &LostHouse) {
+        self.houses = self.houses.saturating_sub(1);
+        if self.houses > 0 {
+            return;
+        }
+        (self.line.what, self.line.why) = ("left out".to_owned(), lost.code.clone());
+        self.state = FeatureState::Skipped(SkippedFeature {
+            layer: lost.layer.clone(),
+            key: self.key.to_string(),
+            code: lost.code.clone(),
+            reason: lost.reason.clone(),
+        });
+    }
+}
+
+/// Why no rule has looked at a feature.
+enum Undecided {
+    /// None names its layer.
+    Unused,
+    /// It is left out.
+    Skipped {
+        what: &'static str,
+        code: String,
+        reason: String,
+    },
+}
+
+/// A house that is left out, since it would exceed a limit.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+pub struct LostHouse {
+    /// The feature on which it would stand.
+    pub id: LotId,
+    /// Its layer.
+    pub layer: String,
+    /// Its key.
+    pub key: String,
+    /// The code of the diagnostic.
+    pub code: String,
+    /// The reason.
+    pub reason: String,
+}
+
+impl From<&LeftOut> for LostHouse {
+    fn from(left: &LeftOut) -> LostHouse {
+        let (layer, key) = match &left.origin {
+            Origin::Feature { layer, key } => (layer.to_string(), key.to_string()),
+            Origin::Source(_) => Default::default(),
+        };
+        LostHouse {
+            id: left.feature,
+            layer,
+            key,
+            code: left.code.to_string(),
+            reason: left.why.in_language(Language::English).to_string(),
         }
     }
 }
@@ -352,20 +526,28 @@ fn short(value: &Value) -> String {
     }
 }
 
+/// Returns a cell of a table. One that a spreadsheet would run as a formula has an apostrophe before it; numbers stay numbers.
 fn quoted(cell: &str) -> String {
-    match cell.contains([',', '"', '\n']) {
-        true => format!("\"{}\"", cell.replace('"', "\"\"")),
+    const RUN: [char; 6] = ['=', '+', '-', '@', '\t', '\r'];
+    let is_run = cell.starts_with(RUN) && cell.parse::<f64>().is_err();
+    let lead = if is_run { "'" } else { "" };
+    match is_run || cell.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{lead}{}\"", cell.replace('"', "\"\"")),
         false => cell.to_owned(),
     }
 }
 
-/// What became of a town: every feature is built or listed.
+/// What became of a town: every feature is built, skipped or unused.
 #[derive(Debug, Default, Serialize)]
 pub struct TownReport {
-    /// The number of features of the layers that rules name.
+    /// The number of features of all layers.
     pub features: usize,
-    /// Those on which something stands.
+    /// Those of which something exists.
     pub built: usize,
+    /// Those of layers that no rule names.
+    pub unused: usize,
+    /// The same for each layer.
+    pub layers: Vec<LayerCount>,
     /// The others.
     pub skipped: Vec<SkippedFeature>,
     /// Features that were changed before something was built on them.
@@ -373,6 +555,21 @@ pub struct TownReport {
     /// Houses above the envelope of their lot.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub above_envelope: Vec<SkippedFeature>,
+}
+
+/// The number of features of a layer in each state.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct LayerCount {
+    /// The name of the layer.
+    pub name: String,
+    /// All of them.
+    pub features: usize,
+    /// Those of which something exists.
+    pub built: usize,
+    /// Those of which nothing does.
+    pub skipped: usize,
+    /// Those that no rule names.
+    pub unused: usize,
 }
 
 /// A feature in a report.
@@ -388,41 +585,49 @@ pub struct SkippedFeature {
     pub reason: String,
 }
 
-impl SkippedFeature {
-    /// Returns a feature that cannot be read.
-    pub fn unread(layer: &str, fault: &Fault) -> SkippedFeature {
-        let found = hsd_map::diagnostic(fault, 1, Span::default().into());
-        SkippedFeature {
-            layer: layer.to_owned(),
-            key: fault
-                .feature
-                .as_ref()
-                .map_or(String::new(), |w| w.key().to_string()),
-            code: found.code.to_string(),
-            reason: found.message.in_language(Language::English).to_string(),
-        }
-    }
-}
-
 impl TownReport {
-    /// Adds a feature that cannot be read.
-    pub fn unread(&mut self, feature: SkippedFeature) {
-        self.features += 1;
-        self.skipped.push(feature);
-    }
-
     /// Adds a feature; what stands behind its house is counted with it. Returns its envelopes.
     pub fn add(&mut self, entry: Entry) -> Vec<EnvelopeRow> {
         if entry.is_part {
             return vec![];
         }
+        let number = entry.id.0;
+        if self.layers.len() <= number {
+            self.layers.resize_with(number + 1, LayerCount::default);
+        }
+        let layer = &mut self.layers[number];
         self.features += 1;
-        self.built += usize::from(entry.built);
+        layer.features += 1;
+        match entry.state {
+            FeatureState::Built => {
+                self.built += 1;
+                layer.built += 1;
+            }
+            FeatureState::Skipped(why) => {
+                self.skipped.push(why);
+                layer.skipped += 1;
+            }
+            FeatureState::Unused => {
+                self.unused += 1;
+                layer.unused += 1;
+            }
+        }
         self.corrected.extend(entry.corrected);
-        self.skipped.extend(entry.skipped);
         let above = entry.envelopes.iter().filter_map(EnvelopeRow::above);
         self.above_envelope.extend(above);
         entry.envelopes
+    }
+
+    /// Names its layers, those without features among them; layers without a name are not counted.
+    pub fn name_layers<'n>(&mut self, names: impl Iterator<Item = Option<&'n str>>) {
+        let mut counts = std::mem::take(&mut self.layers).into_iter();
+        for name in names {
+            let count = counts.next().unwrap_or_default();
+            self.layers.extend(name.map(|name| LayerCount {
+                name: name.to_owned(),
+                ..count
+            }));
+        }
     }
 }
 
@@ -438,4 +643,26 @@ pub fn problems(found: &Diagnostics) -> Vec<SkippedFeature> {
         Origin::Source(_) => None,
     };
     found.iter().filter_map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spreadsheets_run_no_cell() {
+        for (cell, written) in [
+            ("-3.5", "-3.5"),
+            ("+1e3", "+1e3"),
+            ("a-b", "a-b"),
+            ("a, b", "\"a, b\""),
+            ("=1+1", "\"'=1+1\""),
+            ("-3.5 m", "\"'-3.5 m\""),
+            ("@SUM(A1)", "\"'@SUM(A1)\""),
+            ("+\"a\"", "\"'+\"\"a\"\"\""),
+            ("-", "\"'-\""),
+        ] {
+            assert_eq!(quoted(cell), written);
+        }
+    }
 }

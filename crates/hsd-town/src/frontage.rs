@@ -156,15 +156,15 @@ struct Facing {
 
 /// Returns the nearest street that each run faces, if there is one within reach.
 fn facing(runs: &[Run], pieces: &[Piece]) -> Vec<Facing> {
-    let mut streets: Vec<u32> = pieces.iter().map(|p| p.street).collect();
-    streets.sort_unstable();
-    streets.dedup();
+    // Stable: the pieces of a street keep their order.
+    let mut by_street = pieces.to_vec();
+    by_street.sort_by_key(|piece| piece.street);
     let mut found = vec![];
     for (number, run) in runs.iter().enumerate() {
         let (normal, middle) = (run.chord.normal(), run.chord.middle());
         let mut best: Option<Facing> = None;
-        for street in &streets {
-            let own = pieces.iter().filter(|p| p.street == *street);
+        for street in by_street.chunk_by(|a, b| a.street == b.street) {
+            let own = street.iter();
             let gap = |p: &Piece| (p.line.distance(run.chord) - p.half).max(0.0);
             let distance = own.clone().map(gap).fold(f64::INFINITY, f64::min);
             if distance > FAR {

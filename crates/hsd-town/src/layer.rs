@@ -6,6 +6,7 @@ mod files;
 mod ground;
 mod join;
 mod kept;
+mod left;
 mod outlined;
 mod packed;
 mod raw;
@@ -16,6 +17,7 @@ pub use files::{MapFile, NoFiles, files, with_side_files};
 pub use ground::{Ground, GroundLayer, NoGround};
 pub use join::{Joined, NoJoin, Unjoined};
 pub use kept::KeptMaps;
+pub use left::{LeftLot, LeftWhy, Sieve};
 pub use outlined::NoOutlines;
 pub use raw::{NotPlaced, Raw, read};
 
@@ -130,6 +132,8 @@ pub struct Lots {
     pub faults: Faults,
     /// The features that cannot be read.
     pub unread: Vec<Fault>,
+    /// The features that can be read but are left out.
+    pub left: Vec<LeftLot>,
     /// The path of the file.
     file: Arc<str>,
 }
@@ -231,6 +235,7 @@ impl Lots {
     pub(crate) fn merge_faults(&mut self, other: Lots) {
         self.faults.append(other.faults);
         self.unread.extend(other.unread);
+        self.left.extend(other.left);
     }
 
     /// Returns the layer without features and faults.
@@ -242,6 +247,7 @@ impl Lots {
             columns: self.columns.clone(),
             faults: Faults::default(),
             unread: vec![],
+            left: vec![],
             file: self.file.clone(),
         }
     }

@@ -14,7 +14,7 @@ mod zones;
 pub use key::TileKey;
 pub use laid::LaidFirst;
 pub(crate) use lodged::Lodger;
-pub use lodged::{Lodged, LodgedTile, Lodging};
+pub use lodged::{Lodged, LodgedTile, Lodging, UnusedLot};
 pub use packed::PartReader;
 pub use poles::{KnownPole, KnownPoles};
 pub use roads::{BORDERS, RoadPiece, Roads};
@@ -23,9 +23,10 @@ pub use waters::Waters;
 pub use zones::{ZoneArea, Zones};
 
 use super::frontage::first_front;
-use super::grid::{Grid, wider};
+use super::grid::Grid;
 use super::layer::{Ground, Lot, Lots, Shape, TownFrame, Unjoined};
 use super::neighbour::{Neighbours, TOUCHING};
+use super::run::is_divided;
 use super::shape::Segment;
 use super::street::{FAR, Piece, Streets, StreetsBuilder, WIDE, class_width};
 use super::table::Rows;
@@ -34,8 +35,13 @@ use glam::DVec2;
 use hsd_ir::ast::town::Town;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
+/// The outlines round a feature that are looked at, at most. Of more the nearest count: so houses all at one place take no more
+/// time than a large town.
+const NEIGHBOURS: usize = 512;
+/// The outlines within reach of a network that are looked at, at most. Of more the nearest count.
+const SERVED_MOST: usize = 4096;
 /// How far the houses are looked at that stand between a house and its street, metres.
 const AROUND: f64 = 40.0;
 /// How far from its pole a house may be that a network serves, metres.
@@ -68,7 +74,11 @@ pub struct Plan {
     /// Outlines on which houses may stand: layer and feature.
     outlines: Vec<(usize, usize)>,
     index: Grid,
+    fronts: KnownFronts,
 }
+
+/// The fronts of the outlines by distance alone, for each layer of streets. Each is found when the first neighbour looks at it.
+type KnownFronts = BTreeMap<String, Vec<OnceLock<Option<Segment>>>>;
 
 /// The number of a feature: its layer, and its place in it.
 pub type LotId = (usize, usize);
@@ -118,6 +128,7 @@ impl Plan {
             lodged: None,
             outlines: vec![],
             index: Grid::default(),
+            fronts: KnownFronts::new(),
             layers: vec![],
         }
         .with_layers(layers)
@@ -136,8 +147,11 @@ impl Plan {
         let boxes = outlines
             .iter()
             .map(|(l, n)| layers[*l].lots[*n].shape.bounds());
+        let fronts = || outlines.iter().map(|_| OnceLock::new()).collect();
+        let fronts = self.streets.keys().map(|name| (name.clone(), fronts()));
         Plan {
             index: Grid::new(boxes.collect()),
+            fronts: fronts.collect(),
             town: self.town.clone(),
             frame: self.frame.clone(),
             tables: self.tables.clone(),
@@ -193,6 +207,49 @@ impl Plan {
         }
     }
 
+    /// Returns true if the features of a layer are counted: parts of divided areas are only where rules name them.
+    pub(crate) fn is_counted(&self, layer: usize) -> bool {
+        self.is_ruled(layer) || self.layers[layer].layer.divided.is_none()
+    }
+
+    /// Calls `see` with each feature of the layers that no rule names.
+    pub fn each_unused(&self, see: &mut dyn FnMut(UnusedLot)) {
+        let layers = self.layers.iter().enumerate();
+        let unruled = layers.filter(|(n, _)| !self.is_ruled(*n) && self.is_counted(*n));
+        for (number, layer) in unruled {
+            for lot in &layer.lots {
+                see(UnusedLot {
+                    id: (number, lot.number as usize),
+                    key: lot.key.clone(),
+                    at: lot.shape.centre(),
+                });
+            }
+        }
+        let lodged = self.lodged.iter().flat_map(|lodged| &lodged.unused);
+        lodged.for_each(|lot| {
+            see(UnusedLot {
+                key: lot.key.clone(),
+                ..*lot
+            });
+        });
+    }
+
+    /// Returns the layers that nothing in the town depends on: no rule names them, they are no streets, and no other layer is
+    /// joined to them.
+    pub(crate) fn idle_layers(&self) -> impl Iterator<Item = usize> {
+        let layers = self.layers.iter().enumerate();
+        let idle = layers.filter(|(number, layer)| {
+            let name = &layer.layer.name.value;
+            let mut joins = self.town.layers.iter().flat_map(|layer| &layer.joins);
+            let is_joined = joins.any(|join| join.layer.value == *name);
+            let is_street = self.streets.contains_key(name);
+            let is_divided = is_divided(&self.town, &layer.layer);
+            let is_ruled = self.is_ruled(*number) || !self.is_counted(*number);
+            !is_ruled && !is_street && !is_joined && !is_divided
+        });
+        idle.map(|(number, _)| number)
+    }
+
     /// Returns true if rules name a layer.
     fn is_ruled(&self, layer: usize) -> bool {
         is_ruled(&self.town, &self.layers[layer])
@@ -228,10 +285,20 @@ impl Plan {
         streets.map_or(vec![], |s| s.near(lot.shape.bounds(), WIDE))
     }
 
-    /// Returns the outlines within a distance of a feature, itself left out.
-    pub fn around(&self, id: LotId, far: f64) -> Vec<LotId> {
-        let bounds = wider(self.lot(id).shape.bounds(), far);
-        let found = self.index.near(bounds).into_iter();
+    /// Returns the street along a line, of those that count by default.
+    pub fn street_along(&self, line: Segment) -> Option<&Piece> {
+        self.streets.get("")?.along(line)
+    }
+
+    /// Returns the outlines within reach of a network along a feature, itself left out.
+    pub fn served(&self, id: LotId) -> Vec<LotId> {
+        self.around(id, SERVED, SERVED_MOST)
+    }
+
+    /// Returns the outlines within a distance of a feature, itself left out; of more than `most` the nearest.
+    fn around(&self, id: LotId, far: f64, most: usize) -> Vec<LotId> {
+        let bounds = self.lot(id).shape.bounds();
+        let found = self.index.nearest(bounds, far, most).into_iter();
         let found = found.map(|n| self.outlines[n as usize]);
         found.filter(|other| *other != id).collect()
     }
@@ -246,7 +313,7 @@ impl Plan {
 
     /// Returns the neighbours of a feature, as far as they may stand before its street.
     pub fn neighbours(&self, id: LotId) -> Neighbours<'_> {
-        let rings = self.around(id, AROUND).into_iter();
+        let rings = self.around(id, AROUND, NEIGHBOURS).into_iter();
         Neighbours {
             rings: rings
                 .filter_map(|other| self.lot(other).shape.ring())
@@ -259,17 +326,30 @@ impl Plan {
         let Some(own) = self.lot(id).shape.ring() else {
             return vec![];
         };
-        let touching = self.around(id, TOUCHING).into_iter().filter(|other| {
+        let near = self.around(id, TOUCHING, NEIGHBOURS).into_iter();
+        let touching = near.filter(|other| {
             let ring = self.lot(*other).shape.ring().unwrap_or_default();
             super::shape::sides(own)
                 .any(|s| super::shape::sides(ring).any(|t| s.distance(t) <= TOUCHING))
         });
-        let front = |other: LotId| {
-            let lot = self.lot(other);
+        touching
+            .filter_map(|other| self.first_front(other, layer))
+            .collect()
+    }
+
+    /// Returns the front of an outline by distance alone.
+    fn first_front(&self, id: LotId, layer: &str) -> Option<Segment> {
+        let find = || {
+            let lot = self.lot(id);
             let pieces = self.pieces(lot, layer);
-            first_front(lot.shape.ring()?, &pieces, &self.neighbours(other))
+            first_front(lot.shape.ring()?, &pieces, &self.neighbours(id))
         };
-        touching.filter_map(front).collect()
+        let known = self.fronts.get(layer).or(self.fronts.get(""));
+        let number = self.outlines.binary_search(&id).ok();
+        match known.zip(number).and_then(|(known, n)| known.get(n)) {
+            Some(known) => *known.get_or_init(find),
+            None => find(),
+        }
     }
 
     /// Returns the key of the polygon, in a layer without houses, that a place lies in: its block.

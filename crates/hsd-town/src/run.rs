@@ -6,6 +6,7 @@ mod footprints;
 mod maps;
 mod outdoors;
 
+pub(crate) use maps::is_divided;
 pub use maps::{plan, plan_lodged};
 
 use footprints::footprints;
@@ -224,8 +225,9 @@ fn record(
     };
     let decisions = site.decisions.borrow();
     if let Some(why) = decisions.iter().find_map(|d| d.refused.clone()) {
-        found.push(say::refused(origin.clone(), &why));
-        record.outcome = Outcome::Refused(why);
+        let refused = say::refused(origin.clone(), &why);
+        record.outcome = Outcome::Refused(refused.code, why);
+        found.push(refused);
     }
     let mut parts = parts(&record, &site.rear_decisions.borrow());
     if parts
@@ -302,6 +304,7 @@ fn enter(
                     seed: input.options.expand.seed,
                 };
                 houses.push(FeatureHouse {
+                    feature: record.id,
                     text: input.texts.then(|| text::write(&house, &name, &told)),
                     plain,
                     house,

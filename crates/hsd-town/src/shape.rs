@@ -3,6 +3,7 @@
 use glam::DVec2;
 use hsd_base::geometry::area2;
 use hsd_base::geometry::overlap::Area;
+use std::collections::BTreeSet;
 
 /// A straight line between two points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -136,6 +137,29 @@ pub fn shared(one: &[DVec2], two: &[DVec2]) -> f64 {
     a.shared(&b)
 }
 
+/// Returns the convex hull of points, counter-clockwise (Andrew 1979).
+pub fn hull(points: &[DVec2]) -> Vec<DVec2> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+    sorted.dedup();
+    let chain = |points: &mut dyn Iterator<Item = &DVec2>| {
+        let mut chain: Vec<DVec2> = vec![];
+        for p in points {
+            while let [.., a, b] = chain[..]
+                && (b - a).perp_dot(*p - b) <= 0.0
+            {
+                chain.pop();
+            }
+            chain.push(*p);
+        }
+        chain.pop();
+        chain
+    };
+    let mut around = chain(&mut sorted.iter());
+    around.extend(chain(&mut sorted.iter().rev()));
+    around
+}
+
 /// Returns the angle between two directions, degrees from 0 to 180.
 pub fn angle(one: DVec2, two: DVec2) -> f64 {
     libm::atan2(one.perp_dot(two).abs(), one.dot(two)).to_degrees()
@@ -171,21 +195,28 @@ pub fn cleaned(ring: &[DVec2]) -> Vec<DVec2> {
     while kept.len() > 1 && kept[0].distance(kept[kept.len() - 1]) < NEAR {
         kept.pop();
     }
-    loop {
-        let n = kept.len();
-        if n < 4 {
-            break;
+    let kept_before = kept.len();
+    let mut beside: Vec<[usize; 2]> = (0..kept_before)
+        .map(|i| [(i + kept_before - 1) % kept_before, (i + 1) % kept_before])
+        .collect();
+    let (mut left, mut is_left) = (kept_before, vec![true; kept_before]);
+    // The corners to look at: at first all, then those beside a removed one.
+    let mut open: BTreeSet<usize> = (0..kept_before).collect();
+    while left > 3
+        && let Some(at) = open.pop_first()
+    {
+        let [before, after] = beside[at];
+        let (p, q, r) = (kept[before], kept[at], kept[after]);
+        let turn = angle(q - p, r - q);
+        if (STRAIGHT..=180.0 - STRAIGHT).contains(&turn) && q.distance(r) >= NEAR {
+            continue;
         }
-        let useless = (0..n).find(|i| {
-            let (p, q, r) = (kept[(i + n - 1) % n], kept[*i], kept[(i + 1) % n]);
-            let turn = angle(q - p, r - q);
-            !(STRAIGHT..=180.0 - STRAIGHT).contains(&turn) || q.distance(r) < NEAR
-        });
-        match useless {
-            Some(at) => kept.remove(at),
-            None => break,
-        };
+        (beside[before][1], beside[after][0]) = (after, before);
+        (left, is_left[at]) = (left - 1, false);
+        open.extend([before, after]);
     }
+    let mut is_left = is_left.into_iter();
+    kept.retain(|_| is_left.next().unwrap_or(true));
     let from = kept.first().copied().unwrap_or_default();
     let about: Vec<DVec2> = kept.iter().map(|p| *p - from).collect();
     if area2(&about) < 0.0 {

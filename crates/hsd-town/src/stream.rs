@@ -6,7 +6,7 @@ mod entries;
 pub use account::{Account, Closing, StoredAccount};
 pub use entries::{Entries, Table};
 
-use super::decision::{HEAD, SkippedFeature, TownReport};
+use super::decision::{FeatureState, HEAD, LostHouse, SkippedFeature, TownReport};
 use super::layer::Unjoined;
 use super::plan::Plan;
 use super::run::{Chunk, TownHouses, TownInput};
@@ -14,7 +14,7 @@ use super::site::law::EnvelopeRow;
 use account::Totals;
 use hsd_base::diagnostic::Diagnostics;
 use hsd_base::source::Source;
-use hsd_driver::FeatureHouse;
+use hsd_driver::{FeatureHouse, LeftOut};
 use hsd_export::spool::NewSpool;
 use hsd_syntax::messages::town as say;
 use hsd_syntax::parse::Values;
@@ -141,6 +141,12 @@ impl<'a> TownStream<'a> {
         more
     }
 
+    /// Takes houses that would exceed a limit from their features, of which all have been evaluated.
+    pub fn lose(&mut self, left_out: &[LeftOut]) {
+        let lost: Vec<LostHouse> = left_out.iter().map(LostHouse::from).collect();
+        self.ledger.lose(&lost);
+    }
+
     /// Evaluates what is left, and returns the ledger. Reports fields that are missing and features that no rule takes.
     pub fn finish(mut self, out: &mut Diagnostics) -> (Ledger, Vec<Source>) {
         while self.refill() {}
@@ -175,6 +181,24 @@ impl Ledger {
         self.values.append(chunk.values);
         self.read(chunk.included);
         Ok(chunk.houses)
+    }
+
+    /// As [`add`](Ledger::add), of features of whose houses some would exceed a limit.
+    ///
+    /// # Errors
+    /// Those of the spool.
+    pub fn add_without(&mut self, mut chunk: Chunk, lost: &[LostHouse]) -> io::Result<()> {
+        let mut account = Account::of(&mut chunk);
+        account.lose(lost);
+        self.enter(account)?;
+        self.values.append(chunk.values);
+        self.read(chunk.included);
+        Ok(())
+    }
+
+    /// Takes houses that would exceed a limit from features that are kept in memory.
+    pub fn lose(&mut self, lost: &[LostHouse]) {
+        self.totals.incomplete |= self.entries.lose(lost);
     }
 
     /// Enters the account of some features.
@@ -214,15 +238,19 @@ impl Ledger {
     pub fn close(
         mut self,
         plan: &Plan,
-        closing: Closing,
+        mut closing: Closing,
         out: &mut Diagnostics,
     ) -> io::Result<(Ledger, Vec<Source>)> {
         out.append(std::mem::take(&mut self.found));
+        for entry in std::mem::take(&mut closing.undecided) {
+            self.totals.incomplete |= matches!(entry.state, FeatureState::Skipped(_));
+            self.entries.push(entry)?;
+        }
         let (table, report) = (&mut self.decisions, &mut self.report);
         let envelopes = &mut self.envelopes;
         table.push(HEAD)?;
         std::mem::take(&mut self.entries).each(&mut |entry| {
-            table.push(&entry.line)?;
+            table.push(&entry.line.text())?;
             envelopes.extend(report.add(entry));
             Ok(())
         })?;
@@ -232,10 +260,13 @@ impl Ledger {
                 out.push(say::field_missing(*span, name, *count));
             }
         }
+        let names = plan.layers.iter().enumerate();
+        let names = names.map(|(number, lots)| {
+            let is_counted = plan.is_counted(number);
+            is_counted.then_some(&*lots.layer.name.value)
+        });
+        self.report.name_layers(names);
         self.report_layers(plan, &closing, out);
-        self.totals.incomplete |= !closing.unread.is_empty();
-        let unread = closing.unread.into_iter();
-        unread.for_each(|feature| self.report.unread(feature));
         self.report.corrected.extend(closing.unjoined);
         let included = std::mem::take(&mut self.included);
         Ok((self, included))
@@ -251,6 +282,10 @@ impl Ledger {
             if let Some((off, lost)) = self.totals.off_ground.get(name) {
                 out.push(say::off_the_ground(layer.name.span, name, *off, *lost));
             }
+        }
+        for (number, count) in &closing.idle {
+            let name = &plan.layers[*number].layer.name;
+            out.push(say::layer_unused(name.span, &name.value, *count));
         }
         for (number, layer) in plan.layers.iter().enumerate() {
             if let Some(twice) = closing.twice.get(&number) {

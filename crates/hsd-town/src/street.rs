@@ -36,7 +36,12 @@ pub struct Streets {
     pieces: Vec<Piece>,
     grid: Grid,
     reach: f64,
+    /// The numbers of the pieces, in the order of their lines.
+    by_line: Vec<u32>,
 }
+
+/// The pieces of streets that a feature looks at, at most. Of more the nearest count.
+const MOST: usize = 1024;
 
 /// The nearest point of a street.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,24 +107,47 @@ impl StreetsBuilder {
     /// Returns the streets.
     pub fn finish(self) -> Streets {
         let reach = self.pieces.iter().map(|p| p.half).fold(0.0, f64::max);
-        let boxes = self.pieces.iter().map(|p| p.line.bounds()).collect();
-        Streets {
-            grid: Grid::new(boxes),
-            pieces: self.pieces,
-            reach,
-        }
+        Streets::of(self.pieces, reach)
     }
 }
 
+/// Returns what orders lines: the coordinates of their ends. Zero has one sign.
+fn line_key(line: Segment) -> [u64; 4] {
+    let ends = [line.from.x, line.from.y, line.to.x, line.to.y];
+    ends.map(|x| (x + 0.0).to_bits())
+}
+
 impl Streets {
+    /// Indexes pieces, of which the widest has a side this far from its line.
+    fn of(pieces: Vec<Piece>, reach: f64) -> Streets {
+        let boxes = pieces.iter().map(|p| p.line.bounds()).collect();
+        let mut by_line: Vec<u32> = (0..pieces.len() as u32).collect();
+        by_line.sort_by_key(|n| line_key(pieces[*n as usize].line));
+        Streets {
+            grid: Grid::new(boxes),
+            pieces,
+            reach,
+            by_line,
+        }
+    }
+
     /// Returns true if there are none.
     pub fn is_empty(&self) -> bool {
         self.pieces.is_empty()
     }
 
-    /// Returns the pieces whose sides may be within `far` of a box.
+    /// Returns the first piece along a line.
+    pub fn along(&self, line: Segment) -> Option<&Piece> {
+        let key = |n: &u32| line_key(self.pieces[*n as usize].line);
+        let wanted = line_key(line);
+        let at = self.by_line.partition_point(|n| key(n) < wanted);
+        let found = self.by_line.get(at).filter(|n| key(n) == wanted)?;
+        Some(&self.pieces[*found as usize])
+    }
+
+    /// Returns the pieces whose sides may be within `far` of a box; of very many the nearest.
     pub fn near(&self, bounds: Bounds, far: f64) -> Vec<Piece> {
-        let found = self.grid.near(wider(bounds, far + self.reach));
+        let found = self.grid.nearest(bounds, far + self.reach, MOST);
         found.iter().map(|n| self.pieces[*n as usize]).collect()
     }
 }
@@ -127,11 +155,11 @@ impl Streets {
 impl Streets {
     /// Appends the pieces whose sides may be within [`WIDE`] of something in a box to bytes.
     pub(crate) fn pack(&self, bounds: Bounds, out: &mut Packer<'_>) {
-        let pieces = self.near(bounds, WIDE);
+        let pieces = self.grid.near(wider(bounds, WIDE + self.reach));
         // How far they reach is told by all streets, so that a part finds what the whole town does.
         out.float(self.reach);
         out.count(pieces.len());
-        for piece in pieces {
+        for piece in pieces.iter().map(|n| &self.pieces[*n as usize]) {
             out.point(piece.line.from);
             out.point(piece.line.to);
             out.float(piece.half);
@@ -154,13 +182,7 @@ impl Streets {
                 width: from.float()?,
             })
         });
-        let pieces = pieces.collect::<io::Result<Vec<Piece>>>()?;
-        let boxes = pieces.iter().map(|p| p.line.bounds()).collect();
-        Ok(Streets {
-            grid: Grid::new(boxes),
-            pieces,
-            reach,
-        })
+        Ok(Streets::of(pieces.collect::<io::Result<_>>()?, reach))
     }
 }
 

@@ -335,7 +335,7 @@ impl Build<'_> {
             if reach != Reach::All {
                 // What concerns all features can only be told of all.
                 found = out.clone();
-                made.ledger.report.features = plan.features();
+                made.ledger.report.features = plan.features() + made.ledger.report.unused;
             }
             let told = (found, read.included.clone());
             self.publish((made, &plan.frame), told, phase == "near", scratch)?;
@@ -380,7 +380,7 @@ impl Build<'_> {
             shown: ShownTown {
                 id: self.id,
                 tileset: Some(tileset),
-                features: ledger.features,
+                features: ledger.features - ledger.unused,
                 built: ledger.built,
                 skipped: ledger.skipped.len(),
                 whole,

@@ -22,7 +22,7 @@ use hsd_town::stream::Ledger;
 use hsd_town::tiles::record::{LevelRecord, TileRecord};
 use hsd_town::tiles::run::{self, TileJob, TileParts, TiledTown};
 use hsd_town::tiles::{TileStore, envelopes};
-use hsd_town::{Plan, TownInput};
+use hsd_town::{Plan, TownInput, TownReport};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -195,6 +195,16 @@ pub(super) fn finish(
     Ok(())
 }
 
+/// Returns the number of features of a town in each state.
+pub(super) fn features(report: &TownReport) -> Text {
+    let (features, built) = (counted(report.features, FEATURE), report.built);
+    let (skipped, unused) = (report.skipped.len(), report.unused);
+    text!([features, built, skipped, unused]
+        "{features}: {built} built, {skipped} skipped, {unused} unused",
+        "{features}（建物 {built}、省略 {skipped}、未使用 {unused}）"
+    )
+}
+
 /// Returns the line printed of the envelopes of lots; `None` if there are none.
 pub(super) fn above(ledger: &Ledger) -> Option<Text> {
     let (count, above) = (ledger.envelopes.len(), ledger.report.above_envelope.len());
@@ -209,15 +219,15 @@ pub(super) fn above(ledger: &Ledger) -> Option<Text> {
 /// Returns the lines printed after a town: what was built, and from which level its heights count.
 fn lines(wish: &Wish<'_>, made: &TiledTown) -> Vec<Text> {
     let (name, report) = (wish.output.display(), &made.ledger.report);
-    let (features, built) = (counted(report.features, FEATURE), report.built);
+    let features = features(report);
     let houses = counted(made.tiles.iter().map(|t| t.houses).sum(), HOUSE);
     let tiles = counted(made.tiles.len(), TILE);
     let levels = made.tiles.iter().flat_map(|t| &t.levels);
     let size = bytes(levels.map(|l| l.bytes as usize).sum());
     let kept = made.kept;
-    let mut lines = vec![text!([name, features, built, houses, tiles, size]
-        "{name}: {features}, {built} of them built, {houses} in {tiles}, {size}",
-        "{name}: {features}、うち {built} 件に{houses}、{tiles}、{size}"
+    let mut lines = vec![text!([name, features, houses, tiles, size]
+        "{name}: {features}, {houses} in {tiles}, {size}",
+        "{name}: {features}、{houses}、{tiles}、{size}"
     )];
     if kept > 0 {
         lines.push(text!([kept]

@@ -7,11 +7,10 @@ mod text;
 
 use super::NO_COMPRESS;
 use super::tiled;
-use super::tiled::{FEATURE, Progress, TILESET, Wish, table_paths, tables};
+use super::tiled::{Progress, TILESET, Wish, table_paths, tables};
 use crate::files::input::Inputs;
 use crate::files::messages::{MessageArgs, Teller};
 use crate::files::output::{Committer, Files};
-use crate::files::terminal::counted;
 use crate::options::{InputArgs, ReadArgs, exit};
 use crate::{Exit, Failure, Outcome};
 use city::CityForm;
@@ -344,6 +343,7 @@ impl Town {
         )
         .map_err(failed)?;
         let corrected = problems(&out);
+        houses.lose(&streamed.left_out);
         let (mut ledger, included) = houses.finish(&mut out);
         progress.finish()?;
         ledger.report.corrected.extend(corrected);
@@ -372,11 +372,10 @@ impl Town {
             return Ok(());
         }
         let (name, mib) = (model.display(), size.div_ceil(1 << 20));
-        let features = counted(ledger.report.features, FEATURE);
-        let built = ledger.report.built;
-        let line = text!([name, mib, features, built, houses]
-            "{name}: {features}, {built} of them built, {houses} houses, {mib} MiB",
-            "{name}: {features}、うち {built} 件に建物 {houses} 棟、{mib} MiB"
+        let features = tiled::features(&ledger.report);
+        let line = text!([name, mib, features, houses]
+            "{name}: {features}, {houses} houses, {mib} MiB",
+            "{name}: {features}、建物 {houses} 棟、{mib} MiB"
         );
         for line in std::iter::once(line).chain(tiled::above(ledger)) {
             writeln!(io::stderr(), "{}", line.in_language(teller.language))?;

@@ -37,9 +37,13 @@ impl Lots {
                 what: "plots",
                 limit: MOST as u64,
             };
-            let fault = Fault::of_file(&self.file, what);
-            self.faults.push(fault.clone());
-            self.unread.push(fault);
+            self.faults.push(Fault::of_file(&self.file, what.clone()));
+            for lot in &areas {
+                let fault = Fault::of_file(&self.file, what.clone());
+                let number = u64::from(lot.number);
+                self.unread
+                    .push(fault.of_feature(number, Some((&*lot.key).into())));
+            }
             return;
         }
         if part == DividedPart::Blocks {

@@ -120,6 +120,7 @@ impl Lots {
             columns,
             faults: Faults::default(),
             unread: vec![],
+            left: vec![],
             file,
         })
     }

@@ -115,6 +115,7 @@ pub fn read(world: &dyn World, path: &str, layer: &Layer, most: usize) -> Result
             columns,
             faults,
             unread,
+            left: vec![],
             file: path.into(),
         },
     })

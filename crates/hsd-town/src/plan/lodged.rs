@@ -4,9 +4,10 @@
 use super::key::TileKey;
 use super::shelves::Shelves;
 use super::{LotId, Plan};
-use crate::grid::{Bounds, meet, wider};
+use crate::grid::{Bounds, Grid, meet, wider};
 use crate::layer::{Lot, Lots};
 use crate::neighbour::TOUCHING;
+use glam::DVec2;
 use hsd_export::spool::NewSpool;
 use hsd_ir::ast::town::Tiles;
 use std::collections::{BTreeMap, BTreeSet};
@@ -53,10 +54,24 @@ pub struct Lodged {
     shelves: Mutex<Shelves>,
     /// Its tiles, by number.
     pub tiles: Vec<LodgedTile>,
+    /// The boxes of its tiles.
+    index: Grid,
     /// The number of features.
     pub features: usize,
+    /// The features of layers that no rule names, which do not wait there.
+    pub unused: Vec<UnusedLot>,
     /// The keys that several features of a layer have.
     pub twice: BTreeMap<usize, BTreeSet<String>>,
+}
+
+/// A feature of a layer that no rule names.
+pub struct UnusedLot {
+    /// Its layer, and its number there.
+    pub id: LotId,
+    /// Its key.
+    pub key: Box<str>,
+    /// Its centre.
+    pub at: DVec2,
 }
 
 impl Lodger {
@@ -111,7 +126,9 @@ impl Lodger {
         Ok(Lodged {
             shelves: Mutex::new(self.shelves),
             features: self.parts.iter().map(|tile| tile.features).sum(),
+            index: Grid::new(self.parts.iter().map(|tile| tile.bounds).collect()),
             tiles: self.parts,
+            unused: vec![],
             twice,
         })
     }
@@ -167,8 +184,8 @@ impl Lodged {
         let wide = plan.beside();
         for far in [TOUCHING, wide] {
             let reach = wider(bounds, far);
-            for (n, tile) in self.tiles.iter().enumerate() {
-                if n != number && meet(tile.bounds, reach) && !others.contains_key(&n) {
+            for n in self.index.near(reach).into_iter().map(|n| n as usize) {
+                if n != number && !others.contains_key(&n) {
                     others.insert(n, self.read(n)?);
                 }
             }
@@ -222,11 +239,17 @@ fn around([a, b]: Bounds, [c, d]: Bounds) -> Bounds {
 impl Plan {
     /// Lets its features wait in a spool, those left out that wait there already.
     pub(crate) fn lodge(&mut self, mut lodger: Lodger) -> io::Result<()> {
-        let mut twice = BTreeMap::new();
+        let (mut twice, mut unused) = (BTreeMap::new(), vec![]);
         for number in 0..self.layers.len() {
             if !self.is_ruled(number) {
                 twice.insert(number, self.keys_of_several(number));
-                self.layers[number].lots = vec![];
+                let lots = std::mem::take(&mut self.layers[number].lots).into_iter();
+                let lots = lots.filter(|_| self.is_counted(number));
+                unused.extend(lots.map(|lot| UnusedLot {
+                    id: (number, lot.number as usize),
+                    at: lot.shape.centre(),
+                    key: lot.key,
+                }));
                 continue;
             }
             let lots = std::mem::take(&mut self.layers[number].lots);
@@ -236,6 +259,7 @@ impl Plan {
         }
         let mut lodged = lodger.finish()?;
         lodged.twice.extend(twice);
+        lodged.unused = unused;
         self.lodged = Some(lodged);
         Ok(())
     }

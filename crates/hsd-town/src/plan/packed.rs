@@ -114,6 +114,7 @@ impl PartReader {
             lodged: None,
             outlines: vec![],
             index: Grid::default(),
+            fronts: BTreeMap::new(),
         };
         Ok(PartReader { head, written })
     }
@@ -147,12 +148,15 @@ impl PartReader {
         if !from.rest().is_empty() {
             return Err(wrong());
         }
-        let part = Plan {
+        let head = Plan {
             streets: Arc::new(streets),
+            ..self.head.with_layers(vec![])
+        };
+        let part = Plan {
             blocks: Arc::new(blocks),
             ground: Arc::new(ground),
             laid: Arc::new(laid),
-            ..self.head.with_layers(layers)
+            ..head.with_layers(layers)
         };
         Ok((part, own))
     }

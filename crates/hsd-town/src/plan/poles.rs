@@ -9,6 +9,9 @@ use std::io;
 /// How far from the features of a part its poles are kept, metres: more than the longest span between streets.
 const PACKED: f64 = 400.0;
 
+/// The poles that are looked at round a place, at most. Of more the nearest count.
+const MOST: usize = 512;
+
 /// A pole of a network.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KnownPole {
@@ -56,9 +59,9 @@ impl KnownPoles {
         self.near([place; 2], 0.0).next()
     }
 
-    /// Returns the poles within `far` of a box.
+    /// Returns the poles within `far` of a box; of very many the nearest.
     pub fn near(&self, bounds: Bounds, far: f64) -> impl Iterator<Item = KnownPole> + '_ {
-        let found = self.index.near(wider(bounds, far)).into_iter();
+        let found = self.index.nearest(bounds, far, MOST).into_iter();
         found.map(|n| self.poles[n as usize])
     }
 
@@ -73,9 +76,9 @@ impl KnownPoles {
 
     /// Adds the poles near a box.
     pub(crate) fn pack(&self, bounds: Bounds, out: &mut Packer<'_>) {
-        let poles: Vec<KnownPole> = self.near(bounds, PACKED).collect();
+        let poles = self.index.near(wider(bounds, PACKED));
         out.count(poles.len());
-        for pole in poles {
+        for pole in poles.iter().map(|n| self.poles[*n as usize]) {
             out.point(pole.at);
             out.count(pole.line as usize);
             out.bytes(&[u8::from(pole.is_end)]);

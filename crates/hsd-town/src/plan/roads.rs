@@ -3,6 +3,7 @@
 use crate::grid::{Bounds, Grid, wider};
 use crate::shape::Segment;
 use hsd_map::pack::{Packer, Unpacker};
+use std::collections::BTreeSet;
 use std::io;
 
 /// The number of borders of a road: its side, the inside of its pavement, that of its drain.
@@ -10,6 +11,21 @@ pub const BORDERS: usize = 3;
 
 /// How far from the features of a part its roads are kept, metres: more than a road and its surroundings are wide.
 const PACKED: f64 = 120.0;
+
+/// The pieces round a feature that are looked at, at most. Of more the nearest count.
+const MOST: usize = 4096;
+
+/// The longest stretch of a line that looks round by itself, metres: the box of a long line that runs aslant is nearly empty.
+const STRETCH: f64 = 64.0;
+
+/// The number of stretches of a line, at most.
+const STRETCHES: f64 = 64.0;
+
+/// The pieces whose boxes are looked at round a stretch, at most. Of more the nearest count.
+const LOOKED_AT: usize = 256;
+
+/// The pieces that are beside a stretch, at most. Of more the nearest count.
+const BESIDE: usize = 128;
 
 /// A straight piece of a road.
 #[derive(Clone, Copy, Debug)]
@@ -26,6 +42,13 @@ pub struct Roads {
     pieces: Vec<RoadPiece>,
     index: Grid,
     reach: f64,
+}
+
+/// Returns the stretches of a line that look round by themselves.
+fn stretches(line: Segment) -> impl Iterator<Item = Segment> {
+    let count = (line.length() / STRETCH).ceil().clamp(1.0, STRETCHES);
+    let at = move |n: usize| line.from.lerp(line.to, n as f64 / count);
+    (0..count as usize).map(move |n| Segment::new(at(n), at(n + 1)))
 }
 
 impl Roads {
@@ -45,18 +68,37 @@ impl Roads {
         self.pieces.is_empty()
     }
 
-    /// Returns the pieces whose sides may be within `far` of a box.
-    pub fn near(&self, bounds: Bounds, far: f64) -> impl Iterator<Item = RoadPiece> + '_ {
-        let found = self.index.near(wider(bounds, far + self.reach));
-        found.into_iter().map(|n| self.pieces[n as usize])
+    /// Returns the pieces whose sides may be within `far` of a box; of very many the nearest.
+    pub fn near(&self, bounds: Bounds, far: f64) -> Vec<RoadPiece> {
+        let found = self.index.nearest(bounds, far + self.reach, MOST);
+        found.iter().map(|n| self.pieces[*n as usize]).collect()
+    }
+
+    /// Returns the pieces whose middles are within `far` and the reach of all roads of some lines, each once, in their order.
+    /// Where very many meet, those count that are nearest to a stretch of a line.
+    pub fn beside(&self, lines: &[Segment], far: f64) -> Vec<RoadPiece> {
+        let far = far + self.reach;
+        let mut found = BTreeSet::new();
+        for stretch in lines.iter().flat_map(|line| stretches(*line)) {
+            let near = self.index.nearest(stretch.bounds(), far, LOOKED_AT);
+            let off = |n: u32| self.pieces[n as usize].line.distance(stretch);
+            let near = near.into_iter().map(|n| (off(n), n));
+            let mut near: Vec<(f64, u32)> = near.filter(|(off, _)| *off <= far).collect();
+            if near.len() > BESIDE {
+                near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+                near.truncate(BESIDE);
+            }
+            found.extend(near.into_iter().map(|(_, n)| n));
+        }
+        found.iter().map(|n| self.pieces[*n as usize]).collect()
     }
 
     /// Adds the roads near a box, and how far all reach, so that a part finds what the whole town does.
     pub(crate) fn pack(&self, bounds: Bounds, out: &mut Packer<'_>) {
-        let pieces: Vec<RoadPiece> = self.near(bounds, PACKED).collect();
+        let pieces = self.index.near(wider(bounds, PACKED + self.reach));
         out.float(self.reach);
         out.count(pieces.len());
-        for piece in pieces {
+        for piece in pieces.iter().map(|n| self.pieces[*n as usize]) {
             out.point(piece.line.from);
             out.point(piece.line.to);
             piece.half.into_iter().for_each(|half| out.float(half));

@@ -9,6 +9,9 @@ use std::io;
 /// How far from the features of a part its ponds are kept, metres.
 const PACKED: f64 = 120.0;
 
+/// The rings of ponds that are looked at round a feature, at most. Of more the nearest count.
+const MOST: usize = 4096;
+
 /// All water of a town.
 #[derive(Debug, Default)]
 pub struct Waters {
@@ -29,18 +32,18 @@ impl Waters {
         }
     }
 
-    /// Returns the convex rings of ponds within `far` of a box.
+    /// Returns the convex rings of ponds within `far` of a box; of very many the nearest.
     pub fn ponds_near(&self, bounds: Bounds, far: f64) -> Vec<&Vec<DVec2>> {
-        let found = self.index.near(wider(bounds, far)).into_iter();
+        let found = self.index.nearest(bounds, far, MOST).into_iter();
         found.map(|n| &self.ponds[n as usize]).collect()
     }
 
     /// Adds the water near a box.
     pub(crate) fn pack(&self, bounds: Bounds, out: &mut Packer<'_>) {
         self.streams.pack(bounds, out);
-        let ponds = self.ponds_near(bounds, PACKED);
+        let ponds = self.index.near(wider(bounds, PACKED));
         out.count(ponds.len());
-        for ring in ponds {
+        for ring in ponds.iter().map(|n| &self.ponds[*n as usize]) {
             out.points(ring);
         }
     }

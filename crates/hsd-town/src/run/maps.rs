@@ -6,8 +6,8 @@ mod lodge;
 use super::TownInput;
 use super::font::font;
 use crate::layer::{
-    self, Ground, KeptMaps, Lots, MapFile, NoFiles, NoGround, NoOutlines, NotPlaced, Raw, Spread,
-    TownFrame, part,
+    self, Ground, KeptMaps, LeftWhy, Lots, MapFile, NoFiles, NoGround, NoOutlines, NotPlaced, Raw,
+    Sieve, Spread, TownFrame, part,
 };
 use crate::plan::{Lodger, Lodging, Plan, has_no_streets};
 use crate::table::{NoTable, Rows};
@@ -72,6 +72,10 @@ pub fn plan_lodged(
         return Ok(None);
     };
     let unjoined = join::join(town, &mut layers, out);
+    for lots in &mut layers {
+        lots.sift(&mut sieve(town, &lots.layer));
+        report_left(lots, out);
+    }
     let Some(ground) = ground(input, &grounds, (&frame, &layers), out) else {
         return Ok(None);
     };
@@ -101,7 +105,8 @@ fn layers(
             .as_deref_mut()
             .filter(|_| passes_by(town, written, &raw))
         {
-            let lots = lodge::layer(world, raw, of, (lodger, number), out)?;
+            let sieve = sieve(town, written);
+            let lots = lodge::layer(world, raw, of, (lodger, number, sieve), out)?;
             if let Some(lots) = lots {
                 lots.faults
                     .report(&written.name.value, Some(written.src.span), out);
@@ -119,8 +124,9 @@ fn layers(
             keep(&mut lots, out);
         }
         if written.divided.is_some() {
+            lots.sift(&mut Sieve::new(true));
             // What is wrong with the map is told of the layer that is divided.
-            (lots.faults, lots.unread) = Default::default();
+            (lots.faults, lots.unread, lots.left) = Default::default();
             lots.divide();
         }
         lots.faults
@@ -128,6 +134,35 @@ fn layers(
         layers.push(lots);
     }
     Ok(Some(layers).filter(|layers| layers.len() == town.layers.len()))
+}
+
+/// Returns what leaves out features of a layer.
+fn sieve(town: &Town, layer: &Layer) -> Sieve {
+    let name = &layer.name.value;
+    let has_rules = town.rules.iter().any(|rule| rule.each.value == *name);
+    let is_housed = has_rules && town.housed.contains(name);
+    // Parts of divided areas do not overlap.
+    Sieve::new(layer.divided.is_none() && (is_housed || is_divided(town, layer)))
+}
+
+/// Returns true if the areas of a layer are divided into the features of others.
+pub(crate) fn is_divided(town: &Town, layer: &Layer) -> bool {
+    let is_part = |part: &Layer| part.divided.is_some() && part.src.span == layer.src.span;
+    layer.divided.is_none() && town.layers.iter().any(is_part)
+}
+
+/// Reports the features of a layer that are left out.
+fn report_left(lots: &Lots, out: &mut Diagnostics) {
+    let name = &lots.layer.name;
+    for why in [LeftWhy::Twice, LeftWhy::Outside] {
+        let keys = lots.left.iter().filter(|left| left.why == why);
+        let keys: Vec<&str> = keys.map(|left| &*left.key).collect();
+        match (why, keys.is_empty()) {
+            (_, true) => {}
+            (LeftWhy::Twice, _) => out.push(say::drawn_twice(name.span, &name.value, &keys)),
+            (LeftWhy::Outside, _) => out.push(say::centre_outside(name.span, &name.value, &keys)),
+        }
+    }
 }
 
 /// Returns true if the features of a layer can be put into a spool one after another: nothing is joined to them, no street is made

@@ -82,6 +82,8 @@ enum First {
 }
 
 fn first(site: &LotSite<'_>, wish: Outdoor) -> Option<First> {
+    // What is too long is made by no rule, and is reported there.
+    site.check_units(&wish).ok()?;
     match wish {
         Outdoor::Road(road) => Some(First::Road(site.road_pieces(&road))),
         Outdoor::Poles(poles) if poles.reach.is_some() => {
@@ -133,11 +135,12 @@ pub(super) fn enter(
     let laid = match site.lay(&wish, span, draws) {
         Ok(laid) => laid,
         Err(why) => {
-            found.push(say::not_laid(origin(record), wish.word(), &why));
+            let not_laid = say::not_laid(origin(record), wish.word(), &why);
             if record.houses == 0 {
                 record.rule = rule;
-                record.outcome = Outcome::Refused(why);
+                record.outcome = Outcome::Refused(not_laid.code, why);
             }
+            found.push(not_laid);
             return None;
         }
     };
@@ -147,6 +150,7 @@ pub(super) fn enter(
         let is_fence = house.fittings.outdoors.is_none();
         let text = (input.texts && is_fence).then(|| text::lone(&house, &name));
         houses.push(FeatureHouse {
+            feature: record.id,
             house,
             origin: origin(record),
             name,

@@ -19,18 +19,23 @@ use super::law::EnvelopeRow;
 use super::{Footing, LotSite};
 use crate::grid::{Bounds, bounds, meet, wider};
 use crate::layer::Shape;
-use crate::shape::{Segment, contains, distance};
+use crate::shape::{Segment, area, contains, distance, sides};
 use crate::street::Piece;
 use glam::{DVec2, DVec3};
 use hsd_base::diagnostic::Text;
 use hsd_base::geometry::clip::on_grid;
 use hsd_base::rng::Place;
 use hsd_base::source::{Span, Spanned};
+use hsd_base::text;
 use hsd_ir::ast::{House, Outdoor, Outdoors, Settings, Sheet, Tree, Value};
 use std::collections::BTreeSet;
 
 /// The place of what lies on the ground is a multiple of this, so that textures go on from piece to piece, metres.
 const TURN: f64 = 1024.0;
+/// The units along the lines of a feature, at most: with as many parts a house has more triangles than any may have.
+const UNITS: f64 = 200_000.0;
+/// The pieces of ground under a feature, at most, for the same reason.
+const GROUND_PIECES: f64 = 1_500_000.0;
 /// Ground under roads is looked at in steps of this, metres.
 const STEP: f64 = 4.0;
 /// The name of the layer of all streets.
@@ -66,6 +71,7 @@ impl LotSite<'_> {
     /// # Errors
     /// Why nothing can be made.
     pub fn lay(&self, wish: &Outdoor, span: Span, draws: Place) -> Result<Laid, Text> {
+        self.check_units(wish)?;
         match wish {
             Outdoor::Road(road) => self.road(road, span),
             Outdoor::Rail(rail) => self.rail(rail, span),
@@ -81,6 +87,33 @@ impl LotSite<'_> {
             Outdoor::Farmland(farmland) => self.farmland(farmland, span),
             Outdoor::Zone(zone) => self.zone(zone),
             Outdoor::Envelope(wish) => self.envelope(wish, span),
+        }
+    }
+
+    /// Fails if more units would be made along the feature, or more pieces of ground under it, than a house may have. They are
+    /// counted before the first is made.
+    pub fn check_units(&self, wish: &Outdoor) -> Result<(), Text> {
+        let ring = self.lot().shape.ring().unwrap_or_default();
+        let around: f64 = sides(ring).map(Segment::length).sum();
+        let along: f64 = self.lines().map(Segment::length).sum();
+        let units = match wish {
+            Outdoor::Fence(fence) => (along + around) / fences::unit(&fence.code),
+            Outdoor::Arcade(arcade) => along / arcade.bay,
+            Outdoor::Poles(poles) => along / poles.spacing,
+            Outdoor::Rail(_) => along / rails::SLEEPERS,
+            Outdoor::Road(road) if road.marks => along / STEP,
+            _ => 0.0,
+        };
+        limited(units, UNITS)?;
+        let on_ground = match wish {
+            Outdoor::Road(_) | Outdoor::Rail(_) | Outdoor::Water(_) | Outdoor::Farmland(_) => {
+                area(ring, &[]) / (STEP * STEP) + (around + along) / STEP
+            }
+            _ => 0.0,
+        };
+        match self.has_ground() {
+            true => limited(on_ground, GROUND_PIECES),
+            false => Ok(()),
         }
     }
 
@@ -213,6 +246,18 @@ impl<'t> Walls<'t> {
         self.0.iter().any(|(box_of, ring)| {
             meet(wider(*box_of, far), [at; 2]) && (contains(ring, at) || distance(ring, at) < far)
         })
+    }
+}
+
+/// Fails if there are more pieces than a limit.
+fn limited(count: f64, most: f64) -> Result<(), Text> {
+    let count = count.round();
+    match count <= most {
+        true => Ok(()),
+        false => Err(text!([count, most]
+            "it would have {count} pieces, more than the limit of {most}",
+            "部材が {count} 個になり、上限の {most} 個を超えます"
+        )),
     }
 }
 

@@ -2,8 +2,8 @@
 //! makes a tile and another closes the ledger.
 
 use super::entries::Entries;
-use crate::decision::{Entry, Outcome, SkippedFeature};
-use crate::plan::Plan;
+use crate::decision::{Entry, LostHouse, Outcome, SkippedFeature};
+use crate::plan::{LotId, Plan};
 use crate::run::Chunk;
 use crate::site::Footing;
 use hsd_base::diagnostic::Diagnostics;
@@ -71,6 +71,11 @@ impl Account {
             found: std::mem::take(&mut chunk.found),
             totals,
         }
+    }
+
+    /// Takes houses from it that would exceed a limit.
+    pub fn lose(&mut self, lost: &[LostHouse]) {
+        self.totals.incomplete |= lose(&mut self.entries, lost);
     }
 
     /// Returns the account of features that the author wanted and that have nothing.
@@ -142,11 +147,30 @@ impl Totals {
     }
 }
 
+/// Takes houses that would exceed a limit from the entries of their features; returns true if there are any.
+pub(super) fn lose(entries: &mut [Entry], lost: &[LostHouse]) -> bool {
+    if lost.is_empty() {
+        return false;
+    }
+    let places = entries.iter().enumerate();
+    let places: BTreeMap<(LotId, Box<str>), usize> = places
+        .map(|(n, entry)| ((entry.id, entry.key.clone()), n))
+        .collect();
+    for house in lost {
+        if let Some(n) = places.get(&(house.id, house.key.as_str().into())) {
+            entries[*n].lose_house(house);
+        }
+    }
+    true
+}
+
 /// What is known of a whole town, beside its features, when its ledger is closed.
 #[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub struct Closing {
-    /// The features of layers with rules that cannot be read.
-    pub(super) unread: Vec<SkippedFeature>,
+    /// The features that no rule has looked at: they cannot be read, are left out, or belong to layers that no rule names.
+    pub(super) undecided: Vec<Entry>,
+    /// The numbers of the layers that nothing depends on, with the number of their features.
+    pub(super) idle: Vec<(usize, usize)>,
     /// The points whose fields no outline takes.
     pub(super) unjoined: Vec<SkippedFeature>,
     /// The keys that several features of a layer have.
@@ -158,20 +182,29 @@ pub struct Closing {
 impl Closing {
     /// Collects it from a town.
     pub fn of(plan: &Plan) -> Closing {
-        let has_rules = |name: &str| plan.town.rules.iter().any(|rule| rule.each.value == name);
-        let layers = plan
-            .layers
-            .iter()
-            .map(|l| (&*l.layer.name.value, &l.unread));
-        let unread = layers.filter(|(name, _)| has_rules(name));
-        let unread = unread.flat_map(|(name, faults)| {
-            faults
-                .iter()
-                .map(move |fault| SkippedFeature::unread(name, fault))
+        let mut undecided = vec![];
+        let layers = plan.layers.iter().enumerate();
+        for (number, lots) in layers.filter(|(number, _)| plan.is_counted(*number)) {
+            let layer = (number, &*lots.layer.name.value);
+            let unread = (0..).zip(&lots.unread);
+            undecided.extend(unread.map(|(n, fault)| Entry::unread(layer, fault, n)));
+            let left = (lots.unread.len()..).zip(&lots.left);
+            undecided.extend(left.map(|(n, lot)| Entry::left(layer, lot, n)));
+        }
+        let (name, mut counts) = (
+            |number: usize| &*plan.layers[number].layer.name.value,
+            BTreeMap::new(),
+        );
+        plan.each_unused(&mut |lot| {
+            *counts.entry(lot.id.0).or_default() += 1;
+            undecided.push(Entry::unused(lot.id, (name(lot.id.0), &lot.key), lot.at));
         });
+        let idle = plan.idle_layers();
+        let idle = idle.map(|number| (number, counts.get(&number).copied().unwrap_or(0)));
         let twice = (0..plan.layers.len()).map(|number| (number, plan.keys_of_several(number)));
         Closing {
-            unread: unread.collect(),
+            undecided,
+            idle: idle.collect(),
             unjoined: plan.unjoined.iter().map(super::unjoined).collect(),
             twice: twice.filter(|(_, keys)| !keys.is_empty()).collect(),
             no_streets: plan.has_no_streets(),

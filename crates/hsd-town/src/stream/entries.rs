@@ -1,7 +1,7 @@
 //! The decisions on features, collected until all are known: they come tile by tile and are written to the table in the order
 //! of the files. Those of a large town are kept in a spool.
 
-use crate::decision::Entry;
+use crate::decision::{Entry, LostHouse};
 use crate::plan::Shelves;
 use hsd_export::spool::{NewSpool, Spool};
 use std::collections::BTreeMap;
@@ -45,6 +45,11 @@ impl Entries {
         let mut line = serde_json::to_vec(&entry)?;
         line.push(b'\n');
         shelves.push(shelf, &line)
+    }
+
+    /// Takes houses that would exceed a limit from the features that are kept in memory; returns true if there are any.
+    pub(super) fn lose(&mut self, lost: &[LostHouse]) -> bool {
+        super::account::lose(&mut self.kept, lost)
     }
 
     /// Hands over all entries in the order of their features.

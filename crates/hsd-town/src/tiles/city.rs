@@ -1,6 +1,7 @@
 //! A town as CityJSON: the houses of one tile after another, each with its levels of detail.
 
 use super::input::{TileSalt, evaluate};
+use super::make::lost_houses;
 use super::mesh::tiles;
 use super::run::TileJob;
 use super::{piece, terrain};
@@ -76,8 +77,10 @@ pub fn houses(
                 built.map(|built| begun(name, &input.rows[*row as usize], built))
             })
             .collect();
+        let mut missing = vec![];
         for (lod, detail) in levels {
             let level = driver.level(&made, *detail, &mut found);
+            missing.push(level.left_out);
             let places = places(level.scene.whole());
             for (house, nodes) in all.iter_mut().zip(&level.houses) {
                 if let Some(house) = house {
@@ -85,7 +88,7 @@ pub fn houses(
                 }
             }
         }
-        ledger.add(input.chunk)?;
+        ledger.add_without(input.chunk, &lost_houses(&made.left_out, &missing))?;
         ledger.report.corrected.extend(problems(&found));
         out.append(found);
         all.into_iter().flatten().try_for_each(&mut *take)?;

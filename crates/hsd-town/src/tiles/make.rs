@@ -3,10 +3,10 @@
 use super::input::TileInput;
 use super::mesh::Tile;
 use super::record::{LevelRecord, MM, TextureRecord, TileRecord};
-use crate::decision::problems;
+use crate::decision::{LostHouse, problems};
 use hsd_base::diagnostic::Diagnostics;
 use hsd_base::source::World;
-use hsd_driver::TileDriver;
+use hsd_driver::{LeftOut, TileDriver};
 #[cfg(feature = "compress")]
 use hsd_export::gltf::Ktx2;
 use hsd_export::gltf::{SpareArrays, TileContent, TileWriter, graphics_bytes};
@@ -15,6 +15,7 @@ use hsd_export::pieces::Pieces;
 use hsd_export::{Images, OutFile, PictureBytes, SurfaceFiles};
 use hsd_scene::{Detail, ScenePart};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::io;
 use twox_hash::XxHash3_128;
 
@@ -48,13 +49,14 @@ pub fn make(
     let (row_of, rows, hash) = (input.row_of, input.rows, input.hash);
     let centre = input.centre;
     let made = driver.houses(input.houses, &mut found)?;
-    let mut files = Files::default();
+    let (mut files, mut missing) = (Files::default(), vec![]);
     for detail in levels {
         let mut writer = TileWriter::over(spare, *detail, centre, packed);
         let mut take = |number: usize, part: ScenePart<'_>| {
             writer.add(part, row_of[number], &TileImages(&made.library));
         };
         let looks = driver.hand_on(&made, *detail, &mut take, &mut found);
+        missing.push(looks.left_out.clone());
         let plain = TileImages(&looks.library);
         #[cfg(feature = "compress")]
         let small = packed.then(|| Ktx2::of_tile(&looks.materials, &plain, *detail > Detail::Flat));
@@ -71,11 +73,19 @@ pub fn make(
             files.add(name, *detail, content);
         }
     }
+    let lost = left_everywhere(&made.left_out, &missing);
     let known = TileRecord {
         tile: tile.key.stem(),
         inputs: hash,
-        houses: row_of.len(),
+        houses: row_of.len() - lost.len(),
         pictures: picture_hashes(&made.pictures, world),
+        left_out: lost
+            .into_iter()
+            .map(|(number, left)| {
+                let lost = LostHouse::from(left);
+                (number, lost.code, lost.reason)
+            })
+            .collect(),
         corrected: problems(&found),
         ..TileRecord::default()
     };
@@ -83,6 +93,26 @@ pub fn make(
         found,
         ..files.finish(known)
     })
+}
+
+/// Returns the houses of which no level shows anything, since each would exceed a limit, by number.
+fn left_everywhere<'l>(
+    made: &'l BTreeMap<usize, LeftOut>,
+    levels: &'l [BTreeMap<usize, LeftOut>],
+) -> BTreeMap<usize, &'l LeftOut> {
+    let first = levels.first().into_iter().flatten();
+    let everywhere = first.filter(|(n, _)| levels.iter().all(|level| level.contains_key(n)));
+    let all = made.iter().chain(everywhere);
+    all.map(|(number, left)| (*number, left)).collect()
+}
+
+/// Returns the same for the ledger.
+pub(super) fn lost_houses(
+    made: &BTreeMap<usize, LeftOut>,
+    levels: &[BTreeMap<usize, LeftOut>],
+) -> Vec<LostHouse> {
+    let all = left_everywhere(made, levels).into_values();
+    all.map(LostHouse::from).collect()
 }
 
 /// The files of a tile so far.

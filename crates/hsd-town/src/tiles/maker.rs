@@ -8,12 +8,12 @@ use super::mesh::Tile;
 use super::piece;
 use super::record::{TileRecord, record_file};
 use super::terrain::{Cell, Patch};
-use crate::decision::Entry;
+use crate::decision::{Entry, LostHouse};
 use crate::stream::Account;
 use crate::{Plan, TownInput};
-use hsd_base::diagnostic::Diagnostics;
+use hsd_base::diagnostic::{Diagnostics, Origin};
 use hsd_base::source::Source;
-use hsd_driver::TileDriver;
+use hsd_driver::{FeatureHouse, TileDriver};
 use hsd_export::gltf::SpareArrays;
 use hsd_ir::ast::WrittenPart;
 use hsd_ir::ast::town::Tiles;
@@ -63,6 +63,21 @@ pub struct Done {
 }
 
 impl Done {
+    /// Takes the houses that exceed a limit from its account; `owners` are the features of all its houses.
+    fn lose(&mut self, owners: Vec<LostHouse>, record: &TileRecord) {
+        let lost = record.left_out.iter().filter_map(|(number, code, reason)| {
+            Some(LostHouse {
+                code: code.clone(),
+                reason: reason.clone(),
+                ..owners.get(*number)?.clone()
+            })
+        });
+        let lost: Vec<LostHouse> = lost.collect();
+        if let Some(account) = &mut self.account {
+            account.lose(&lost);
+        }
+    }
+
     /// Returns the result for features whose tile cannot be made.
     pub fn unmade(part: &Plan, lots: &[(usize, usize)]) -> Done {
         let entry = |id: &(usize, usize)| {
@@ -73,6 +88,21 @@ impl Done {
             account: Some(Account::incomplete(lots.iter().map(entry).collect())),
             ..Done::default()
         }
+    }
+}
+
+/// Returns what is known of a house that may turn out to exceed a limit.
+fn owner(house: &FeatureHouse) -> LostHouse {
+    let (layer, key) = match &house.origin {
+        Origin::Feature { layer, key } => (layer.to_string(), key.to_string()),
+        Origin::Source(_) => Default::default(),
+    };
+    LostHouse {
+        id: house.feature,
+        layer,
+        key,
+        code: String::new(),
+        reason: String::new(),
     }
 }
 
@@ -143,6 +173,7 @@ impl<'a> Maker<'a> {
     fn unkept(&self, plan: &Plan, tile: &Tile) -> io::Result<Done> {
         let (input, year) = (self.means.input, self.means.year);
         let mut input = evaluate(tile, (plan, input), year, &self.salt)?;
+        let owners: Vec<LostHouse> = input.houses.iter().map(owner).collect();
         let mut done = Done {
             included: std::mem::take(&mut input.chunk.included),
             values: std::mem::take(&mut input.chunk.values),
@@ -154,6 +185,7 @@ impl<'a> Maker<'a> {
         }
         if let Some(known) = self.known(&tile.key.stem(), &input.hash) {
             done.kept = true;
+            done.lose(owners, &known);
             done.record = Some(known);
             return Ok(done);
         }
@@ -167,6 +199,7 @@ impl<'a> Maker<'a> {
         for (path, _) in &mut made.record.pictures {
             *path = self.home.seen(path);
         }
+        done.lose(owners, &made.record);
         done.found = std::mem::take(&mut made.found);
         done.unkept = Some(made);
         Ok(done)

@@ -1,6 +1,7 @@
 //! A town as scenes, one for each tile and each piece of its ground: for back ends that write a file a tile.
 
 use super::input::{TileSalt, evaluate};
+use super::make::lost_houses;
 use super::mesh::tiles;
 use super::run::TileJob;
 use super::terrain;
@@ -36,14 +37,17 @@ pub fn scenes(
     for tile in tiles(job.plan, job.division) {
         let mut made = evaluate(&tile, (job.plan, input), job.year, &salt)?;
         let houses = std::mem::take(&mut made.houses);
-        ledger.add(made.chunk)?;
         if houses.is_empty() {
+            ledger.add(made.chunk)?;
             progress(tile.features());
             continue;
         }
         let mut found = Diagnostics::new();
         let houses = driver.houses(houses, &mut found)?;
         let level = driver.level(&houses, detail, &mut found);
+        let missing = [level.left_out.clone()];
+        let lost = lost_houses(&houses.left_out, &missing);
+        ledger.add_without(made.chunk, &lost)?;
         ledger.report.corrected.extend(problems(&found));
         out.append(found);
         take(&tile.key.stem(), &level.scene, &level.library)?;

@@ -33,7 +33,7 @@ pub const MANIFEST: &str = "work.json";
 pub const FOLDERS: [&str; 4] = ["made", "parts", "textures", "tiles"];
 
 /// Counts up when the files of work change their form.
-const FORM: u32 = 1;
+const FORM: u32 = 2;
 
 /// The contents of a store of work.
 #[derive(Clone, Debug, Deserialize, Serialize)]

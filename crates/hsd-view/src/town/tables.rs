@@ -49,6 +49,7 @@ struct Skipped {
 struct Report {
     features: usize,
     built: usize,
+    unused: usize,
     skipped: Vec<SkippedFeature>,
 }
 
@@ -69,10 +70,11 @@ impl TownTables {
         read.and_then(Result::ok).unwrap_or_default()
     }
 
-    /// Returns the numbers of features, of built and of skipped ones; 0 without a report.
+    /// Returns the numbers of features that rules name, of built and of skipped ones; 0 without a report.
     pub(super) fn counts(&self) -> (usize, usize, usize) {
         let report = self.report();
-        (report.features, report.built, report.skipped.len())
+        let features = report.features.saturating_sub(report.unused);
+        (features, report.built, report.skipped.len())
     }
 
     /// Returns the line of a feature in the table of decisions, by the names of its columns; of any layer if none is named.
@@ -183,12 +185,21 @@ fn cells(line: &str) -> Vec<String> {
                 rest.next();
             }
             '"' => quoted = !quoted,
-            ',' if !quoted => cells.push(std::mem::take(&mut cell)),
+            ',' if !quoted => cells.push(plain(std::mem::take(&mut cell))),
             c => cell.push(c),
         }
     }
-    cells.push(cell);
+    cells.push(plain(cell));
     cells
+}
+
+/// Returns a cell without the apostrophe that keeps spreadsheets from running it.
+fn plain(cell: String) -> String {
+    const RUN: [char; 6] = ['=', '+', '-', '@', '\t', '\r'];
+    match cell.strip_prefix('\'') {
+        Some(run) if run.starts_with(RUN) => run.to_owned(),
+        _ => cell,
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! `hsd town` to a `.city.json` or `.city.jsonl`: a town as CityJSON.
 
 use crate::Failure;
-use crate::build::tiled::{FEATURE, Progress, check_outputs, spools_beside, tables};
+use crate::build::tiled::{Progress, check_outputs, features, spools_beside, tables};
 use crate::files::messages::Teller;
 use crate::files::output::Committer;
 use crate::files::terminal::{HOUSE, bytes, counted};
@@ -100,10 +100,10 @@ pub(super) fn build(
 /// Returns the line that tells what was built.
 fn summary(path: &Path, ledger: &Ledger, houses: usize, size: usize) -> Text {
     let (name, report) = (path.display(), &ledger.report);
-    let (features, built) = (counted(report.features, FEATURE), report.built);
+    let features = features(report);
     let (houses, size) = (counted(houses, HOUSE), bytes(size));
-    text!([name, features, built, houses, size]
-        "{name}: {features}, {built} of them built, {houses}, {size}",
-        "{name}: {features}、うち {built} 件に{houses}、{size}"
+    text!([name, features, houses, size]
+        "{name}: {features}, {houses}, {size}",
+        "{name}: {features}、{houses}、{size}"
     )
 }

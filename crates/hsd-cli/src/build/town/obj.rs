@@ -1,7 +1,7 @@
 //! `hsd town` to a `.obj`: a file for each tile, beside each its materials and images.
 
 use crate::Failure;
-use crate::build::tiled::{FEATURE, Progress, spools_beside, tables};
+use crate::build::tiled::{Progress, features, spools_beside, tables};
 use crate::files::messages::Teller;
 use crate::files::output::{Committer, folder_of};
 use crate::files::terminal::{bytes, counted};
@@ -66,11 +66,11 @@ pub(super) fn build(
     tables(path, &mut ledger, committer)?;
     if !quiet {
         let (name, report) = (path.display(), &ledger.report);
-        let (features, built) = (counted(report.features, FEATURE), report.built);
+        let features = features(report);
         let (files, size) = (counted(files, noun("model", "モデル{}個")), bytes(size));
-        let line = text!([name, features, built, files, size]
-            "{name}: {features}, {built} of them built, {files}, {size}",
-            "{name}: {features}、うち {built} 件に建物、{files}、{size}"
+        let line = text!([name, features, files, size]
+            "{name}: {features}, {files}, {size}",
+            "{name}: {features}、{files}、{size}"
         );
         writeln!(io::stderr(), "{}", line.in_language(teller.language))
             .map_err(|error| Failure::at(path.display(), error))?;

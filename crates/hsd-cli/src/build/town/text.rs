@@ -1,7 +1,7 @@
 //! `hsd town` to a `.hsd`: the houses of a town as one source file.
 
 use crate::Failure;
-use crate::build::tiled::{FEATURE, Progress, check_outputs, tables};
+use crate::build::tiled::{Progress, check_outputs, features, tables};
 use crate::files::messages::Teller;
 use crate::files::output::Committer;
 use crate::files::terminal::{HOUSE, counted};
@@ -107,11 +107,11 @@ fn left_out(open: usize, language: Language) -> io::Result<()> {
 /// Prints what was written.
 fn summary(path: &Path, ledger: &Ledger, count: usize, language: Language) -> io::Result<()> {
     let (name, report) = (path.display(), &ledger.report);
-    let (features, built) = (counted(report.features, FEATURE), report.built);
+    let features = features(report);
     let houses = counted(count, HOUSE);
-    let line = text!([name, features, built, houses]
-        "{name}: {features}, {built} of them built, {houses}",
-        "{name}: {features}、うち {built} 件に{houses}"
+    let line = text!([name, features, houses]
+        "{name}: {features}, {houses}",
+        "{name}: {features}、{houses}"
     );
     writeln!(io::stderr(), "{}", line.in_language(language))
 }

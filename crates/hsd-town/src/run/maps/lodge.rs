@@ -1,7 +1,7 @@
 //! Puts the features of a layer into a spool as they are read, so that the layer is never in memory.
 
 use super::{Sheet, no_truth, not_placed};
-use crate::layer::{Lot, Lots, TownFrame};
+use crate::layer::{LeftLot, Lot, Lots, Sieve, TownFrame};
 use crate::plan::Lodger;
 use hsd_base::diagnostic::Diagnostics;
 use hsd_base::source::World;
@@ -20,6 +20,7 @@ struct Passing<'p> {
     /// The columns of the file that is read, as the layer has them; `None` where they are its own.
     columns: Option<BTreeMap<usize, usize>>,
     lodger: &'p mut Lodger,
+    sieve: Sieve,
     number: usize,
     before: usize,
     passed: usize,
@@ -46,6 +47,10 @@ impl Passing<'_> {
             }
         }
         self.passed += 1;
+        if let Some(why) = self.sieve.refuse(&self.head, &lot) {
+            self.head.left.push(LeftLot::of(&lot, why));
+            return;
+        }
         let [a, b] = lot.shape.bounds();
         let [c, d] = self.head.bounds.unwrap_or([a, b]);
         self.head.bounds = Some([a.min(c), b.max(d)]);
@@ -59,7 +64,7 @@ pub(super) fn layer(
     world: &dyn World,
     sheets: Vec<Sheet>,
     (frame, written): (&TownFrame, &Layer),
-    (lodger, number): (&mut Lodger, usize),
+    (lodger, number, sieve): (&mut Lodger, usize, Sieve),
     out: &mut Diagnostics,
 ) -> io::Result<Option<Lots>> {
     let mut heads = sheets.iter().map(|sheet| sheet.raw.head());
@@ -80,6 +85,7 @@ pub(super) fn layer(
         test,
         columns: None,
         lodger,
+        sieve,
         number,
         before: 0,
         passed: 0,

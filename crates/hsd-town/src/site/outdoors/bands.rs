@@ -1,6 +1,7 @@
 //! Bands along lines: pavements, drains, carriageways. Where lines cross, each place is covered once: by the innermost band
 //! there, and among equals by the wider street.
 
+use crate::grid::{Grid, bounds, wider};
 use crate::plan::BORDERS;
 use crate::shape::Segment;
 use glam::DVec2;
@@ -37,18 +38,28 @@ impl Way {
 pub(super) struct Ways {
     ways: Vec<Way>,
     rings: Vec<[Option<Vec<DVec2>>; BORDERS]>,
+    /// The boxes of the widest ring of each.
+    index: Grid,
 }
 
 impl Ways {
     /// Prepares ways: their ends are rounded where others go on from there.
     pub(super) fn new(ways: Vec<Way>) -> Ways {
+        let joints = Joints::new(&ways);
         let rings = |way: &Way| {
-            let ends = [way.line.from, way.line.to].map(|end| goes_on(&ways, way, end));
+            let ends = [way.line.from, way.line.to].map(|end| joints.goes_on(way, end));
             way.half
                 .map(|half| (half > 0.01).then(|| rounded(way.line, half, ends)))
         };
-        let rings = ways.iter().map(rings).collect();
-        Ways { ways, rings }
+        let rings: Vec<_> = ways.iter().map(rings).collect();
+        let around = |rings: &[Option<Vec<DVec2>>; BORDERS]| {
+            bounds(rings.iter().flatten().flatten().copied()).unwrap_or_default()
+        };
+        Ways {
+            index: Grid::new(rings.iter().map(around).collect()),
+            ways,
+            rings,
+        }
     }
 
     /// Returns the ring of a border of all ways that do not belong to the feature.
@@ -70,8 +81,10 @@ impl Ways {
                 continue;
             };
             let mut cutters: Vec<Vec<DVec2>> = vec![];
-            for (other, rings) in self.rings.iter().enumerate() {
-                let by = &self.ways[other];
+            // What is elsewhere covers nothing.
+            let near = bounds(ring.iter().copied()).map(|around| self.index.near(around));
+            for other in near.into_iter().flatten().map(|other| other as usize) {
+                let (by, rings) = (&self.ways[other], &self.rings[other]);
                 let before = if by.own { other < number } else { by.over(way) };
                 let covers = if before && other != number {
                     border
@@ -87,13 +100,36 @@ impl Ways {
     }
 }
 
-/// Returns half the width of the widest way that goes on from an end of another; 0 for none.
-fn goes_on(ways: &[Way], way: &Way, end: DVec2) -> f64 {
-    let others = ways.iter().filter(|other| other.line != way.line);
-    let meeting = others.filter(|other| {
-        other.line.from.distance(end) < MEETS || other.line.to.distance(end) < MEETS
-    });
-    meeting.map(|other| other.half[0]).fold(0.0, f64::max)
+/// The ends of ways, by place.
+struct Joints<'w> {
+    ways: &'w [Way],
+    /// Each way has two boxes, one for each end.
+    index: Grid,
+}
+
+impl Joints<'_> {
+    fn new(ways: &[Way]) -> Joints<'_> {
+        let ends = ways.iter().flat_map(|way| [way.line.from, way.line.to]);
+        Joints {
+            ways,
+            index: Grid::new(ends.map(|end| [end; 2]).collect()),
+        }
+    }
+
+    /// Returns half the width of the widest way that goes on from an end of another; 0 for none.
+    fn goes_on(&self, way: &Way, end: DVec2) -> f64 {
+        let near = self.index.near(wider([end; 2], MEETS)).into_iter();
+        let others = near.filter_map(|n| {
+            let other = &self.ways[n as usize / 2];
+            let at = if n % 2 == 0 {
+                other.line.from
+            } else {
+                other.line.to
+            };
+            (other.line != way.line && at.distance(end) < MEETS).then_some(other.half[0])
+        });
+        others.fold(0.0, f64::max)
+    }
 }
 
 /// Returns the ring round a line: its ends are rounded as far as the ways that go on from there are wide.

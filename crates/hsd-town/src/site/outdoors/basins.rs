@@ -168,9 +168,17 @@ impl LotSite<'_> {
                 .collect(),
         };
         let lines: Vec<Segment> = own.iter().map(|way| way.line).collect();
-        let near = &self.plan.laid.waters.streams;
-        let near = near.near(self.lot().shape.bounds(), wish.width);
-        let others = near.filter(|piece| !lines.contains(&piece.line));
+        let streams = &self.plan.laid.waters.streams;
+        let near = match lines.is_empty() {
+            true => streams.near(self.lot().shape.bounds(), wish.width),
+            false => streams.beside(&lines, wish.width),
+        };
+        let own_boxes = Grid::new(lines.iter().map(|own| own.bounds()).collect());
+        let is_own = |line: &Segment| {
+            let same = own_boxes.near(line.bounds()).into_iter();
+            same.map(|n| &lines[n as usize]).any(|own| own == line)
+        };
+        let others = near.into_iter().filter(|piece| !is_own(&piece.line));
         let others: Vec<Way> = others.map(|piece| way(piece, false)).collect();
         Ways::new(own.into_iter().chain(others).collect())
     }
@@ -184,6 +192,7 @@ impl LotSite<'_> {
         // Roads cross over banks.
         let roads = self.plan.laid.roads.near(self.lot().shape.bounds(), 1.0);
         let roads: Rings = roads
+            .into_iter()
             .map(|road| road_ring(road.line.from, road.line.to, road.half[BORDERS - 1]))
             .collect();
         self.basin(basin, &roads, (["water", finish], WATER))

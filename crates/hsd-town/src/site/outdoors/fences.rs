@@ -123,11 +123,15 @@ fn opened(around: &[DVec2], near: DVec2, gate: f64) -> Result<Vec<DVec2>, Text> 
         .collect())
 }
 
+/// Returns the width of a unit, metres.
+pub(super) fn unit(code: &CodeText) -> f64 {
+    let width = code.as_str().chars().nth(4).and_then(|c| c.to_digit(10));
+    f64::from(width.unwrap_or(1).max(1)) * UNIT
+}
+
 /// Returns the whole number of units of a part whose size is nearest to their own on a wall of this length.
 fn units(code: &CodeText, length: f64) -> u32 {
-    let width = code.as_str().chars().nth(4).and_then(|c| c.to_digit(10));
-    let own = f64::from(width.unwrap_or(1).max(1)) * UNIT;
-    (length / own).round().max(1.0) as u32
+    (length / unit(code)).round().max(1.0) as u32
 }
 
 /// Returns the row of units on one of the walls that follow each other. `ends` says whether the first and the last of these are

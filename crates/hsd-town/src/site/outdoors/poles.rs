@@ -131,7 +131,7 @@ impl LotSite<'_> {
         let ways = self.ways();
         let own: Vec<_> = ways.iter().flat_map(|way| segments(way)).collect();
         let streets = self.street_pieces();
-        let half = self.street_half(&ways, &streets);
+        let half = self.usual_width(&ways) / 2.0;
         let others: Vec<_> = streets
             .iter()
             .filter(|piece| !own.contains(&piece.line) && piece.half > 0.0)
@@ -188,7 +188,7 @@ impl LotSite<'_> {
         let own: Vec<DVec3> = line.poles.clone();
         let farthest = line.wish.spacing.max(reach);
         let (mut served, mut between) = (0, 0);
-        let around = self.plan.around(self.id, SERVED);
+        let around = self.plan.served(self.id);
         let ring = |id: LotId| self.plan.lot(id).shape.ring();
         let walls = Walls::new(around.iter().filter_map(|id| ring(*id)));
         for id in around {
@@ -252,11 +252,6 @@ impl LotSite<'_> {
         let wall = sides(ring).map(|side| side.nearest(pole));
         let wall = wall.min_by(|p, q| p.distance(pole).total_cmp(&q.distance(pole)))?;
         (wall.distance(pole) <= SERVED).then_some((pole, wall))
-    }
-
-    /// Returns half the width of the street that the feature is.
-    fn street_half(&self, ways: &[Vec<DVec2>], streets: &[crate::street::Piece]) -> f64 {
-        self.usual_width(streets, ways) / 2.0
     }
 
     /// Returns the place of a pole's foot, from the place of the house.

@@ -13,7 +13,7 @@ const BALLAST: f64 = 0.95;
 /// Heights over the ground: of the ballast, the sleepers, the rails, metres.
 const HEIGHTS: [f64; 3] = [0.06, 0.08, 0.19];
 /// From sleeper to sleeper, metres.
-const SLEEPERS: f64 = 0.65;
+pub(super) const SLEEPERS: f64 = 0.65;
 /// A sleeper: its length beyond the gauge, and its width, metres.
 const SLEEPER: [f64; 2] = [1.0, 0.22];
 /// Wider than half of any road, metres.
@@ -36,7 +36,7 @@ impl LotSite<'_> {
         });
         // Roads cross over the ballast, whatever their width.
         let roads = self.plan.laid.roads.near(self.lot().shape.bounds(), half);
-        let roads = roads.map(|road| Way {
+        let roads = roads.into_iter().map(|road| Way {
             line: road.line,
             half: [road.half[0] + WIDEST, road.half[0], road.half[0]],
             own: false,

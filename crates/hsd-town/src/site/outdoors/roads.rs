@@ -2,11 +2,11 @@
 
 use super::bands::{Way, Ways};
 use super::{Laid, LotSite, STEP, edges, lines, segments, told};
-use crate::grid::{meet, wider};
+use crate::grid::{Grid, wider};
 use crate::layer::Shape;
 use crate::plan::{BORDERS, RoadPiece};
 use crate::shape::{Segment, area};
-use crate::street::{Piece, class_width};
+use crate::street::class_width;
 use glam::DVec2;
 use hsd_base::diagnostic::Text;
 use hsd_base::geometry::triangulate::triangles;
@@ -89,15 +89,13 @@ impl LotSite<'_> {
 
     /// Returns the width of the road, metres.
     fn width(&self, wish: &Road, ways: &[Vec<DVec2>]) -> f64 {
-        wish.width
-            .unwrap_or_else(|| self.usual_width(&self.street_pieces(), ways))
+        wish.width.unwrap_or_else(|| self.usual_width(ways))
     }
 
     /// Returns the width of the road as the map has it, or that of its class, metres.
-    pub(super) fn usual_width(&self, pieces: &[Piece], ways: &[Vec<DVec2>]) -> f64 {
-        let own = ways.iter().flat_map(|way| segments(way));
-        let known = own.filter_map(|s| pieces.iter().find(|piece| piece.line == s));
-        if let Some(piece) = known.into_iter().next() {
+    pub(super) fn usual_width(&self, ways: &[Vec<DVec2>]) -> f64 {
+        let mut own = ways.iter().flat_map(|way| segments(way));
+        if let Some(piece) = own.find_map(|line| self.plan.street_along(line)) {
             return 2.0 * piece.half;
         }
         let layer = &self.plan.layers[self.id.0];
@@ -127,10 +125,9 @@ impl LotSite<'_> {
                 own: true,
             })
             .collect();
-        let mine: Vec<_> = all.iter().map(|way| way.line).collect();
-        let bounds = self.lot().shape.bounds();
+        let mine: Vec<Segment> = all.iter().map(|way| way.line).collect();
         let others: Vec<RoadPiece> = match self.plan.laid.roads.is_empty() {
-            false => self.plan.laid.roads.near(bounds, width + BESIDE).collect(),
+            false => self.plan.laid.roads.beside(&mine, width / 2.0 + BESIDE),
             true => {
                 let streets = self
                     .street_pieces()
@@ -144,10 +141,16 @@ impl LotSite<'_> {
             }
         };
         // A long road has a wide box, and few of the pieces in it beside itself.
+        let own_boxes = Grid::new(mine.iter().map(|own| own.bounds()).collect());
+        let is_mine = |line: &Segment| {
+            let same = own_boxes.near(line.bounds()).into_iter();
+            same.map(|n| &mine[n as usize]).any(|own| own == line)
+        };
         let beside = others.into_iter().filter(|piece| {
             let far = piece.half[0] + width / 2.0 + BESIDE;
-            let near = |own: &Segment| meet(wider(own.bounds(), far), piece.line.bounds());
-            piece.line.length() > 0.01 && !mine.contains(&piece.line) && mine.iter().any(near)
+            let within = wider(piece.line.bounds(), far);
+            let is_near = !own_boxes.nearest(within, 0.0, 1).is_empty();
+            piece.line.length() > 0.01 && is_near && !is_mine(&piece.line)
         });
         all.extend(beside.map(|RoadPiece { line, half }| Way {
             line,
