@@ -11,6 +11,10 @@ const PICTURED: &str = "<House><include href='part.svg'/>\
     <Texture texturecode='sign' src='pictured_textures/sign.png'/>\
     <Storey><Row>KSK  sign </Row><Row>KSK  KSK</Row><Row>KSK  KSK</Row><Row>KSK  KSK</Row></Storey></House>";
 
+/// A house without further files.
+const PLAIN: &str = "<House><Storey><Row>KSK  KSK</Row><Row>KSK  KSK</Row><Row>KSK  KSK</Row>\
+    <Row>KSK  KSK</Row></Storey></House>";
+
 /// A lot of 12 m by 10 m.
 const LOT: &str = r#"{"type":"FeatureCollection","features":[{"type":"Feature","properties":{"key":"a"},
     "geometry":{"type":"Polygon","coordinates":[[[0,0],[12,0],[12,10],[0,10],[0,0]]]}}]}"#;
@@ -55,8 +59,7 @@ fn fixture() -> TempDir {
         b"<Catalog><Param name='w' default='1'/></Catalog>",
     );
     write("pictured.hsd", PICTURED.as_bytes());
-    let texture = "<Texture texturecode='sign' src='pictured_textures/sign.png'/>";
-    let including = PICTURED.replace(texture, "").replace("sign ", "KSK  ");
+    let including = PLAIN.replace("<Storey>", "<include href='part.svg'/><Storey>");
     write("including.hsd", including.as_bytes());
     for name in [
         "pictured_textures/sign.png",
@@ -356,6 +359,39 @@ fn images_of_parts_are_not_replaced_by_those_of_tiles() {
             "{name}: {}",
             stderr(&output)
         );
+    }
+}
+
+/// An image that the second model or tile needs has the name of one beside the first.
+#[test]
+fn an_input_that_is_read_after_an_output_was_made_is_kept() {
+    for (file, line) in [
+        (
+            "sound_textures/stone_color.jpg",
+            "build sound.hsd two.hsd --format gltf -o .",
+        ),
+        (
+            "o-0_0_textures/stone_color.jpg",
+            "town two-tiles.hsd -o o.obj",
+        ),
+    ] {
+        let folder = fixture();
+        let image = folder.path().join(file);
+        fs::create_dir_all(image.parent().unwrap()).unwrap();
+        image::RgbImage::new(96, 64).save(image).unwrap();
+        let pictured = PICTURED.replace("pictured_textures/sign.png", file);
+        let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+        write("two.hsd", &pictured);
+        write("near.csv", "x,y\n1,2\n");
+        write("far.csv", "x,y\n900,900\n");
+        let second = pictured.replace("<include href='part.svg'/>", "");
+        let town = format!(
+            "<Town name='t'><Layer name='a' src='near.csv' crs='local'/>\
+            <Layer name='b' src='far.csv' crs='local'/>\
+            <for each='a'>{PLAIN}</for><for each='b'>{second}</for></Town>"
+        );
+        write("two-tiles.hsd", &town);
+        assert_refused(folder.path(), file, line);
     }
 }
 

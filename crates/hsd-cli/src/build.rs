@@ -175,11 +175,17 @@ impl Build {
         (jobs, committer): (&[Job], &Committer),
         language: Language,
     ) -> Outcome {
+        // A house may have an image in the place of one beside the model of another.
+        let committer =
+            match jobs.len() > 1 && jobs.iter().any(|job| self.has_side_files(job.model)) {
+                true => committer.holding(),
+                false => committer.clone(),
+            };
         let teller = self.message_args.teller(language);
         let progress = Progress::new(self.quiet, jobs.len(), teller);
         let (mut spoiled, mut failure) = (0, None);
         for job in jobs {
-            match self.one((job, committer), &progress) {
+            match self.one((job, &committer), &progress) {
                 Ok(true) => spoiled += 1,
                 Ok(false) => {}
                 Err(Failure::Io(message)) => {
@@ -192,6 +198,7 @@ impl Build {
             progress.advance()?;
         }
         progress.finish();
+        committer.publish()?;
         if let Some(stop) = failure {
             return Err(stop);
         }
@@ -348,6 +355,11 @@ impl Build {
         }
     }
 
+    /// Returns whether models of this format consist of several files.
+    fn has_side_files(&self, model: Model) -> bool {
+        self.textures_beside || matches!(model, Model::Gltf | Model::Obj)
+    }
+
     /// Returns the models to build.
     fn jobs(&self) -> Result<Vec<Job>, Failure> {
         let inputs = &self.input_args.inputs;
@@ -387,8 +399,7 @@ impl Build {
             None if stdout => Model::Glb,
             None => Model::of(output)?,
         };
-        let several = self.textures_beside || matches!(model, Model::Gltf | Model::Obj);
-        if stdout && several {
+        if stdout && self.has_side_files(model) {
             return Err(Failure::Usage(text!(
                 "only a single file can be written to standard output: .glb or .stl, with textures embedded",
                 "標準出力に書けるのは単一のファイル (.glb か .stl、テクスチャーは埋め込み) だけです"

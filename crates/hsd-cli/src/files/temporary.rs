@@ -28,6 +28,7 @@ fn lock(set: &Mutex<BTreeSet<PathBuf>>) -> MutexGuard<'_, BTreeSet<PathBuf>> {
 }
 
 /// A file or folder that is removed when a signal ends the program, while this value lives.
+#[derive(Debug)]
 pub(crate) struct Guarded(PathBuf);
 
 impl Guarded {
@@ -112,6 +113,7 @@ impl Temporary {
 }
 
 /// A file whose contents are on disk, under a temporary name.
+#[derive(Debug)]
 pub(crate) struct CompleteFile {
     path: TempPath,
     guarded: Guarded,

@@ -32,6 +32,8 @@ pub(super) fn build(
         ..parts.job(input, plan, &read.catalog, &plan.town.tiles)
     };
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    // A house in one tile may have an image in the place of one beside another tile.
+    let committer = committer.holding();
     let (mut files, mut size) = (0, 0);
     let mut failure = None;
     let progress = Progress::new(plan.features(), quiet, teller);
@@ -63,7 +65,8 @@ pub(super) fn build(
         None => Failure::at(path.display(), error),
     })?;
     progress.finish()?;
-    tables(path, &mut ledger, committer)?;
+    tables(path, &mut ledger, &committer)?;
+    committer.publish()?;
     if !quiet {
         let (name, report) = (path.display(), &ledger.report);
         let features = features(report);

@@ -30,6 +30,18 @@ pub(crate) struct Committer {
     edited: Option<PathBuf>,
     /// The option or argument that names the outputs.
     option: &'static str,
+    /// The files that get their names together, if those of this committer do.
+    held: Option<Arc<Mutex<Vec<ReadyFile>>>>,
+}
+
+/// A complete file that has yet to get its name.
+#[derive(Debug)]
+struct ReadyFile {
+    file: CompleteFile,
+    /// The path of the output, with links resolved.
+    target: PathBuf,
+    /// The path of the output as the run names it.
+    named: PathBuf,
 }
 
 impl Default for Committer {
@@ -46,6 +58,7 @@ impl Committer {
             written: Arc::default(),
             edited: None,
             option: "-o",
+            held: None,
         }
     }
 
@@ -85,6 +98,29 @@ impl Committer {
         Committer {
             option,
             ..self.clone()
+        }
+    }
+
+    /// Returns a committer whose files get their names together, by [`Committer::publish`].
+    ///
+    /// The run may read a file after it has made an output that would replace it.
+    pub(crate) fn holding(&self) -> Committer {
+        Committer {
+            held: Some(Arc::default()),
+            ..self.clone()
+        }
+    }
+
+    /// Gives all files that are held their names. Fails if one of them would replace an input.
+    pub(crate) fn publish(&self) -> Result<(), Failure> {
+        let Some(held) = &self.held else {
+            return Ok(());
+        };
+        let held = std::mem::take(&mut *locked(held));
+        let mut refused = held.iter().filter_map(|ready| self.refusal(&ready.named));
+        match refused.next() {
+            Some(why) => Err(Failure::Usage(why)),
+            None => give_names(held),
         }
     }
 
@@ -139,7 +175,7 @@ impl Committer {
     }
 
     fn written(&self) -> MutexGuard<'_, BTreeSet<PathBuf>> {
-        self.written.lock().unwrap_or_else(PoisonError::into_inner)
+        locked(&self.written)
     }
 
     /// Writes complete files, all or none of them.
@@ -182,13 +218,10 @@ impl Committer {
             length += bytes;
             ready.extend(file);
         }
-        let mut folders = BTreeSet::new();
-        for (temporary, target) in ready {
-            let renamed = temporary.persist(&target);
-            renamed.map_err(|e| Failure::at(target.display(), e))?;
-            folders.insert(folder_of(&target).to_owned());
+        match &self.held {
+            Some(held) => locked(held).extend(ready),
+            None => give_names(ready)?,
         }
-        folders.iter().for_each(|folder| sync_folder(folder));
         self.written().extend(places);
         Ok(length)
     }
@@ -250,6 +283,22 @@ impl Draft {
     }
 }
 
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Renames files in their order, then puts their names on disk.
+fn give_names(files: Vec<ReadyFile>) -> Result<(), Failure> {
+    let mut folders = BTreeSet::new();
+    for ReadyFile { file, target, .. } in files {
+        let renamed = file.persist(&target);
+        renamed.map_err(|e| Failure::at(target.display(), e))?;
+        folders.insert(folder_of(&target).to_owned());
+    }
+    folders.iter().for_each(|folder| sync_folder(folder));
+    Ok(())
+}
+
 /// Returns the failure of a run that would write a file twice.
 fn written_twice(target: &Path) -> Failure {
     let shown = plain(target).display();
@@ -295,27 +344,24 @@ fn temporary_in(folder: &Path) -> io::Result<Temporary> {
     Temporary::new_in(folder).map_err(|e| io::Error::from(e.kind()))
 }
 
-/// Writes a temporary file in the folder of the target; returns the number of bytes, the file and the target with
-/// links resolved. Devices and pipes are written directly.
-fn prepare(
-    target: &Path,
-    content: Content<'_>,
-) -> io::Result<(u64, Option<(CompleteFile, PathBuf)>)> {
+/// Writes a temporary file in the folder of an output; returns the number of bytes and the file. Devices and pipes are
+/// written directly.
+fn prepare(named: &Path, content: Content<'_>) -> io::Result<(u64, Option<ReadyFile>)> {
     let mut rights = None;
-    let target = match fs::metadata(target) {
+    let target = match fs::metadata(named) {
         Ok(known) if known.is_dir() => {
             let why = text!("is a folder", "フォルダーです");
             return Err(reason::error(io::ErrorKind::Other, why));
         }
         Ok(known) if !known.is_file() => {
-            let mut device = fs::OpenOptions::new().write(true).open(target)?;
+            let mut device = fs::OpenOptions::new().write(true).open(named)?;
             return Ok((content.write_stream(&mut device)?, None));
         }
         Ok(known) => {
             rights = Some(known.permissions());
-            target.canonicalize()?
+            named.canonicalize()?
         }
-        Err(_) => target.to_owned(),
+        Err(_) => named.to_owned(),
     };
     let folder = folder_of(&target);
     let of_textures = folder.to_string_lossy().ends_with("_textures") && !folder.exists();
@@ -336,7 +382,12 @@ fn prepare(
     if let Some(rights) = rights {
         file.as_file_mut().set_permissions(rights)?;
     }
-    Ok((length, Some((file.complete()?, target))))
+    let ready = ReadyFile {
+        file: file.complete()?,
+        target,
+        named: named.to_owned(),
+    };
+    Ok((length, Some(ready)))
 }
 
 #[cfg(test)]
