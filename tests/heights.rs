@@ -310,7 +310,7 @@ fn absurd_sizes_and_cut_files_are_told() {
         matches!(
             cut[..],
             [Fault {
-                kind: Kind::CountsDiffer { said: 9, found: 4 },
+                kind: Kind::CellsDiffer { said: 9, found: 4 },
                 ..
             }]
         ),

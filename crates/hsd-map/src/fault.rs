@@ -246,6 +246,13 @@ pub enum Kind {
         /// What was found.
         found: u64,
     },
+    /// The head of a grid says another number of cells than follow.
+    CellsDiffer {
+        /// What is said.
+        said: u64,
+        /// What was found.
+        found: u64,
+    },
     /// The table has no row for the feature.
     NoRow,
     /// The file has no columns of coordinates.

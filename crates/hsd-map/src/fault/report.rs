@@ -133,6 +133,7 @@ pub fn diagnostic(fault: &Fault, cases: usize, origin: Origin) -> Diagnostic {
         Kind::UnknownEncoding { name } => say::unknown_encoding(origin, at, name),
         Kind::MissingPart { part } => say::missing_part(origin, at, part),
         Kind::CountsDiffer { said, found } => say::counts_differ(origin, at, *said, *found),
+        Kind::CellsDiffer { said, found } => say::cells_differ(origin, at, *said, *found),
         Kind::MissingMembers { count } => say::missing_members(origin, at, *count),
         Kind::Exhausted(what) => say::exhausted(origin, at, *what),
         Kind::TooLarge { what, limit } => say::too_large(origin, at, what, *limit),

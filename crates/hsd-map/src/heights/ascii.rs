@@ -70,7 +70,7 @@ pub(super) fn read(
     }
     let said = raster.columns * last;
     if found < said {
-        remarks.push(wish.fault(Kind::CountsDiffer { said, found }));
+        remarks.push(wish.fault(Kind::CellsDiffer { said, found }));
     }
     Ok(Heights::of(crs, cut))
 }

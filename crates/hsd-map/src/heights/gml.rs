@@ -167,7 +167,7 @@ impl Read {
             start.saturating_add(self.values.len() as u64),
         );
         if found > said {
-            remarks.push(wish.fault(Kind::CountsDiffer { said, found }));
+            remarks.push(wish.fault(Kind::CellsDiffer { said, found }));
         }
         Ok(Heights::of(crs, cut))
     }

@@ -71,7 +71,7 @@ pub(super) fn read(
     }
     let said = side * side;
     if found != said {
-        remarks.push(wish.fault(Kind::CountsDiffer { said, found }));
+        remarks.push(wish.fault(Kind::CellsDiffer { said, found }));
     }
     Ok(Heights::of(crs, cut))
 }

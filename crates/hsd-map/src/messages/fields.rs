@@ -246,6 +246,23 @@ pub fn missing_members(origin: Origin, at: Text, members: usize) -> Diagnostic {
     ))
 }
 
+/// A grid with another number of cells than its head says.
+#[cold]
+pub fn cells_differ(origin: Origin, at: Text, said: u64, found: u64) -> Diagnostic {
+    Diagnostic::warning(
+        1012,
+        origin,
+        text!([at, said, found]
+            "{at}the head of the grid says {said} cells, and {found} follow",
+            "{at}格子の見出しではセルが {said} 個ですが、続くのは {found} 個です"
+        ),
+    )
+    .help(text!(
+        "get the file again; cells without a height are no ground",
+        "ファイルを入手し直してください。高さのないセルは地面になりません"
+    ))
+}
+
 /// A map that expands to more than the budget of the run.
 #[cold]
 pub fn exhausted(origin: Origin, at: Text, what: Exhausted) -> Diagnostic {
