@@ -224,3 +224,51 @@ pub fn cleaned(ring: &[DVec2]) -> Vec<DVec2> {
     }
     kept
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::dvec2;
+
+    #[test]
+    fn rings_lose_corners_that_do_not_turn_and_spikes() {
+        let square = [
+            (0.0, 0.0),
+            (4.0, 0.0),
+            (8.0, 0.0),
+            (8.0, 5.0),
+            (0.0, 5.0),
+            (0.0, 2.0),
+        ];
+        let spike = [
+            (0.0, 0.0),
+            (8.0, 0.0),
+            (8.0, 5.0),
+            (9.0, 5.0),
+            (0.0, 5.0),
+            (0.0, 0.0),
+        ];
+        let corners = [(0.0, 0.0), (8.0, 0.0), (8.0, 5.0), (0.0, 5.0)];
+        let ring = |points: &[(f64, f64)]| -> Vec<DVec2> {
+            points.iter().map(|(x, y)| dvec2(*x, *y)).collect()
+        };
+        assert_eq!(cleaned(&ring(&square)), ring(&corners));
+        assert_eq!(cleaned(&ring(&spike)), ring(&corners));
+    }
+
+    #[test]
+    fn the_hull_of_points_is_convex() {
+        let points = [
+            (0.0, 0.0),
+            (2.0, 1.0),
+            (4.0, 0.0),
+            (4.0, 4.0),
+            (1.0, 2.0),
+            (0.0, 4.0),
+        ];
+        let points: Vec<DVec2> = points.iter().map(|(x, y)| dvec2(*x, *y)).collect();
+        let corners = [0, 2, 3, 5].map(|n| points[n]);
+        assert_eq!(hull(&points), corners);
+        assert_eq!(hull(&points[..1]).len(), 0);
+    }
+}

@@ -126,3 +126,49 @@ impl Roads {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec2;
+
+    /// Returns roads from one place in all directions.
+    fn star(count: usize) -> Vec<RoadPiece> {
+        let way = |n: usize| DVec2::new(libm::cos(n as f64), libm::sin(n as f64)) * 200.0;
+        let piece = |n| RoadPiece {
+            line: Segment::new(DVec2::ZERO, way(n)),
+            half: [2.0; BORDERS],
+        };
+        (0..count).map(piece).collect()
+    }
+
+    #[test]
+    fn a_road_looks_at_no_more_others_where_more_meet() {
+        for count in [1000, 4000] {
+            let pieces = star(count);
+            let roads = Roads::new(pieces.clone());
+            for piece in pieces.iter().step_by(97) {
+                let beside = roads.beside(&[piece.line], 7.0).len();
+                assert!(
+                    (BESIDE..=4 * BESIDE).contains(&beside),
+                    "{beside} of {count}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_road_knows_all_others_where_few_meet() {
+        let pieces = star(60);
+        let roads = Roads::new(pieces.clone());
+        assert_eq!(roads.beside(&[pieces[7].line], 7.0).len(), 60);
+        assert!(
+            roads
+                .beside(
+                    &[Segment::new(DVec2::splat(900.0), DVec2::splat(950.0))],
+                    7.0
+                )
+                .is_empty()
+        );
+    }
+}

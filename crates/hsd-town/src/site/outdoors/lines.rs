@@ -1,6 +1,7 @@
 //! Lines along a way: strips between two stations at an offset, whole dashes in what is free between crossings (000-71).
 
 use super::segments;
+use crate::grid::{Grid, bounds};
 use crate::shape::Segment;
 use glam::DVec2;
 
@@ -31,14 +32,18 @@ pub(super) fn at(line: &[DVec2], station: f64) -> (DVec2, DVec2) {
 /// Returns the stretches of a line that lie in no ring, each shortened at its ends.
 pub(super) fn free<'r>(
     line: &[DVec2],
-    rings: impl Iterator<Item = &'r Vec<DVec2>> + Clone,
+    rings: impl Iterator<Item = &'r Vec<DVec2>>,
     margin: f64,
 ) -> Vec<Stretch> {
+    let rings: Vec<&Vec<DVec2>> = rings.collect();
+    let boxes = rings.iter().map(|ring| bounds(ring.iter().copied()));
+    let index = Grid::new(boxes.map(Option::unwrap_or_default).collect());
     let mut taken: Vec<Stretch> = vec![];
     let mut start = 0.0;
     for segment in segments(line) {
         let length = segment.length();
-        let inside = rings.clone().filter_map(|ring| inside(segment, ring));
+        let near = index.near(segment.bounds()).into_iter();
+        let inside = near.filter_map(|n| inside(segment, rings[n as usize]));
         taken.extend(inside.map(|(from, to)| (start + from * length, start + to * length)));
         start += length;
     }
@@ -85,34 +90,58 @@ pub(super) fn dashes((from, to): Stretch, dash: f64, gap: f64) -> Vec<Stretch> {
         .collect()
 }
 
-/// Returns a strip along a stretch of a line: to its left by `off`, of this width, in pieces of at most `step`.
-pub(super) fn strip(
-    line: &[DVec2],
-    (from, to): Stretch,
-    (off, width): (f64, f64),
-    step: f64,
-) -> Vec<Vec<DVec2>> {
-    let (mut start, mut found) = (0.0, vec![]);
-    for segment in segments(line) {
-        let length = segment.length();
-        let (a, b) = (
-            f64::max(from, start) - start,
-            f64::min(to, start + length) - start,
-        );
-        start += length;
-        if b - a < 1e-3 {
-            continue;
+/// A line with the stations of its points.
+pub(super) struct Course<'l> {
+    line: &'l [DVec2],
+    stations: Vec<f64>,
+}
+
+impl<'l> Course<'l> {
+    /// Measures a line.
+    pub(super) fn new(line: &'l [DVec2]) -> Course<'l> {
+        let mut stations = vec![0.0];
+        let mut start = 0.0;
+        for segment in segments(line) {
+            start += segment.length();
+            stations.push(start);
         }
-        let along = segment.direction();
-        let [inner, outer] = [-0.5, 0.5].map(|side| along.perp() * (off + side * width));
-        let count = ((b - a) / step).ceil().max(1.0);
-        for n in 0..count as usize {
-            let at = |n: f64| segment.from + along * (a + (b - a) * n / count);
-            let (p, q) = (at(n as f64), at(n as f64 + 1.0));
-            found.push(vec![p + inner, q + inner, q + outer, p + outer]);
-        }
+        Course { line, stations }
     }
-    found
+
+    /// Returns a strip along a stretch: to the left of the line by `off`, of this width, in pieces of at most `step`.
+    pub(super) fn strip(
+        &self,
+        (from, to): Stretch,
+        (off, width): (f64, f64),
+        step: f64,
+    ) -> Vec<Vec<DVec2>> {
+        let mut found = vec![];
+        let first = self.stations[1..].partition_point(|end| *end <= from);
+        let stretch = self.stations.iter().zip(self.line.windows(2));
+        for (start, ends) in stretch.skip(first) {
+            if *start >= to {
+                break;
+            }
+            let segment = Segment::new(ends[0], ends[1]);
+            let length = segment.length();
+            let (a, b) = (
+                f64::max(from, *start) - start,
+                f64::min(to, start + length) - start,
+            );
+            if b - a < 1e-3 {
+                continue;
+            }
+            let along = segment.direction();
+            let [inner, outer] = [-0.5, 0.5].map(|side| along.perp() * (off + side * width));
+            let count = ((b - a) / step).ceil().max(1.0);
+            for n in 0..count as usize {
+                let at = |n: f64| segment.from + along * (a + (b - a) * n / count);
+                let (p, q) = (at(n as f64), at(n as f64 + 1.0));
+                found.push(vec![p + inner, q + inner, q + outer, p + outer]);
+            }
+        }
+        found
+    }
 }
 
 #[cfg(test)]

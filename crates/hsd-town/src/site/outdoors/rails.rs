@@ -47,9 +47,10 @@ impl LotSite<'_> {
         let (mut heads, mut sleepers) = (vec![], vec![]);
         for way in &ways {
             let length = lines::length(way);
+            let course = lines::Course::new(way);
             let whole = (0.0, length);
             for side in [-0.5, 0.5] {
-                heads.extend(lines::strip(way, whole, (side * wish.gauge, RAIL), STEP));
+                heads.extend(course.strip(whole, (side * wish.gauge, RAIL), STEP));
             }
             let crossings: Vec<_> = all.others(BORDERS - 1).collect();
             for (from, to) in lines::free(way, crossings.into_iter(), 0.0) {
@@ -57,7 +58,7 @@ impl LotSite<'_> {
                 for n in 0..count as usize {
                     let middle = from + (to - from) * (n as f64 + 0.5) / count;
                     let own = (middle - SLEEPER[1] / 2.0, middle + SLEEPER[1] / 2.0);
-                    sleepers.extend(lines::strip(way, own, (0.0, wish.gauge + SLEEPER[0]), STEP));
+                    sleepers.extend(course.strip(own, (0.0, wish.gauge + SLEEPER[0]), STEP));
                 }
             }
         }

@@ -164,10 +164,11 @@ impl LotSite<'_> {
     fn marks(&self, ways: &[Vec<DVec2>], all: &Ways, half: f64) -> Option<Sheet> {
         let mut rings = vec![];
         for way in ways {
+            let course = lines::Course::new(way);
             let crossings: Vec<&Vec<DVec2>> = all.others(BORDERS - 1).collect();
             for stretch in lines::free(way, crossings.into_iter(), BEFORE) {
                 let mut line = |stretch, off| {
-                    rings.extend(lines::strip(way, stretch, (off, LINE), STEP));
+                    rings.extend(course.strip(stretch, (off, LINE), STEP));
                 };
                 let edge = half - 0.4;
                 line(stretch, edge);
