@@ -15,7 +15,7 @@ fn read(name: &str, bytes: Vec<u8>) -> Result<Read, Fault> {
     read_bytes(&[(name, bytes)], &options)
 }
 
-/// Whether a file was read no further than a run may go.
+/// Returns true if a file was read no further than a run may go.
 fn is_bounded(read: &Result<Read, Fault>) -> bool {
     let exhausted = |fault: &Fault| matches!(fault.kind, Kind::Exhausted(_));
     match read {
@@ -143,7 +143,7 @@ fn a_packed_table_of_very_many_rows_is_bounded() {
     let bytes = packed.finish().expect("is written");
     let read = read("a.csv.gz", bytes);
     assert!(is_bounded(&read));
-    // Nothing is read behind it, and it is said once.
+    // Nothing is read behind it, and it is reported once.
     let lost = read.map(|read| read.lost.len()).unwrap_or(1);
     assert_eq!(lost, 1);
 }

@@ -1,5 +1,5 @@
-//! Damages maps and plans at random and gives them to the program, as a user would: whatever a file contains, the program ends
-//! by itself with a message, within its memory, and leaves the file as it was.
+//! Damages maps and plans at random and gives them to the program. Whatever a file contains, the program must end by itself
+//! within its memory and leave the file unchanged.
 //!
 //! Each case follows from the seed and its number, so that a finding can be made again with `--first`.
 
@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 const MEMORY: u32 = 4_000_000;
 /// A run that takes longer hangs.
 const LONGEST: Duration = Duration::from_secs(30);
-/// Where cases that the program does not survive are kept.
+/// The folder of cases that the program does not survive.
 const KEPT: &str = "target/mutate";
 
 const USAGE: &str =
@@ -39,7 +39,7 @@ const NUMBERS: [&str; 16] = [
     "",
 ];
 
-/// What is asked for.
+/// The arguments of the task.
 struct Wish {
     program: PathBuf,
     count: u64,
@@ -107,7 +107,7 @@ fn wish(arguments: &[String]) -> Option<Wish> {
     (!wish.files.is_empty()).then_some(wish)
 }
 
-/// How a run has ended.
+/// The end of a run.
 enum Ended {
     /// With this code, by itself.
     Well(i32),
@@ -115,7 +115,7 @@ enum Ended {
     Badly(String),
 }
 
-/// Damages a file and runs the program on it in a folder of its own.
+/// Damages a file and runs the program on it in a new folder.
 fn case(wish: &Wish, file: &Path, number: u64, folder: &Path) -> io::Result<Ended> {
     let mut random = Random::new(wish.seed, number);
     let name = file

@@ -1,14 +1,14 @@
-//! What the inputs of a run may take, so that no file exhausts memory or time by naming the same thing many times.
+//! Bounds on what inputs expand to, so that no file exhausts memory or time by naming the same thing many times.
 //!
-//! A run has one [`Budget`]. Each file that is read has an [`Account`] with it, whose own allowance grows with the bytes of
-//! the file: what a file writes out is always granted. Only what goes beyond that, references and packed data that expand to
-//! more than was written, is taken from the budget that all files share, and returned when the file has been read.
+//! A run has one [`Budget`], and each file that is read has an [`Account`] with it. The allowance of an account grows with the
+//! bytes of the file, so what a file writes out is always granted. References and packed data expand to more than that. The
+//! difference is taken from the budget that all files share, and returned when the file has been read.
 
 use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// What is counted.
+/// A resource that is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Resource {
     /// Points of geometries.
@@ -21,7 +21,7 @@ pub enum Resource {
     Pairs,
     /// Bytes that packed data expand to.
     InflatedBytes,
-    /// Pixels of pictures and cells of grids.
+    /// Pixels of images and cells of grids.
     Pixels,
 }
 
@@ -38,7 +38,7 @@ impl Resource {
         }
     }
 
-    /// How many a file of so many bytes may have: twice what the densest real files have, and more.
+    /// Returns the allowance of a file of this size, bytes. It is at least twice what the densest real files need.
     fn granted(self, bytes: u64) -> u64 {
         match self {
             Resource::Features => bytes / 8,
@@ -48,7 +48,7 @@ impl Resource {
         }
     }
 
-    /// Its name in messages.
+    /// Returns the name in messages.
     pub fn name(self) -> &'static str {
         match self {
             Resource::Points => "points",
@@ -72,7 +72,7 @@ impl Budget {
     /// The memory of a run, bytes, where none is given.
     pub const MEMORY: u64 = 512 << 20;
 
-    /// Creates the budget of a run that may take about so many bytes of memory for what its files expand to.
+    /// Creates the budget of a run that may take about this memory for what its files expand to, bytes.
     pub fn new(memory: u64) -> Budget {
         let all = [
             Resource::Points,
@@ -115,7 +115,7 @@ pub struct Account {
     /// Bytes of the file so far.
     bytes: AtomicU64,
     spent: [AtomicU64; Resource::COUNT],
-    /// What of it was taken from the budget.
+    /// The share that was taken from the budget.
     taken: [AtomicU64; Resource::COUNT],
 }
 
@@ -130,7 +130,7 @@ impl Account {
         })
     }
 
-    /// Notes that so many bytes of the file have been read, as they are stored.
+    /// Adds bytes of the file that have been read, as they are stored.
     pub fn read(&self, bytes: u64) {
         self.bytes.fetch_add(bytes, Ordering::Relaxed);
     }
@@ -165,9 +165,9 @@ impl Drop for Account {
 /// The reason why something is not made: it would exceed the budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Exhausted {
-    /// What there would be too much of.
+    /// The resource that is exhausted.
     pub of: Resource,
-    /// How many the files of the run may share.
+    /// The number that the files of the run share.
     pub limit: u64,
 }
 

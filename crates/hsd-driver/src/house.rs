@@ -158,7 +158,7 @@ impl Written<'_> {
 pub struct LeftOut {
     /// The feature on which it would stand: the number of its layer, and its number there.
     pub feature: (usize, usize),
-    /// The same as diagnostics name it.
+    /// The place as diagnostics name it.
     pub origin: Origin,
     /// The code of the diagnostic.
     pub code: Code,
@@ -170,7 +170,7 @@ pub struct LeftOut {
 pub(super) struct Finished {
     /// `None` for one that would exceed a limit.
     pub(super) built: Option<Built>,
-    /// What was found in it.
+    /// The diagnostics that were found in it.
     pub(super) found: Diagnostics,
     /// The feature on which it stands, in a town.
     pub(super) on: Option<OnFeature>,

@@ -158,8 +158,8 @@ fn refusal(geometry: &Geometry, crs: Option<&Crs>, most: usize) -> Option<Kind> 
     None
 }
 
-/// Lets longitudes go on beyond 180 degrees where a shape crosses the line at which they jump to -180: nothing is half the
-/// globe wide.
+/// Extends longitudes beyond 180 degrees where a shape crosses the line at which they jump to -180. Shapes are narrower than
+/// half the globe.
 fn unwrap(chain: &mut Chain) {
     let longitudes = chain.points.iter().map(|p| p.x);
     let (low, high) = longitudes.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
@@ -178,7 +178,7 @@ struct Found {
     doubled: usize,
     is_unclosed: bool,
     crosses: bool,
-    /// Heights that are none.
+    /// The number of missing heights.
     no_heights: usize,
     /// Parts that were dropped, since they have too few points.
     dropped: usize,
@@ -282,8 +282,7 @@ fn tidy_ring(ring: &mut Chain, found: &mut Found, is_hole: bool) -> bool {
     true
 }
 
-/// Drops heights that are not given for every point. Those that are none, marks of programs for missing values, become the mean
-/// of the others.
+/// Drops heights that are not given for every point. Marks of programs for missing values become the mean of the others.
 fn settle_heights(chain: &mut Chain, found: &mut Found) {
     if chain.heights.len() != chain.points.len() {
         chain.heights.clear();

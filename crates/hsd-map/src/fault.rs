@@ -248,9 +248,9 @@ pub enum Kind {
     },
     /// The head of a grid says another number of cells than follow.
     CellsDiffer {
-        /// What is said.
+        /// The number in the head.
         said: u64,
-        /// What was found.
+        /// The number of cells that follow.
         found: u64,
     },
     /// The table has no row for the feature.
@@ -274,7 +274,7 @@ pub enum Kind {
         /// The name.
         layer: Box<str>,
     },
-    /// What the file names and packs expands to more than the run may take.
+    /// The file names or packs things that expand to more than the run may take.
     Exhausted(Exhausted),
     /// A limit is exceeded.
     TooLarge {

@@ -165,8 +165,8 @@ impl Widths {
         self.narrow += usize::from(width <= WIDEST);
     }
 
-    /// Returns true if features of such widths, in coordinates that may be degrees, can only be in metres: most of them are
-    /// several degrees wide, which countries are and houses, lots and streets are not.
+    /// Returns true if features of such widths can only be in metres: as degrees, most of them would be several degrees wide.
+    /// Countries are so wide; houses, lots and streets are not.
     pub fn are_metres(&self) -> bool {
         2 * self.narrow < self.all
     }

@@ -18,7 +18,7 @@ pub(super) struct Soup {
     pub(super) normals: Vec<[f32; 3]>,
     pub(super) uvs: Vec<[f32; 2]>,
     pub(super) indices: Vec<u32>,
-    /// The number of triangles that were left out, since no part of a house has so many.
+    /// The number of triangles that were left out, since a part of a house has fewer.
     pub(super) left_out: usize,
 }
 

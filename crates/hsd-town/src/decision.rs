@@ -333,11 +333,11 @@ pub enum FeatureState {
 pub struct Entry {
     /// The feature.
     pub id: LotId,
-    /// Its key; that of a house behind the house of a feature has the name of this house after it.
+    /// The key; that of a house behind the house of a feature has the name of this house after it.
     pub key: Box<str>,
-    /// Its line of the table.
+    /// The line in the table.
     pub line: DecisionLine,
-    /// Its state.
+    /// The state.
     pub state: FeatureState,
     /// The number of its houses.
     houses: usize,
@@ -475,7 +475,7 @@ impl Entry {
     }
 }
 
-/// Why no rule has looked at a feature.
+/// The reason why no rule has looked at a feature.
 enum Undecided {
     /// None names its layer.
     Unused,
@@ -492,9 +492,9 @@ enum Undecided {
 pub struct LostHouse {
     /// The feature on which it would stand.
     pub id: LotId,
-    /// Its layer.
+    /// The layer.
     pub layer: String,
-    /// Its key.
+    /// The key.
     pub key: String,
     /// The code of the diagnostic.
     pub code: String,
@@ -537,7 +537,7 @@ fn quoted(cell: &str) -> String {
     }
 }
 
-/// What became of a town: every feature is built, skipped or unused.
+/// The account of a town: every feature is built, skipped or unused.
 #[derive(Debug, Default, Serialize)]
 pub struct TownReport {
     /// The number of features of all layers.
@@ -546,7 +546,7 @@ pub struct TownReport {
     pub built: usize,
     /// Those of layers that no rule names.
     pub unused: usize,
-    /// The same for each layer.
+    /// The numbers of each layer.
     pub layers: Vec<LayerCount>,
     /// The others.
     pub skipped: Vec<SkippedFeature>,
@@ -575,9 +575,9 @@ pub struct LayerCount {
 /// A feature in a report.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct SkippedFeature {
-    /// Its layer.
+    /// The layer.
     pub layer: String,
-    /// Its key.
+    /// The key.
     pub key: String,
     /// The code of a diagnostic, or a word.
     pub code: String,

@@ -104,9 +104,9 @@ impl Grid {
         found
     }
 
-    /// Returns the numbers of the boxes within a distance of a box on both axes, ascending. Of more than `most` the nearest
-    /// count, of equally near ones those with the nearest middles, and of these those with the least numbers: so the time is
-    /// bounded where everything is at one place.
+    /// Returns the numbers of the boxes within a distance of a box on both axes, ascending. At most `most` are returned, so the
+    /// time is bounded where everything is at one place: the nearest boxes, then those with the nearest middles, then those with
+    /// the least numbers.
     pub fn nearest(&self, to: Bounds, far: f64, most: usize) -> Vec<u32> {
         let mut found = vec![];
         if !self.collect(wider(to, far), most, &mut found) {

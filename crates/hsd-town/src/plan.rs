@@ -234,8 +234,8 @@ impl Plan {
         });
     }
 
-    /// Returns the layers that nothing in the town depends on: no rule names them, they are no streets, and no other layer is
-    /// joined to them.
+    /// Returns the layers that nothing in the town depends on. They are not named by a rule, not used as streets and not joined
+    /// to another layer.
     pub(crate) fn idle_layers(&self) -> impl Iterator<Item = usize> {
         let layers = self.layers.iter().enumerate();
         let idle = layers.filter(|(number, layer)| {

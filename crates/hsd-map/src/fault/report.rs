@@ -26,8 +26,8 @@ pub struct Faults {
 }
 
 impl Faults {
-    /// Notes how many features of the map are used: a system in which most features cannot lie is the wrong one; a few such
-    /// features are wrong themselves.
+    /// Sets the number of features of the map that are used. A system in which most features cannot lie is the wrong one. If only
+    /// a few cannot, these features are wrong.
     pub fn set_used(&mut self, features: usize) {
         self.used = features;
     }

@@ -258,7 +258,7 @@ pub fn cells_differ(origin: Origin, at: Text, said: u64, found: u64) -> Diagnost
         ),
     )
     .help(text!(
-        "get the file again; cells without a height are no ground",
+        "get the file again; cells without a height have no ground",
         "ファイルを入手し直してください。高さのないセルは地面になりません"
     ))
 }

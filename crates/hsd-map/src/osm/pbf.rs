@@ -15,7 +15,7 @@ const MOST_HEAD: usize = 64 << 10;
 /// Bytes that a text takes beside its letters.
 const SLICE: u64 = size_of::<&[u8]>() as u64;
 
-/// Why a block is read no further.
+/// The reason to stop reading a block.
 #[derive(Debug)]
 enum Wrong {
     /// It is not written as the format demands.

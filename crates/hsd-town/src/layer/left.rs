@@ -1,5 +1,5 @@
-//! Features that can be read but are left out before any rule sees them: those whose centre is not in their outline, and
-//! those that are drawn twice.
+//! Features that can be read but are left out before any rule sees them. Their centre is outside their outline, or they are
+//! drawn twice.
 
 use super::{Lot, Lots, Shape};
 use crate::grid::{bounds, wider};
@@ -9,7 +9,7 @@ use hsd_base::diagnostic::Code;
 use std::collections::HashSet;
 use twox_hash::XxHash3_128;
 
-/// How far the centre of an outline may be outside its hull by rounding, metres.
+/// The distance by which rounding may move the centre of an outline out of its hull, metres.
 const ROUNDING: f64 = 0.01;
 /// Coordinates that round to the same multiple of this are the same, metres.
 const SAME: f64 = 0.001;
@@ -25,7 +25,7 @@ const LEVELS: [&str; 4] = [
 /// A feature that is left out.
 #[derive(Clone, Debug)]
 pub struct LeftLot {
-    /// Its key.
+    /// The key.
     pub key: Box<str>,
     /// A point of it.
     pub at: DVec2,
@@ -33,7 +33,7 @@ pub struct LeftLot {
     pub why: LeftWhy,
 }
 
-/// Why a feature is left out.
+/// The reason to leave out a feature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LeftWhy {
     /// Another feature before it has the same outline.

@@ -83,7 +83,7 @@ pub fn read(world: &dyn World, path: &str, layer: &Layer, most: usize) -> Result
                     false => features.push(feature),
                 }
             }
-            // What a file has beyond all limits is no part of a town, and neither is the rest of it.
+            // The file is beyond all limits, so the rest of it is not used either.
             Err(fault) if fault.feature.is_none() && matches!(fault.kind, Kind::Exhausted(_)) => {
                 return Err(fault);
             }
@@ -142,8 +142,8 @@ impl Raw {
         (&self.seen.spread, &self.crs)
     }
 
-    /// Returns true if the coordinates can only be guessed: no system is named, and those of most features are no degrees, or
-    /// features are as wide as countries or as far apart as cities if they are.
+    /// Returns true if the coordinates can only be guessed: no system is named, and most features cannot lie in degrees. As
+    /// degrees they would be too large, or make features as wide as countries or as far apart as cities.
     pub fn is_nowhere(&self) -> bool {
         let seen = &self.seen;
         let are_no_degrees = 2 * seen.refused > seen.count

@@ -1,4 +1,4 @@
-//! Where the features of a map lie: in which cells of a coarse grid, so that a few wrong places do not move the town.
+//! Places of the features of a map by cells of a coarse grid, so that a few wrong places do not move the town.
 
 use super::raw::FARTHEST;
 use crate::grid::{Bounds, bounds};
@@ -121,7 +121,7 @@ fn joined([a, b]: Bounds, [c, d]: Bounds) -> Bounds {
     [a.min(c), b.max(d)]
 }
 
-/// Returns the number in the middle of ascending numbers that occur so many times.
+/// Returns the median of ascending numbers, each with the number of its occurrences.
 fn median(numbers: impl Iterator<Item = (i32, usize)> + Clone) -> Option<i32> {
     let all: usize = numbers.clone().map(|(_, count)| count).sum();
     let mut passed = 0;

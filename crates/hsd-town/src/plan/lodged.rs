@@ -66,11 +66,11 @@ pub struct Lodged {
 
 /// A feature of a layer that no rule names.
 pub struct UnusedLot {
-    /// Its layer, and its number there.
+    /// The layer, and the number there.
     pub id: LotId,
-    /// Its key.
+    /// The key.
     pub key: Box<str>,
-    /// Its centre.
+    /// The centre.
     pub at: DVec2,
 }
 

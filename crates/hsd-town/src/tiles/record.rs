@@ -24,7 +24,7 @@ pub struct TileRecord {
     pub textures: Vec<TextureRecord>,
     /// The images of parts, by path, with the hash of the bytes that were read.
     pub pictures: Vec<(String, String)>,
-    /// Its houses that would exceed a limit, by number, with the code and the reason.
+    /// The houses that would exceed a limit, by number, with the code and the reason.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub left_out: Vec<(usize, String, String)>,
     /// Problems of its houses, found while they were made.

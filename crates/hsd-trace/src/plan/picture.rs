@@ -6,7 +6,7 @@ use image::metadata::Orientation;
 use image::{ColorType, DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits, RgbImage};
 use std::io::Cursor;
 
-/// The most bytes that a picture may take while it is read.
+/// The most bytes that an image may take while it is decoded.
 pub(super) const MOST_BYTES: u64 = 448 << 20;
 /// The most bytes that a decoder may take for what stands before the pixels, such as a colour profile.
 const MOST_BESIDE: u64 = 32 << 20;
@@ -58,7 +58,7 @@ impl Picture {
         ))
     }
 
-    /// Makes a picture small enough to be read quickly.
+    /// Shrinks an image so that it can be read quickly.
     pub(super) fn of(image: DynamicImage) -> Picture {
         let pixels = on_white(image);
         let longest = pixels.width().max(pixels.height());
@@ -105,7 +105,7 @@ fn upright(bytes: &[u8]) -> Result<(DynamicImage, Option<Vec<u8>>), Unreadable> 
     Ok((image, exif))
 }
 
-/// The bytes that a picture takes at most while it is decoded, turned and made RGB of 8 bits.
+/// Returns the most bytes that an image takes while it is decoded, turned and made RGB of 8 bits.
 fn bytes_of(decoder: &impl ImageDecoder, orientation: Orientation) -> u64 {
     let (width, height) = decoder.dimensions();
     let pixels = u64::from(width) * u64::from(height);

@@ -1,4 +1,4 @@
-//! Operations on pixels: the level between ink and paper, parts that hang together, a picture seen through a projective map.
+//! Operations on pixels: the level between ink and paper, connected parts, an image seen through a projective map.
 
 use glam::{DMat3, dvec2};
 use image::{GrayImage, Rgb, RgbImage};
@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::flatten::project;
 
-/// The tone that parts a picture best into dark and light, by the method of Otsu: the mean tones of both differ most.
+/// Returns the tone that parts an image best into dark and light, by the method of Otsu: the mean tones of both differ most.
 ///
 /// The darker class includes the level.
 pub(super) fn otsu_level(picture: &GrayImage) -> u8 {
@@ -35,11 +35,11 @@ pub(super) fn otsu_level(picture: &GrayImage) -> u8 {
     level
 }
 
-/// The connected parts of a picture.
+/// The connected parts of an image.
 pub(super) struct Parts {
     /// The part of each pixel, by rows: from 1, in the order of their first pixels; 0 is the background.
     pub(super) of: Vec<u32>,
-    /// How many parts there are.
+    /// The number of parts.
     pub(super) count: usize,
     width: u32,
 }
@@ -99,7 +99,7 @@ impl Parts {
         }
     }
 
-    /// The pixels of all parts: column, row and part.
+    /// Returns the pixels of all parts: column, row and part.
     pub(super) fn pixels(&self) -> impl Iterator<Item = (u32, u32, u32)> {
         let width = self.width as usize;
         let all = self.of.iter().enumerate().filter(|(_, part)| **part > 0);
@@ -117,8 +117,8 @@ fn root(parents: &mut [u32], mut label: u32) -> u32 {
     label
 }
 
-/// A picture seen through a map from pixels of the result to its own, interpolated between four pixels. What lies beyond its
-/// edges has the tone `beyond`.
+/// Returns an image seen through a map from pixels of the result to those of the image, interpolated between four pixels. What
+/// lies beyond its edges has the tone `beyond`.
 pub(super) fn warp(
     picture: &RgbImage,
     map: DMat3,
@@ -168,7 +168,7 @@ mod tests {
     use glam::{DMat3, DVec2};
     use image::{GrayImage, Luma, Rgb, RgbImage};
 
-    /// A picture of characters: `#` is ink.
+    /// An image of characters: `#` is ink.
     fn drawn(rows: &[&str]) -> GrayImage {
         let ink = |x: u32, y: u32| rows[y as usize].as_bytes()[x as usize] == b'#';
         GrayImage::from_fn(rows[0].len() as u32, rows.len() as u32, |x, y| {

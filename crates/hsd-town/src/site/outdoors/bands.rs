@@ -116,7 +116,7 @@ impl Joints<'_> {
         }
     }
 
-    /// Returns half the width of the widest way that goes on from an end of another; 0 for none.
+    /// Returns half the width of the widest way that continues another from an end; 0 for none.
     fn goes_on(&self, way: &Way, end: DVec2) -> f64 {
         let near = self.index.near(wider([end; 2], MEETS)).into_iter();
         let others = near.filter_map(|n| {

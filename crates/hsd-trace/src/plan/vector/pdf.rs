@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 /// The largest file, bytes.
 const LARGEST: usize = 64 << 20;
-/// What the use of a form costs, in points: it is looked up and unpacked.
+/// The cost of using a form, in points: it is looked up and unpacked.
 const FORM: u64 = 16;
 /// The most forms in each other.
 const DEEPEST: usize = 8;
@@ -35,7 +35,7 @@ pub enum Page {
 /// Reads a page, counted from 1.
 ///
 /// # Errors
-/// If the file is no PDF, locked, too large, expands to too much, or has no such page.
+/// If the file is not a PDF, locked, too large, expands to too much, or has no such page.
 pub fn read(bytes: &[u8], number: usize) -> Result<Page, Refused> {
     let account = Account::new(Arc::default());
     account.read(bytes.len() as u64);
@@ -116,7 +116,7 @@ fn decoded(stream: &Stream<'_>) -> Result<Picture, Refused> {
         .zip(size("Height"))
         .ok_or_else(|| wrong("it has no size"))?;
     let pixels = width as usize * height as usize;
-    // The picture of the stream and that of the plan, three bytes a pixel each.
+    // The image of the stream and that of the plan, three bytes a pixel each.
     if pixels as u64 > MOST_BYTES / 6 {
         return Err(Refused::TooLarge {
             what: "pixels",

@@ -1,4 +1,4 @@
-//! How much the streams of a PDF unpack to, before the reader of its objects unpacks them: it knows no bounds.
+//! The sizes of the streams of a PDF, unpacked. They are counted before the reader of its objects unpacks them without bounds.
 
 use flate2::read::DeflateDecoder;
 use hsd_base::budget::{Account, Exhausted, Resource};
@@ -94,7 +94,7 @@ mod tests {
         encoder.finish().expect("is written")
     }
 
-    /// Whether a run with this memory takes a stream.
+    /// Returns true if a run with this memory takes a stream.
     fn is_taken(stream: &[u8], memory: u64) -> bool {
         let account = Account::new(Arc::new(Budget::new(memory)));
         let pdf = [b"<</Length 9>>stream\r\n", stream, b"\nendstream"].concat();
