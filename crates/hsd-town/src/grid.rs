@@ -264,7 +264,7 @@ mod tests {
         let draw = |n: u64, what: &str| Place::seed(n).named(what).share();
         let one = |n: u64| {
             let low = DVec2::new(draw(n / 3, "x"), draw(n / 3, "y")) * side;
-            let wide = if n % 50 == 0 { side } else { 5.0 };
+            let wide = if n.is_multiple_of(50) { side } else { 5.0 };
             [low, low + DVec2::new(draw(n, "w"), draw(n, "h")) * wide]
         };
         (0..count).map(one).collect()
