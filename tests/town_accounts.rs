@@ -34,6 +34,18 @@ fn square(x: f64, y: f64) -> String {
     outline(&[(x, y), (e, y), (e, n), (x, n)], "")
 }
 
+/// A line of 36,000 km that stays near the middle of the town.
+fn winding() -> String {
+    let corners = (0..400).flat_map(|n| {
+        let (x, y) = (45_000.0 * f64::from(n % 2), 40.0 * f64::from(n));
+        [[x, y], [45_000.0 - x, y]].map(|[x, y]| format!("[{x},{y}]"))
+    });
+    let corners: Vec<String> = corners.collect();
+    let corners = corners.join(",");
+    let geometry = format!(r#"{{"type":"LineString","coordinates":[{corners}]}}"#);
+    feature(&geometry, "")
+}
+
 fn line(length: f64) -> String {
     let geometry = format!(r#"{{"type":"LineString","coordinates":[[0,0],[{length},0]]}}"#);
     feature(&geometry, "")
@@ -122,7 +134,7 @@ fn units_along_a_line_are_counted_before_they_are_made() {
         r#"<Network spacing="30"/>"#,
     ] {
         let text = format!(r#"<Town>{ONE}<for each="a">{wish}</for></Town>"#);
-        let map = [line(1e8), line(40.0)].join(",");
+        let map = [winding(), line(40.0)].join(",");
         let built = town(&text, &[("a", map)]);
         assert_eq!(
             (built.built, built.skipped),

@@ -6,6 +6,7 @@ mod format;
 pub(crate) mod draw;
 mod job;
 pub(crate) mod plan;
+mod progress;
 mod statistics;
 mod steps;
 pub(crate) mod streamed;
@@ -18,14 +19,13 @@ pub(crate) mod watch;
 use super::options::{DetailArgs, InputArgs, exit};
 use super::{Failure, Outcome};
 use crate::files::input::{Inputs, STDIN};
-use crate::files::messages::{MessageArgs, Teller, Told};
+use crate::files::messages::MessageArgs;
 #[cfg(feature = "compress")]
 use crate::files::output::Files;
 use crate::files::output::{Committer, Model};
 use crate::files::terminal::counted;
 use clap::Args;
-use hsd_base::diagnostic::{Diagnostic, Diagnostics, Language, Noun, Text, noun};
-use hsd_base::source::Source;
+use hsd_base::diagnostic::{Diagnostics, Language, Noun, noun};
 use hsd_base::text;
 use hsd_driver::Compiled;
 #[cfg(feature = "compress")]
@@ -33,14 +33,12 @@ use hsd_export::gltf::{Glb, Ktx2};
 use hsd_export::images::Library;
 use hsd_export::spool::in_memory;
 use hsd_scene::{Detail, Scene};
-use indicatif::{ProgressBar, ProgressStyle};
 use job::{Job, each};
+use progress::Progress;
 use statistics::{statistics, summary};
-use std::cell::OnceCell;
-use std::io::{self, IsTerminal, Write};
 use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 use streamed::{Finished, Started};
 
 /// Build 3D models from house files.
@@ -253,10 +251,7 @@ impl Build {
             self.format_args.print_scene(scene.whole(), &mut out)?;
         }
         let list = out.into_sorted();
-        let beside = compiled.included.iter().map(Source::name);
-        let beside = beside.chain(paths.iter().map(String::as_str));
-        let read = job.inputs.iter().cloned();
-        let read: Vec<PathBuf> = read.chain(beside.map(PathBuf::from)).collect();
+        let read = job.files_read(&compiled.included, paths);
         let included = std::mem::take(&mut compiled.included);
         let told = progress.report(&inputs.and(included), &list)?;
         if list.iter().any(|d| self.input_args.spoils(d.severity)) {
@@ -273,14 +268,7 @@ impl Build {
         }
         let scene = &compiled.scene;
         let size = hsd_driver::timed(&mut times, "write", || {
-            if self.compress {
-                return compressed(scene, &library, (&job.output, committer));
-            }
-            let mut model = Started::new(job.model, self, &in_memory)?;
-            model.add(scene.whole(), &library)?;
-            let made = Finished::scene(scene, &library);
-            let files = model.finish(made, &job.output, self.textures_beside)?;
-            committer.write(&job.output, files)
+            self.write_scene(scene, &library, (job, committer))
         })?;
         progress.teller.built(&told, Some(&job.output), &read)?;
         if progress.verbose || self.stats {
@@ -292,6 +280,23 @@ impl Build {
             progress.line(&statistics(counts, &[], &times))?;
         }
         Ok(false)
+    }
+
+    /// Writes the model of a whole scene and returns its size in bytes.
+    fn write_scene(
+        &self,
+        scene: &Scene,
+        library: &Library,
+        (job, committer): (&Job, &Committer),
+    ) -> Result<u64, Failure> {
+        if self.compress {
+            return compressed(scene, library, (&job.output, committer));
+        }
+        let mut model = Started::new(job.model, self, &in_memory)?;
+        model.add(scene.whole(), library)?;
+        let made = Finished::scene(scene, library);
+        let files = model.finish(made, &job.output, self.textures_beside)?;
+        committer.write(&job.output, files)
     }
 
     /// Returns the compiler options, for all variants or only the one with `seed`.
@@ -429,73 +434,4 @@ fn compressed(
 #[cfg(not(feature = "compress"))]
 fn compressed(_: &Scene, _: &Library, _: (&Path, &Committer)) -> Result<u64, Failure> {
     Err(Failure::Usage(NO_COMPRESS.into()))
-}
-
-/// Progress on standard error; with a progress bar if there are several jobs, they take long and it is a terminal.
-struct Progress {
-    teller: Teller,
-    /// True if only messages are told.
-    quiet: bool,
-    /// True if a line is printed for each model.
-    verbose: bool,
-    start: Instant,
-    jobs: usize,
-    done: std::cell::Cell<u64>,
-    bar: OnceCell<ProgressBar>,
-}
-
-impl Progress {
-    fn new(quiet: bool, jobs: usize, teller: Teller) -> Progress {
-        let quiet = quiet || teller.is_program();
-        Progress {
-            teller,
-            quiet,
-            verbose: !quiet && jobs == 1,
-            start: Instant::now(),
-            jobs,
-            done: 0.into(),
-            bar: OnceCell::new(),
-        }
-    }
-
-    fn line(&self, text: &Text) -> Result<(), Failure> {
-        let text = text.in_language(self.teller.language);
-        self.above(|| writeln!(io::stderr(), "{text}"))?;
-        Ok(())
-    }
-
-    fn report(&self, sources: &[Source], list: &[Diagnostic]) -> Result<Told, Failure> {
-        self.above(|| self.teller.report(sources, list))
-    }
-
-    /// Writes above the progress bar.
-    fn above<T>(&self, write: impl FnOnce() -> T) -> T {
-        match self.bar.get() {
-            Some(bar) => bar.suspend(write),
-            None => write(),
-        }
-    }
-
-    fn advance(&self) -> Result<(), Failure> {
-        self.done.set(self.done.get() + 1);
-        if self.jobs > 1 {
-            self.teller.progress(self.done.get() as usize, self.jobs)?;
-        }
-        let long = self.start.elapsed() > Duration::from_secs(1);
-        if self.jobs > 1 && long && !self.quiet && io::stderr().is_terminal() {
-            let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {eta}");
-            let bar = self.bar.get_or_init(|| {
-                let bar = ProgressBar::new(self.jobs as u64);
-                style.map_or(bar.clone(), |style| bar.with_style(style))
-            });
-            bar.set_position(self.done.get());
-        }
-        Ok(())
-    }
-
-    fn finish(&self) {
-        if let Some(bar) = self.bar.get() {
-            bar.finish_and_clear();
-        }
-    }
 }

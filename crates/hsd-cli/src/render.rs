@@ -5,6 +5,7 @@ mod cameras;
 mod progress;
 mod shots;
 mod standing;
+mod target;
 mod values;
 
 use super::options::{DetailArgs, ReadArgs, exit, report};
@@ -12,16 +13,15 @@ use super::view::{FileHost, check_page};
 use super::{Failure, Outcome};
 use crate::build::town;
 use crate::files::input::Inputs;
-use crate::files::output::{Committer, Files};
+use crate::files::output::Committer;
 use browser::Browser;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use hsd_base::diagnostic::{Diagnostic, Diagnostics, Language};
 use hsd_base::source::Source;
 use hsd_base::text;
 use hsd_ir::ast::{NamedView, ViewTime};
 use hsd_ir::building::Built;
 use hsd_report::{Format, Report};
-use hsd_scene::texture;
 use hsd_view::{Preview, PreviewOptions, Screenshot};
 use percent_encoding::{NON_ALPHANUMERIC, utf8_percent_encode};
 use progress::Progress;
@@ -32,10 +32,8 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant};
+use target::{ImageFormat, Target, write};
 use values::{Place, angle, date, hour, place, size};
-
-/// The JPEG quality.
-const QUALITY: u8 = 88;
 
 /// The maximum time without a response from the browser.
 const TIMEOUT: Duration = Duration::from_secs(300);
@@ -138,33 +136,6 @@ struct BuiltTown {
     _folder: tempfile::TempDir,
 }
 
-/// Image formats.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-enum ImageFormat {
-    /// Lossless.
-    #[default]
-    Png,
-    /// Several times smaller, with losses.
-    Jpg,
-}
-
-impl ImageFormat {
-    fn of(path: &Path) -> Option<ImageFormat> {
-        match &*path.extension()?.to_string_lossy().to_lowercase() {
-            "png" => Some(ImageFormat::Png),
-            "jpg" | "jpeg" => Some(ImageFormat::Jpg),
-            _ => None,
-        }
-    }
-
-    fn extension(self) -> &'static str {
-        match self {
-            ImageFormat::Png => "png",
-            ImageFormat::Jpg => "jpg",
-        }
-    }
-}
-
 /// The cameras of a checked file.
 #[derive(Default)]
 struct Seen {
@@ -181,12 +152,6 @@ struct Run<'a> {
     shots: &'a [Shot],
     screenshots: &'a Receiver<Screenshot>,
     running: browser::Running,
-}
-
-/// The output of a run.
-enum Target<'a> {
-    File(&'a Path, ImageFormat),
-    Folder(&'a Path, ImageFormat),
 }
 
 impl Render {
@@ -513,39 +478,4 @@ impl Render {
             }
         }
     }
-}
-
-impl Target<'_> {
-    /// Returns the path of the image of a view.
-    fn path(&self, input: &Path, view: &str) -> PathBuf {
-        match self {
-            Target::File(path, _) => path.to_path_buf(),
-            Target::Folder(folder, kind) => {
-                let stem = input.file_stem().unwrap_or_default().to_string_lossy();
-                folder.join(format!("{stem}-{view}.{}", kind.extension()))
-            }
-        }
-    }
-
-    fn kind(&self) -> ImageFormat {
-        match self {
-            Target::File(_, kind) | Target::Folder(_, kind) => *kind,
-        }
-    }
-}
-
-/// Writes an image.
-fn write(
-    path: &Path,
-    kind: ImageFormat,
-    png: Vec<u8>,
-    committer: &Committer,
-) -> Result<(), Failure> {
-    let drawn = image::load_from_memory_with_format(&png, image::ImageFormat::Png);
-    let drawn = drawn.map_err(|e| Failure::at(path.display(), io::Error::other(e.to_string())))?;
-    let bytes = match kind {
-        ImageFormat::Png => png,
-        ImageFormat::Jpg => texture::jpeg(&drawn.into_rgb8(), QUALITY),
-    };
-    committer.write(path, Files::bytes(bytes)).map(drop)
 }

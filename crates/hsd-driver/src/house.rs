@@ -1,13 +1,17 @@
 //! A house is the unit of work: from its syntax and an id to walls, roofs and fittings. A run, a variant, a tile or a
 //! thread is a loop over houses; one made alone with its id is identical to the last bit to the one in a run.
 
+mod feature;
+
+pub(super) use feature::OnFeature;
+pub use feature::{FeatureHouse, LeftOut};
+
 use super::overlaps::{Ground, Grounds};
 use super::pieces::{Feed, PieceHouse, Pieces};
 use super::{Options, Read};
-use hsd_base::diagnostic::{Code, Diagnostics, Origin, Text};
+use feature::OfFeature;
+use hsd_base::diagnostic::Diagnostics;
 use hsd_base::source::{Source, World};
-#[cfg(feature = "models")]
-use hsd_base::text;
 use hsd_ir::ast::{self, Document, Variant};
 use hsd_ir::building::{Building, Built};
 use hsd_ir::catalog::{Catalog, ScopeId};
@@ -153,19 +157,6 @@ impl Written<'_> {
     }
 }
 
-/// A house of a town that is left out, since it would exceed a limit.
-#[derive(Clone, Debug)]
-pub struct LeftOut {
-    /// The feature on which it would stand: the number of its layer, and its number there.
-    pub feature: (usize, usize),
-    /// The place as diagnostics name it.
-    pub origin: Origin,
-    /// The code of the diagnostic.
-    pub code: Code,
-    /// The reason.
-    pub why: Text,
-}
-
 /// A finished house.
 pub(super) struct Finished {
     /// `None` for one that would exceed a limit.
@@ -176,30 +167,6 @@ pub(super) struct Finished {
     pub(super) on: Option<OnFeature>,
 }
 
-/// The feature on which a house of a town stands.
-#[derive(Clone, Debug)]
-pub(super) struct OnFeature {
-    pub(super) feature: (usize, usize),
-    pub(super) origin: Origin,
-}
-
-#[cfg(feature = "models")]
-impl OnFeature {
-    /// Returns the house that is left out for the reason that was found last.
-    pub(super) fn without_house(&self, found: &Diagnostics) -> LeftOut {
-        let last = found.iter().last();
-        LeftOut {
-            feature: self.feature,
-            origin: self.origin.clone(),
-            code: last.map_or(Code(904), |found| found.code),
-            why: last.map_or_else(
-                || text!("it would exceed a limit", "上限を超えます"),
-                |found| found.message.clone(),
-            ),
-        }
-    }
-}
-
 #[cfg(feature = "models")]
 impl Finished {
     /// Returns the house of a feature that is left out, if this is one.
@@ -207,30 +174,6 @@ impl Finished {
         let on = self.on.as_ref().filter(|_| self.built.is_none())?;
         Some(on.without_house(&self.found))
     }
-}
-
-/// A house of a town.
-#[derive(Debug)]
-pub struct FeatureHouse {
-    /// The number of the layer of its feature, and the number of that in the layer.
-    pub feature: (usize, usize),
-    /// The house.
-    pub house: ast::House,
-    /// The feature on which it stands.
-    pub origin: Origin,
-    /// Its name in the model.
-    pub name: String,
-    /// What stands in its place if it has errors.
-    pub plain: Option<Box<ast::House>>,
-    /// Its text, if it was asked for.
-    pub text: Option<ast::town::HouseText>,
-}
-
-/// The feature on which a house stands, its name, and what stands in its place if it has errors.
-struct OfFeature {
-    on: OnFeature,
-    name: String,
-    plain: Option<Box<ast::House>>,
 }
 
 /// Expanded houses with what was found in them; `None` for one that would exceed a limit.

@@ -169,11 +169,7 @@ fn run_houses(
     (out, (sink, new)): (&mut Diagnostics, Outlet<'_, '_>),
     times: &mut Vec<(&'static str, Duration)>,
 ) -> io::Result<Left> {
-    let shapes = hsd_mesh::Options {
-        town: !apart,
-        ..options.shapes()
-    };
-    let tessellator = Tessellator::new(catalog, shapes);
+    let tessellator = Tessellator::new(catalog, shapes(options, apart));
     let places = Places::new(feed, included, options);
     let mut town = Town {
         world,
@@ -220,6 +216,14 @@ fn run_houses(
         left_out,
         stats: counter.stats(),
     })
+}
+
+/// Returns the options of the meshes of a run; houses that need not stand apart are those of a town.
+fn shapes(options: &Options, apart: bool) -> hsd_mesh::Options {
+    hsd_mesh::Options {
+        town: !apart,
+        ..options.shapes()
+    }
 }
 
 /// Returns a scene for the houses of a run.

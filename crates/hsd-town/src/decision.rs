@@ -1,10 +1,14 @@
 //! The table of decisions: a line a feature, and what the report says of all.
 
+mod entry;
 mod envelopes;
+mod report;
 
+pub use entry::{Entry, FeatureState, LostHouse, SkippedFeature};
 pub use envelopes::ENVELOPES_HEAD;
+pub use report::{LayerCount, TownReport, problems};
 
-use super::layer::{LeftLot, Lot};
+use super::layer::Lot;
 use super::plan::LotId;
 use super::plot::Rectangle;
 use super::rear::{RearDecision, RearPlace};
@@ -12,12 +16,10 @@ use super::shape::{Segment, azimuth};
 use super::site::law::EnvelopeRow;
 use super::site::{Decision, Footing, LotSite};
 use glam::DVec2;
-use hsd_base::diagnostic::{Code, Diagnostics, Language, Origin, Severity, Text};
+use hsd_base::diagnostic::{Code, Language, Severity, Text};
 use hsd_base::source::Span;
-use hsd_driver::LeftOut;
 use hsd_ir::ast::Value;
 use hsd_ir::ast::town::PlaceOn;
-use hsd_map::Fault;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 use std::sync::Arc;
@@ -317,207 +319,6 @@ fn row(cells: &[String]) -> String {
     cells.join(",")
 }
 
-/// The state of a feature. Each feature has exactly one.
-#[derive(Clone, Debug, Deserialize, Serialize)]
-pub enum FeatureState {
-    /// Something of it exists.
-    Built,
-    /// Nothing does, with the code and the reason.
-    Skipped(SkippedFeature),
-    /// No rule names its layer.
-    Unused,
-}
-
-/// What the ledger of a town keeps of a feature.
-#[derive(Clone, Debug, Deserialize, Serialize)]
-pub struct Entry {
-    /// The feature.
-    pub id: LotId,
-    /// The key; that of a house behind the house of a feature has the name of this house after it.
-    pub key: Box<str>,
-    /// The line in the table.
-    pub line: DecisionLine,
-    /// The state.
-    pub state: FeatureState,
-    /// The number of its houses.
-    houses: usize,
-    /// True for a house behind the house of a feature.
-    pub is_part: bool,
-    /// How its geometry or its place was changed.
-    pub corrected: Vec<SkippedFeature>,
-    /// Its envelopes.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub envelopes: Vec<EnvelopeRow>,
-}
-
-/// Features that cannot be read have numbers from here on, so that they come after those of their layer that can.
-const UNREAD: usize = usize::MAX / 2;
-
-impl Entry {
-    /// Returns what is kept of a record.
-    pub fn of(record: &Record) -> Entry {
-        let of = |code: &str, reason: String| SkippedFeature {
-            layer: record.layer.to_string(),
-            key: record.key.to_string(),
-            code: code.to_owned(),
-            reason,
-        };
-        let left = record.parts_left;
-        let parts = (left > 0).then(|| of("parts", format!("{left} smaller parts left out")));
-        let off = match record.footing {
-            Footing::Known => None,
-            Footing::Near => Some("the ground has no height here: the next one counts"),
-            Footing::Lost => Some("the ground has no height within 200 m"),
-        };
-        let off = off.map(|why| of("HSD1163", why.to_owned()));
-        Entry {
-            id: record.id,
-            key: record.key.clone(),
-            line: record.line(),
-            state: match record.outcome {
-                Outcome::Built => FeatureState::Built,
-                _ => {
-                    let (code, reason) = record.why_skipped();
-                    FeatureState::Skipped(of(&code, reason))
-                }
-            },
-            houses: record.houses,
-            is_part: record.is_part,
-            corrected: parts.into_iter().chain(off).collect(),
-            envelopes: record.envelopes.clone(),
-        }
-    }
-
-    /// Returns what is kept of a feature that no rule has looked at.
-    fn undecided(
-        id: LotId,
-        (layer, key): (&str, &str),
-        at: Option<DVec2>,
-        why: Undecided,
-    ) -> Entry {
-        let (what, reason) = match &why {
-            Undecided::Unused => ("unused", "no rule names its layer"),
-            Undecided::Skipped { what, reason, .. } => (*what, &**reason),
-        };
-        Entry {
-            id,
-            key: key.into(),
-            line: DecisionLine::undecided(layer, key, at, (what, reason)),
-            state: match why {
-                Undecided::Unused => FeatureState::Unused,
-                Undecided::Skipped { code, reason, .. } => FeatureState::Skipped(SkippedFeature {
-                    layer: layer.to_owned(),
-                    key: key.to_owned(),
-                    code,
-                    reason,
-                }),
-            },
-            houses: 0,
-            is_part: false,
-            corrected: vec![],
-            envelopes: vec![],
-        }
-    }
-
-    /// Returns what is kept of a feature whose tile could not be made.
-    pub fn unmade(layer: usize, name: &str, lot: &Lot) -> Entry {
-        let why = Undecided::Skipped {
-            what: "not made",
-            code: "not made".to_owned(),
-            reason: "its tile was not made".to_owned(),
-        };
-        let id = (layer, lot.number as usize);
-        Entry::undecided(id, (name, &lot.key), Some(lot.shape.centre()), why)
-    }
-
-    /// Returns what is kept of a feature of a layer that no rule names.
-    pub fn unused(id: LotId, (layer, key): (&str, &str), at: DVec2) -> Entry {
-        Entry::undecided(id, (layer, key), Some(at), Undecided::Unused)
-    }
-
-    /// Returns what is kept of a feature that cannot be read, of which there are some before it in its layer.
-    pub fn unread((layer, name): (usize, &str), fault: &Fault, before: usize) -> Entry {
-        let found = hsd_map::diagnostic(fault, 1, Span::default().into());
-        let key = fault.feature.as_ref().map(|which| which.key().to_string());
-        let why = Undecided::Skipped {
-            what: "not read",
-            code: found.code.to_string(),
-            reason: found.message.in_language(Language::English).to_string(),
-        };
-        let id = (layer, UNREAD + before);
-        Entry::undecided(id, (name, &key.unwrap_or_default()), None, why)
-    }
-
-    /// Returns what is kept of a feature that was left out before any rule saw it; there are some before it in its layer.
-    pub fn left((layer, name): (usize, &str), lot: &LeftLot, before: usize) -> Entry {
-        let why = Undecided::Skipped {
-            what: "left out",
-            code: lot.why.code().to_string(),
-            reason: lot.why.reason().to_owned(),
-        };
-        let id = (layer, UNREAD + before);
-        Entry::undecided(id, (name, &lot.key), Some(lot.at), why)
-    }
-
-    /// Takes a house from it that would exceed a limit; a feature without any house is skipped.
-    pub(crate) fn lose_house(&mut self, lost: &LostHouse) {
-        self.houses = self.houses.saturating_sub(1);
-        if self.houses > 0 {
-            return;
-        }
-        (self.line.what, self.line.why) = ("left out".to_owned(), lost.code.clone());
-        self.state = FeatureState::Skipped(SkippedFeature {
-            layer: lost.layer.clone(),
-            key: self.key.to_string(),
-            code: lost.code.clone(),
-            reason: lost.reason.clone(),
-        });
-    }
-}
-
-/// The reason why no rule has looked at a feature.
-enum Undecided {
-    /// None names its layer.
-    Unused,
-    /// It is left out.
-    Skipped {
-        what: &'static str,
-        code: String,
-        reason: String,
-    },
-}
-
-/// A house that is left out, since it would exceed a limit.
-#[derive(Clone, Debug, Deserialize, Serialize)]
-pub struct LostHouse {
-    /// The feature on which it would stand.
-    pub id: LotId,
-    /// The layer.
-    pub layer: String,
-    /// The key.
-    pub key: String,
-    /// The code of the diagnostic.
-    pub code: String,
-    /// The reason.
-    pub reason: String,
-}
-
-impl From<&LeftOut> for LostHouse {
-    fn from(left: &LeftOut) -> LostHouse {
-        let (layer, key) = match &left.origin {
-            Origin::Feature { layer, key } => (layer.to_string(), key.to_string()),
-            Origin::Source(_) => Default::default(),
-        };
-        LostHouse {
-            id: left.feature,
-            layer,
-            key,
-            code: left.code.to_string(),
-            reason: left.why.in_language(Language::English).to_string(),
-        }
-    }
-}
-
 /// Returns a value with at most three decimals.
 fn short(value: &Value) -> String {
     match value {
@@ -535,114 +336,6 @@ fn quoted(cell: &str) -> String {
         true => format!("\"{lead}{}\"", cell.replace('"', "\"\"")),
         false => cell.to_owned(),
     }
-}
-
-/// The account of a town: every feature is built, skipped or unused.
-#[derive(Debug, Default, Serialize)]
-pub struct TownReport {
-    /// The number of features of all layers.
-    pub features: usize,
-    /// Those of which something exists.
-    pub built: usize,
-    /// Those of layers that no rule names.
-    pub unused: usize,
-    /// The numbers of each layer.
-    pub layers: Vec<LayerCount>,
-    /// The others.
-    pub skipped: Vec<SkippedFeature>,
-    /// Features that were changed before something was built on them.
-    pub corrected: Vec<SkippedFeature>,
-    /// Houses above the envelope of their lot.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub above_envelope: Vec<SkippedFeature>,
-}
-
-/// The number of features of a layer in each state.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct LayerCount {
-    /// The name of the layer.
-    pub name: String,
-    /// All of them.
-    pub features: usize,
-    /// Those of which something exists.
-    pub built: usize,
-    /// Those of which nothing does.
-    pub skipped: usize,
-    /// Those that no rule names.
-    pub unused: usize,
-}
-
-/// A feature in a report.
-#[derive(Clone, Debug, Deserialize, Serialize)]
-pub struct SkippedFeature {
-    /// The layer.
-    pub layer: String,
-    /// The key.
-    pub key: String,
-    /// The code of a diagnostic, or a word.
-    pub code: String,
-    /// The reason.
-    pub reason: String,
-}
-
-impl TownReport {
-    /// Adds a feature; what stands behind its house is counted with it. Returns its envelopes.
-    pub fn add(&mut self, entry: Entry) -> Vec<EnvelopeRow> {
-        if entry.is_part {
-            return vec![];
-        }
-        let number = entry.id.0;
-        if self.layers.len() <= number {
-            self.layers.resize_with(number + 1, LayerCount::default);
-        }
-        let layer = &mut self.layers[number];
-        self.features += 1;
-        layer.features += 1;
-        match entry.state {
-            FeatureState::Built => {
-                self.built += 1;
-                layer.built += 1;
-            }
-            FeatureState::Skipped(why) => {
-                self.skipped.push(why);
-                layer.skipped += 1;
-            }
-            FeatureState::Unused => {
-                self.unused += 1;
-                layer.unused += 1;
-            }
-        }
-        self.corrected.extend(entry.corrected);
-        let above = entry.envelopes.iter().filter_map(EnvelopeRow::above);
-        self.above_envelope.extend(above);
-        entry.envelopes
-    }
-
-    /// Names its layers, those without features among them; layers without a name are not counted.
-    pub fn name_layers<'n>(&mut self, names: impl Iterator<Item = Option<&'n str>>) {
-        let mut counts = std::mem::take(&mut self.layers).into_iter();
-        for name in names {
-            let count = counts.next().unwrap_or_default();
-            self.layers.extend(name.map(|name| LayerCount {
-                name: name.to_owned(),
-                ..count
-            }));
-        }
-    }
-}
-
-/// Returns what was found in the houses of features while they were made.
-pub fn problems(found: &Diagnostics) -> Vec<SkippedFeature> {
-    let of = |d: &hsd_base::diagnostic::Diagnostic| match &d.origin {
-        Origin::Feature { layer, key } => Some(SkippedFeature {
-            layer: layer.to_string(),
-            key: key.to_string(),
-            code: d.code.to_string(),
-            reason: d.message.in_language(Language::English).to_string(),
-        }),
-        Origin::Source(_) => None,
-    };
-    found.iter().filter_map(of).collect()
 }
 
 #[cfg(test)]

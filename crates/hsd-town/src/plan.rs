@@ -26,13 +26,12 @@ use super::frontage::first_front;
 use super::grid::Grid;
 use super::layer::{Ground, Lot, Lots, Shape, TownFrame, Unjoined};
 use super::neighbour::{Neighbours, TOUCHING};
-use super::run::is_divided;
 use super::shape::Segment;
 use super::street::{FAR, Piece, Streets, StreetsBuilder, WIDE, class_width};
 use super::table::Rows;
 use blocks::Blocks;
 use glam::DVec2;
-use hsd_ir::ast::town::Town;
+use hsd_ir::ast::town::{Layer, Town};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::sync::{Arc, OnceLock};
@@ -429,4 +428,10 @@ fn width(layer: &Lots, lot: &Lot) -> Option<f64> {
         (None, Some(width), _) => width,
         (None, None, _) => Some(4.0),
     }
+}
+
+/// Returns true if the areas of a layer are divided into the features of others.
+pub(crate) fn is_divided(town: &Town, layer: &Layer) -> bool {
+    let is_part = |part: &Layer| part.divided.is_some() && part.src.span == layer.src.span;
+    layer.divided.is_none() && town.layers.iter().any(is_part)
 }

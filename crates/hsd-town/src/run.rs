@@ -6,7 +6,6 @@ mod footprints;
 mod maps;
 mod outdoors;
 
-pub(crate) use maps::is_divided;
 pub use maps::{plan, plan_lodged};
 
 use footprints::footprints;

@@ -353,7 +353,7 @@ pub fn straight(photo: &Photo, view: &View, size: (u32, u32)) -> (RgbImage, Vec<
         for (k, seen) in seen.iter_mut().enumerate() {
             let (x, y) = (k as u32 % size.0, k as u32 / size.0);
             let at = dvec2(f64::from(x) + 0.5, f64::from(y) + 0.5) * by;
-            let at = view.lens.bent(crate::plan::flatten::project(view.map, at));
+            let at = view.lens.bent(crate::plan::raster::project(view.map, at));
             let hidden = mask.get_pixel_checked(at.x.max(0.0) as u32, at.y.max(0.0) as u32);
             *seen &= hidden.is_none_or(|m| m[0] < 128);
         }

@@ -27,7 +27,7 @@ pub mod house;
 pub mod legend;
 pub mod marks;
 mod picture;
-mod raster;
+pub(crate) mod raster;
 pub mod register;
 pub mod said;
 pub mod shape;
@@ -140,7 +140,7 @@ pub struct Found {
 impl Found {
     /// Pixels of the picture of a place in units.
     pub fn in_picture(&self, at: DVec2) -> DVec2 {
-        flatten::project(self.flat.to_picture, self.grid.at(at.x, at.y))
+        raster::project(self.flat.to_picture, self.grid.at(at.x, at.y))
     }
 }
 

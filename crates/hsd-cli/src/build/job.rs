@@ -3,6 +3,7 @@
 use crate::Failure;
 use crate::files::input::STDIN;
 use crate::files::output::Model;
+use hsd_base::source::Source;
 use hsd_base::text;
 use std::collections::HashMap;
 use std::io::{self, IsTerminal};
@@ -33,6 +34,14 @@ impl Job {
     /// The source files.
     pub(super) fn inputs(&self) -> &[PathBuf] {
         &self.inputs
+    }
+
+    /// Returns the paths of the source files, of those they include and of images.
+    pub(super) fn files_read(&self, included: &[Source], pictures: &[String]) -> Vec<PathBuf> {
+        let beside = included.iter().map(Source::name);
+        let beside = beside.chain(pictures.iter().map(String::as_str));
+        let read = self.inputs.iter().cloned();
+        read.chain(beside.map(PathBuf::from)).collect()
     }
 }
 

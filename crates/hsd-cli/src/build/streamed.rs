@@ -1,13 +1,13 @@
 //! `hsd build` of a model without variants, bakes or compression: houses go to the file as they are made, so that a town
 //! of any size can be built.
 
+use super::progress::Progress;
 use super::statistics::{statistics, summary};
-use super::{Build, Job, Progress};
+use super::{Build, Job};
 use crate::Failure;
 use crate::files::input::{Inputs, STDIN};
 use crate::files::output::{Committer, Files, Model, folder_of};
 use hsd_base::diagnostic::Diagnostics;
-use hsd_base::source::Source;
 use hsd_driver::{Feed, Streamed};
 use hsd_export::images::Library;
 use hsd_export::spool::{NewSpool, Spool};
@@ -20,6 +20,9 @@ use tempfile::{SpooledTempFile, spooled_tempfile_in};
 
 /// The bytes of a list or array that stay in memory; what is larger goes to a file.
 const IN_MEMORY: usize = 256 << 10;
+
+/// Bytes by kind.
+type Sizes = Vec<(&'static str, u64)>;
 
 impl Build {
     /// True if the model of a job is written house by house. Others need the whole scene.
@@ -65,10 +68,7 @@ impl Build {
         }
         let list = out.into_sorted();
         let included = std::mem::take(&mut town.included);
-        let beside = included.iter().map(Source::name);
-        let beside = beside.chain(town.pictures.iter().map(String::as_str));
-        let read = job.inputs.iter().cloned();
-        let read: Vec<PathBuf> = read.chain(beside.map(PathBuf::from)).collect();
+        let read = job.files_read(&included, &town.pictures);
         let told = progress.report(&inputs.shown(included, &list)?, &list)?;
         if list.iter().any(|d| self.input_args.spoils(d.severity)) {
             progress.teller.built(&told, None, &read)?;
@@ -76,12 +76,7 @@ impl Build {
         }
         let mut times = std::mem::take(&mut town.times);
         let (size, sizes) = hsd_driver::timed(&mut times, "write", || {
-            let made = Finished::town(&town);
-            let files = model.finish(made, &job.output, self.textures_beside);
-            let files = files.map_err(failed)?;
-            let sizes = files.sizes();
-            let size = committer.write(&job.output, files)?;
-            Ok::<_, Failure>((size, sizes))
+            self.write_town(model, &town, (job, committer))
         })?;
         progress.teller.built(&told, Some(&job.output), &read)?;
         if progress.verbose || self.stats {
@@ -93,6 +88,21 @@ impl Build {
             progress.line(&statistics(counts, &sizes, &times))?;
         }
         Ok(false)
+    }
+
+    /// Writes a model whose houses are all there; returns its bytes, in all and by kind.
+    fn write_town(
+        &self,
+        model: Started<'_>,
+        town: &Streamed,
+        (job, committer): (&Job, &Committer),
+    ) -> Result<(u64, Sizes), Failure> {
+        let made = Finished::town(town);
+        let files = model.finish(made, &job.output, self.textures_beside);
+        let files = files.map_err(|error| Failure::at(job.output.display(), error))?;
+        let sizes = files.sizes();
+        let size = committer.write(&job.output, files)?;
+        Ok((size, sizes))
     }
 }
 

@@ -10,6 +10,7 @@ use glam::DVec2;
 use hsd_base::budget::{Account, Resource};
 use hsd_base::source::Stream;
 use std::io::{BufReader, Read, Seek, SeekFrom};
+use std::sync::Arc;
 use tiff::decoder::{Decoder, DecodingResult, Limits};
 use tiff::tags::Tag;
 use tiff::{ColorType, TiffError};
@@ -17,17 +18,12 @@ use tiff::{ColorType, TiffError};
 /// The most bytes of a block.
 const BLOCK: usize = 64 << 20;
 
+/// A file that is unpacked block by block.
+type TiffFile = Decoder<BufReader<Box<dyn Stream>>>;
+
 /// Reads a grid.
 pub(super) fn read(wish: &Wish<'_>) -> Result<Heights, Fault> {
-    let stream = wish.world.open(wish.file);
-    let mut stream = stream.map_err(|error| unreadable(wish.file, &error))?;
-    let account = Account::new(wish.world.budget());
-    account.read(length(&mut stream).map_err(|error| unreadable(wish.file, &error))?);
-    let mut limits = Limits::default();
-    limits.decoding_buffer_size = BLOCK;
-    limits.intermediate_buffer_size = BLOCK;
-    let file = Decoder::new(BufReader::new(stream)).map(|file| file.with_limits(limits));
-    let mut file = file.map_err(|error| fault(wish, error))?;
+    let (mut file, account) = open(wish)?;
     let (columns, rows) = file.dimensions().map_err(|error| fault(wish, error))?;
     let other = |what| wish.fault(Kind::OtherGrid { what });
     match file.colortype().map_err(|error| fault(wish, error))? {
@@ -80,6 +76,19 @@ pub(super) fn read(wish: &Wish<'_>) -> Result<Heights, Fault> {
         }
     }
     Ok(Heights::of(crs, cut))
+}
+
+/// Opens a file, with bounds on what is unpacked at a time and in all.
+fn open(wish: &Wish<'_>) -> Result<(TiffFile, Arc<Account>), Fault> {
+    let unreadable = |error| unreadable(wish.file, &error);
+    let mut stream = wish.world.open(wish.file).map_err(unreadable)?;
+    let account = Account::new(wish.world.budget());
+    account.read(length(&mut stream).map_err(unreadable)?);
+    let mut limits = Limits::default();
+    limits.decoding_buffer_size = BLOCK;
+    limits.intermediate_buffer_size = BLOCK;
+    let file = Decoder::new(BufReader::new(stream)).map(|file| file.with_limits(limits));
+    Ok((file.map_err(|error| fault(wish, error))?, account))
 }
 
 /// Returns the length of a file.

@@ -1,8 +1,10 @@
 //! Messages about towns (HSD11xx).
 
+mod accounts;
 mod law;
 mod outdoors;
 
+pub use accounts::{centre_outside, drawn_twice, layer_unused};
 pub use law::no_guiding_height;
 pub use outdoors::{no_font, not_laid};
 
@@ -487,51 +489,4 @@ pub fn off_the_ground(layer: Span, name: &str, count: usize, lost: usize) -> Dia
         "add a second `Layer` of heights behind the first, which counts where the first has none; the report lists the features",
         "二つ目の標高の `Layer` を後ろに足すと、一つ目に値がない所で使われます。地物は報告に並びます"
     ))
-}
-
-/// Features with the outline of another.
-#[cold]
-pub fn drawn_twice(layer: Span, name: &str, keys: &[&str]) -> Diagnostic {
-    let (name, count, few) = (quote(name), keys.len(), few_of(keys));
-    let message = text!([name, count, few]
-        "{count} features of {name} have the outline of another feature and are left out, such as {few}",
-        "{name} の {count} 件の地物は別の地物と同じ輪郭なので省きます（{few} など）"
-    );
-    Diagnostic::warning(1118, layer, message).help(text!(
-        "delete the duplicates in the map",
-        "地図から重複を削除してください"
-    ))
-}
-
-/// Features whose outline crosses itself so that its centroid is elsewhere.
-#[cold]
-pub fn centre_outside(layer: Span, name: &str, keys: &[&str]) -> Diagnostic {
-    let (name, count, few) = (quote(name), keys.len(), few_of(keys));
-    let message = text!([name, count, few]
-        "{count} features of {name} cross themselves so that their centroid is outside, and are left out, such as {few}",
-        "{name} の {count} 件の地物は輪郭が交差し、重心が外にあるので省きます（{few} など）"
-    );
-    Diagnostic::warning(1119, layer, message).help(text!(
-        "draw them again, or repair them in a program for maps (in QGIS: Fix geometries)",
-        "描き直すか、地図のソフトで直してください（QGIS の「ジオメトリの修復」など）"
-    ))
-}
-
-/// A layer that nothing in the town depends on.
-#[cold]
-pub fn layer_unused(layer: Span, name: &str, count: usize) -> Diagnostic {
-    let name = quote(name);
-    let message = text!([name, count]
-        "no `for` names the layer {name}, and nothing is made of its {count} features",
-        "レイヤー {name} を対象とする `for` がなく、{count} 件の地物からは何も作られません"
-    );
-    Diagnostic::note(1120, layer, message).help(text!(
-        "write a `for` that takes them, or remove the layer",
-        "それらを受ける `for` を書くか、レイヤーを消してください"
-    ))
-}
-
-/// Returns the first few of a list of keys.
-fn few_of(keys: &[&str]) -> Text {
-    all_of(&keys[..keys.len().min(3)])
 }

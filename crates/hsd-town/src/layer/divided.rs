@@ -33,17 +33,7 @@ impl Lots {
         let about: f64 = areas.iter().map(extent).sum();
         let limit = MOST as f64;
         if about / (division.frontage * division.depth.min(division.frontage)) > limit {
-            let what = Kind::TooLarge {
-                what: "plots",
-                limit: MOST as u64,
-            };
-            self.faults.push(Fault::of_file(&self.file, what.clone()));
-            for lot in &areas {
-                let fault = Fault::of_file(&self.file, what.clone());
-                let number = u64::from(lot.number);
-                self.unread
-                    .push(fault.of_feature(number, Some((&*lot.key).into())));
-            }
+            self.refuse_all(&areas);
             return;
         }
         if part == DividedPart::Blocks {
@@ -87,6 +77,21 @@ impl Lots {
             })
         });
         self.lots = made.collect();
+    }
+
+    /// Reports that these areas would have too many plots.
+    fn refuse_all(&mut self, areas: &[Lot]) {
+        let what = Kind::TooLarge {
+            what: "plots",
+            limit: MOST as u64,
+        };
+        self.faults.push(Fault::of_file(&self.file, what.clone()));
+        for lot in areas {
+            let fault = Fault::of_file(&self.file, what.clone());
+            let number = u64::from(lot.number);
+            self.unread
+                .push(fault.of_feature(number, Some((&*lot.key).into())));
+        }
     }
 
     /// Tells which features are no areas, and so are not divided.

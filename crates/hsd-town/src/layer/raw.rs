@@ -1,15 +1,12 @@
 //! Features in the coordinates of their file, as they are read. Those of a large map are not kept: what the frame of the town
 //! depends on is collected, and the file is read a second time to place them.
 
-use super::spread::Spread;
+use super::spread::{FARTHEST, Spread};
 use super::{Lot, Lots, TownFrame, as_text, height, led, parts, shape};
 use glam::DVec2;
 use hsd_base::source::{Spanned, World};
 use hsd_ir::ast::town::Layer;
 use hsd_map::{Crs, Datums, Fault, Faults, Geometry, Kind, Mismatch, Options, Reader, Transform};
-
-/// The greatest distance of a point from the middle of its town, metres; what lies farther is an outlier (towns.md 9).
-pub(crate) const FARTHEST: f64 = 50_000.0;
 
 /// Features in the coordinates of their file.
 #[derive(Clone, Debug)]

@@ -1,10 +1,12 @@
 //! Places of the features of a map by cells of a coarse grid, so that a few wrong places do not move the town.
 
-use super::raw::FARTHEST;
 use crate::grid::{Bounds, bounds};
 use glam::DVec2;
 use hsd_map::{Crs, Projection, Transform};
 use std::collections::BTreeMap;
+
+/// The greatest distance of a point from the middle of its town, metres; what lies farther is an outlier (towns.md 9).
+pub(super) const FARTHEST: f64 = 50_000.0;
 
 /// The sides of a cell.
 const DEGREES: f64 = 0.25;

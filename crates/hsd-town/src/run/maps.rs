@@ -1,5 +1,6 @@
 //! Reads the maps and tables of a town into one frame, and joins points to outlines.
 
+mod frame;
 mod join;
 mod lodge;
 
@@ -7,16 +8,15 @@ use super::TownInput;
 use super::font::font;
 use crate::layer::{
     self, Ground, KeptMaps, LeftWhy, Lots, MapFile, NoFiles, NoGround, NoOutlines, NotPlaced, Raw,
-    Sieve, Spread, TownFrame, part,
+    Sieve, TownFrame, part,
 };
-use crate::plan::{Lodger, Lodging, Plan, has_no_streets};
+use crate::plan::{Lodger, Lodging, Plan, has_no_streets, is_divided};
 use crate::table::{NoTable, Rows};
-use glam::DVec2;
 use hsd_base::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd_base::source::{Source, Spanned, World};
 use hsd_base::text;
 use hsd_ir::ast::town::{Layer, Town};
-use hsd_map::{Crs, Datums, Fault, Mismatch, Projection, Transform};
+use hsd_map::{Fault, Mismatch};
 use hsd_syntax::messages::town as say;
 use hsd_syntax::parse::fields::{FieldTest, NoTruth};
 use hsd_syntax::parse::xml;
@@ -24,9 +24,6 @@ use rayon::prelude::*;
 use std::io;
 use std::ops::Range;
 use std::sync::Arc;
-
-/// The origin of a town lies on whole kilometres.
-const KILOMETRE: f64 = 1000.0;
 
 /// Reads the maps and tables of a town; `None` if its layers cannot be read.
 pub fn plan(input: TownInput<'_>, town: &Town, out: &mut Diagnostics) -> Option<Plan> {
@@ -59,7 +56,7 @@ pub fn plan_lodged(
         }
     }
     let first = raw.first().filter(|_| raw.len() == town.layers.len());
-    let Some(frame) = first.and_then(|first| frame(town, first, out)) else {
+    let Some(frame) = first.and_then(|first| frame::frame(town, first, out)) else {
         return Ok(None);
     };
     let features = raw.iter().flatten().map(|sheet| sheet.raw.len());
@@ -143,12 +140,6 @@ fn sieve(town: &Town, layer: &Layer) -> Sieve {
     let is_housed = has_rules && town.housed.contains(name);
     // Parts of divided areas do not overlap.
     Sieve::new(layer.divided.is_none() && (is_housed || is_divided(town, layer)))
-}
-
-/// Returns true if the areas of a layer are divided into the features of others.
-pub(crate) fn is_divided(town: &Town, layer: &Layer) -> bool {
-    let is_part = |part: &Layer| part.divided.is_some() && part.src.span == layer.src.span;
-    layer.divided.is_none() && town.layers.iter().any(is_part)
 }
 
 /// Reports the features of a layer that are left out.
@@ -464,51 +455,5 @@ fn read_table(
             "line {line} has another number of cells than the first",
             "{line} 行目の列の数が最初の行と違います"
         ),
-    })
-}
-
-/// Finds the plane and the origin of a town, whose first layer has these files.
-fn frame(town: &Town, first: &[Sheet], out: &mut Diagnostics) -> Option<TownFrame> {
-    let local = Crs::local();
-    let crs = first.first().map_or(&local, |sheet| sheet.raw.spread().1);
-    let mut spread = Spread::default();
-    for (own, system) in first.iter().map(|sheet| sheet.raw.spread()) {
-        if system.name == crs.name {
-            spread.append(own);
-        }
-    }
-    let median = spread.median().unwrap_or_default();
-    let plane = match &town.crs {
-        Some(name) => match Crs::from_name(&name.value) {
-            Some(crs) => crs,
-            None => {
-                out.push(say::unknown_crs(name.span, &name.value));
-                return None;
-            }
-        },
-        None => match crs.projection {
-            Projection::TransverseMercator(_) | Projection::Local => crs.clone(),
-            Projection::Degrees | Projection::WebMercator => {
-                let degrees = Transform::new(crs, &Crs::wgs84(), Datums::Exact).ok();
-                let at = degrees.and_then(|t| t.apply(median)).unwrap_or(median);
-                Crs::zone_at(at, &crs.datum)
-            }
-        },
-    };
-    let to_plane = Transform::new(crs, &plane, Datums::Exact).ok();
-    let in_plane = |at| to_plane.as_ref().and_then(|t| t.apply(at));
-    let origin = match (&town.origin, &to_plane) {
-        (Some(origin), _) => DVec2::from(origin.value),
-        (None, None) => DVec2::ZERO,
-        (None, Some(to_plane)) => {
-            let at = in_plane(spread.centre(median, crs, to_plane)).unwrap_or_default();
-            (at / KILOMETRE).round() * KILOMETRE
-        }
-    };
-    let middle = in_plane(median).unwrap_or(origin) - origin;
-    Some(TownFrame {
-        crs: plane,
-        origin,
-        middle,
     })
 }

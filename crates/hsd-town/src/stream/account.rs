@@ -1,9 +1,9 @@
 //! The account of some features: all that the ledger of a town needs to know of them. It can be stored, so that one process
 //! makes a tile and another closes the ledger.
 
-use super::entries::Entries;
+use super::entries::{Entries, lose};
 use crate::decision::{Entry, LostHouse, Outcome, SkippedFeature};
-use crate::plan::{LotId, Plan};
+use crate::plan::Plan;
 use crate::run::Chunk;
 use crate::site::Footing;
 use hsd_base::diagnostic::Diagnostics;
@@ -145,23 +145,6 @@ impl Totals {
         }
         Ok(())
     }
-}
-
-/// Takes houses that would exceed a limit from the entries of their features; returns true if there are any.
-pub(super) fn lose(entries: &mut [Entry], lost: &[LostHouse]) -> bool {
-    if lost.is_empty() {
-        return false;
-    }
-    let places = entries.iter().enumerate();
-    let places: BTreeMap<(LotId, Box<str>), usize> = places
-        .map(|(n, entry)| ((entry.id, entry.key.clone()), n))
-        .collect();
-    for house in lost {
-        if let Some(n) = places.get(&(house.id, house.key.as_str().into())) {
-            entries[*n].lose_house(house);
-        }
-    }
-    true
 }
 
 /// What is known of a whole town, beside its features, when its ledger is closed.

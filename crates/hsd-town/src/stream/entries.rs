@@ -2,7 +2,7 @@
 //! of the files. Those of a large town are kept in a spool.
 
 use crate::decision::{Entry, LostHouse};
-use crate::plan::Shelves;
+use crate::plan::{LotId, Shelves};
 use hsd_export::spool::{NewSpool, Spool};
 use std::collections::BTreeMap;
 use std::io::{self, SeekFrom, Write};
@@ -49,7 +49,7 @@ impl Entries {
 
     /// Takes houses that would exceed a limit from the features that are kept in memory; returns true if there are any.
     pub(super) fn lose(&mut self, lost: &[LostHouse]) -> bool {
-        super::account::lose(&mut self.kept, lost)
+        lose(&mut self.kept, lost)
     }
 
     /// Hands over all entries in the order of their features.
@@ -132,4 +132,21 @@ impl std::fmt::Debug for Table {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&self.text)
     }
+}
+
+/// Takes houses that would exceed a limit from the entries of their features; returns true if there are any.
+pub(super) fn lose(entries: &mut [Entry], lost: &[LostHouse]) -> bool {
+    if lost.is_empty() {
+        return false;
+    }
+    let places = entries.iter().enumerate();
+    let places: BTreeMap<(LotId, Box<str>), usize> = places
+        .map(|(n, entry)| ((entry.id, entry.key.clone()), n))
+        .collect();
+    for house in lost {
+        if let Some(n) = places.get(&(house.id, house.key.as_str().into())) {
+            entries[*n].lose_house(house);
+        }
+    }
+    true
 }

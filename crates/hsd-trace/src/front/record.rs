@@ -1,7 +1,7 @@
 //! The file `facade.json`: how photographs see a wall, its lattice and its parts, for other programs.
 
 use super::{Front, Photo, Told};
-use crate::plan::flatten::project;
+use crate::plan::raster::project;
 use glam::{DMat3, DVec2};
 use serde::Serialize;
 

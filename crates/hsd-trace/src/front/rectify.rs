@@ -1,7 +1,7 @@
 //! A wall seen straight on: the photograph through lens and perspective.
 
 use super::camera::Lens;
-use crate::plan::flatten::project;
+use crate::plan::raster::project;
 use glam::{DMat3, DVec2, dvec2};
 use image::RgbImage;
 use rayon::prelude::*;

@@ -6,7 +6,7 @@ pub mod vanish;
 
 use super::camera::Lens;
 use super::rectify::between;
-use crate::plan::flatten::project;
+use crate::plan::raster::project;
 use glam::{DMat3, DVec2, dvec2};
 use image::RgbImage;
 use image::imageops;

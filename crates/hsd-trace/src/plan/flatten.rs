@@ -1,9 +1,10 @@
 //! A picture of a sheet made flat: the perspective of a photograph and the skew of a scan taken away.
 
-use glam::{DMat3, DVec2, DVec3, dvec2};
+use glam::{DMat3, DVec2, dvec2};
 use image::imageops::{self, FilterType};
 use image::{GrayImage, Rgb, RgbImage};
 
+pub use super::raster::project;
 use super::raster::{self, Parts, otsu_level};
 use super::sheet::Ink;
 
@@ -59,12 +60,6 @@ pub fn flatten(picture: &RgbImage, given: &Given) -> Flat {
         corners,
         skew,
     }
-}
-
-/// Takes a point by a projective map.
-pub fn project(map: DMat3, at: DVec2) -> DVec2 {
-    let p = map * DVec3::new(at.x, at.y, 1.0);
-    dvec2(p.x, p.y) / p.z
 }
 
 /// The picture as seen through a map from its result's pixels to its own.

@@ -33,12 +33,12 @@ pub struct Grid {
 impl Grid {
     /// Pixels of a place in units.
     pub fn at(&self, u: f64, v: f64) -> DVec2 {
-        super::flatten::project(self.to_sheet, dvec2(u, v))
+        super::raster::project(self.to_sheet, dvec2(u, v))
     }
 
     /// Units of a pixel of the sheet.
     pub fn units_of(&self, pixel: DVec2) -> DVec2 {
-        super::flatten::project(self.to_sheet.inverse(), pixel)
+        super::raster::project(self.to_sheet.inverse(), pixel)
     }
 
     /// Finds the grid that the strokes of a sheet keep to; `unit` is its length in pixels where it is known.
@@ -129,7 +129,7 @@ impl Grid {
                     }
                 };
                 let place =
-                    |offset: f64, t1: f64| super::flatten::project(self.to_sheet, unit(offset, t1));
+                    |offset: f64, t1: f64| super::raster::project(self.to_sheet, unit(offset, t1));
                 if let Some((off, weight)) = stroke_near(ink, self.unit, reach, place) {
                     let at = place(off, 0.5);
                     seen.push(Seen {
@@ -206,7 +206,7 @@ pub(super) fn level_at(levels: &GrayImage, at: DVec2) -> u8 {
 fn fitted(seen: &[Seen], now: DMat3, leans: bool) -> Option<DMat3> {
     // Shifted and scaled to about one, so that the equations are well set.
     let middle = seen.iter().map(|s| s.unit).sum::<DVec2>() / seen.len() as f64;
-    let centre = super::flatten::project(now, middle);
+    let centre = super::raster::project(now, middle);
     let scale = seen
         .iter()
         .map(|s| (s.unit - middle).abs().max_element())
@@ -242,7 +242,7 @@ fn fitted(seen: &[Seen], now: DMat3, leans: bool) -> Option<DMat3> {
             * DMat3::from_translation(-middle);
         map = out * local * into;
         let off = |s: &Seen| {
-            let at = super::flatten::project(map, s.unit);
+            let at = super::raster::project(map, s.unit);
             (if s.upright { at.x } else { at.y } - s.pixel).abs()
         };
         let mut offs: Vec<f64> = kept.iter().map(|s| off(s)).collect();

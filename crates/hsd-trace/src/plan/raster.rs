@@ -1,10 +1,8 @@
 //! Operations on pixels: the level between ink and paper, connected parts, an image seen through a projective map.
 
-use glam::{DMat3, dvec2};
+use glam::{DMat3, DVec2, DVec3, dvec2};
 use image::{GrayImage, Rgb, RgbImage};
 use rayon::prelude::*;
-
-use super::flatten::project;
 
 /// Returns the tone that parts an image best into dark and light, by the method of Otsu: the mean tones of both differ most.
 ///
@@ -155,6 +153,12 @@ pub(super) fn warp(
             }
         });
     out
+}
+
+/// Takes a point by a projective map.
+pub fn project(map: DMat3, at: DVec2) -> DVec2 {
+    let p = map * DVec3::new(at.x, at.y, 1.0);
+    dvec2(p.x, p.y) / p.z
 }
 
 /// A value between two: `a` at 0, `b` at 1.

@@ -5,11 +5,12 @@ use crate::build::tiled::{Progress, features, spools_beside, tables};
 use crate::files::messages::Teller;
 use crate::files::output::{Committer, folder_of};
 use crate::files::terminal::{bytes, counted};
-use hsd_base::diagnostic::{Diagnostics, noun};
+use hsd_base::diagnostic::{Diagnostics, Language, noun};
 use hsd_base::source::Source;
 use hsd_base::text;
 use hsd_export::obj;
 use hsd_scene::Detail;
+use hsd_town::stream::Ledger;
 use hsd_town::tiles::run::{TileJob, TileParts};
 use hsd_town::tiles::scenes::scenes;
 use hsd_town::{Plan, TownInput};
@@ -68,15 +69,25 @@ pub(super) fn build(
     tables(path, &mut ledger, &committer)?;
     committer.publish()?;
     if !quiet {
-        let (name, report) = (path.display(), &ledger.report);
-        let features = features(report);
-        let (files, size) = (counted(files, noun("model", "モデル{}個")), bytes(size));
-        let line = text!([name, features, files, size]
-            "{name}: {features}, {files}, {size}",
-            "{name}: {features}、{files}、{size}"
-        );
-        writeln!(io::stderr(), "{}", line.in_language(teller.language))
+        summary(path, &ledger, (files, size), teller.language)
             .map_err(|error| Failure::at(path.display(), error))?;
     }
     Ok((ledger.is_incomplete(), included, out))
+}
+
+/// Prints the number of files that were written, and the bytes in them.
+fn summary(
+    path: &Path,
+    ledger: &Ledger,
+    (files, size): (usize, usize),
+    language: Language,
+) -> io::Result<()> {
+    let (name, report) = (path.display(), &ledger.report);
+    let features = features(report);
+    let (files, size) = (counted(files, noun("model", "モデル{}個")), bytes(size));
+    let line = text!([name, features, files, size]
+        "{name}: {features}, {files}, {size}",
+        "{name}: {features}、{files}、{size}"
+    );
+    writeln!(io::stderr(), "{}", line.in_language(language))
 }

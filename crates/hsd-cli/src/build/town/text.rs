@@ -33,14 +33,7 @@ pub(super) fn build(
     let advance = |n| progress.advance(n);
     let mut town = TownStream::new(input, plan).telling(&advance);
     let mut file = head(input, plan);
-    for part in read.documents.iter().flat_map(|document| &document.parts) {
-        file.push_str(written(
-            part.whole.unwrap_or_default(),
-            input.source,
-            &read.included,
-        ));
-        file.push('\n');
-    }
+    file.push_str(&parts(&read, input.source));
     let (mut count, mut open, mut unwritten) = (0, 0, vec![]);
     for house in town.by_ref() {
         if house.house.fittings.outdoors.is_some() {
@@ -128,6 +121,17 @@ fn head(input: TownInput<'_>, plan: &Plan) -> String {
     format!(
         "<!-- The houses of {town}: metres east and north of {east} {north} in the plane {plane}. -->\n<Houses>\n"
     )
+}
+
+/// Returns the text of the parts that the town defines.
+fn parts(read: &Read, town: &Source) -> String {
+    let mut text = String::new();
+    for part in read.documents.iter().flat_map(|document| &document.parts) {
+        let span = part.whole.unwrap_or_default();
+        text.push_str(written(span, town, &read.included));
+        text.push('\n');
+    }
+    text
 }
 
 /// Returns what is written at a place.

@@ -4,7 +4,7 @@
 //! lines drift inwards with them. Posts stand in the middle.
 
 use super::{Grid, Seen, dark_at, fitted};
-use crate::plan::flatten::project;
+use crate::plan::raster::project;
 use crate::plan::sheet::Ink;
 use glam::{DMat3, DVec2, dvec2};
 use rayon::prelude::*;

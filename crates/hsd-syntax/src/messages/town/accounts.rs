@@ -1,0 +1,53 @@
+//! Messages about features and layers that are left out or unused.
+
+use hsd_base::diagnostic::messages::words::{all_of, quote};
+use hsd_base::diagnostic::{Diagnostic, Text};
+use hsd_base::source::Span;
+use hsd_base::text;
+
+/// Features with the outline of another.
+#[cold]
+pub fn drawn_twice(layer: Span, name: &str, keys: &[&str]) -> Diagnostic {
+    let (name, count, few) = (quote(name), keys.len(), few_of(keys));
+    let message = text!([name, count, few]
+        "{count} features of {name} have the outline of another feature and are left out, such as {few}",
+        "{name} の {count} 件の地物は別の地物と同じ輪郭なので省きます（{few} など）"
+    );
+    Diagnostic::warning(1118, layer, message).help(text!(
+        "delete the duplicates in the map",
+        "地図から重複を削除してください"
+    ))
+}
+
+/// Features whose outline crosses itself so that its centroid is elsewhere.
+#[cold]
+pub fn centre_outside(layer: Span, name: &str, keys: &[&str]) -> Diagnostic {
+    let (name, count, few) = (quote(name), keys.len(), few_of(keys));
+    let message = text!([name, count, few]
+        "{count} features of {name} cross themselves so that their centroid is outside, and are left out, such as {few}",
+        "{name} の {count} 件の地物は輪郭が交差し、重心が外にあるので省きます（{few} など）"
+    );
+    Diagnostic::warning(1119, layer, message).help(text!(
+        "draw them again, or repair them in a program for maps (in QGIS: Fix geometries)",
+        "描き直すか、地図のソフトで直してください（QGIS の「ジオメトリの修復」など）"
+    ))
+}
+
+/// A layer that nothing in the town depends on.
+#[cold]
+pub fn layer_unused(layer: Span, name: &str, count: usize) -> Diagnostic {
+    let name = quote(name);
+    let message = text!([name, count]
+        "no `for` names the layer {name}, and nothing is made of its {count} features",
+        "レイヤー {name} を対象とする `for` がなく、{count} 件の地物からは何も作られません"
+    );
+    Diagnostic::note(1120, layer, message).help(text!(
+        "write a `for` that takes them, or remove the layer",
+        "それらを受ける `for` を書くか、レイヤーを消してください"
+    ))
+}
+
+/// Returns the first few of a list of keys.
+fn few_of(keys: &[&str]) -> Text {
+    all_of(&keys[..keys.len().min(3)])
+}
