@@ -17,8 +17,6 @@ pub enum Resource {
     TextBytes,
     /// Features, and the parts of one.
     Features,
-    /// Pairs of things that are compared with each other.
-    Pairs,
     /// Bytes that packed data expand to.
     InflatedBytes,
     /// Pixels of images and cells of grids.
@@ -26,14 +24,14 @@ pub enum Resource {
 }
 
 impl Resource {
-    const COUNT: usize = 6;
+    const COUNT: usize = 5;
 
     /// Bytes of memory of a run for each one that files may share.
     fn bytes(self) -> u64 {
         match self {
             Resource::Points => 256,
             Resource::Features => 2048,
-            Resource::TextBytes | Resource::Pixels | Resource::Pairs => 16,
+            Resource::TextBytes | Resource::Pixels => 16,
             Resource::InflatedBytes => 8,
         }
     }
@@ -43,7 +41,7 @@ impl Resource {
         match self {
             Resource::Features => bytes / 8,
             Resource::Points => bytes,
-            Resource::TextBytes | Resource::Pairs | Resource::Pixels => bytes.saturating_mul(16),
+            Resource::TextBytes | Resource::Pixels => bytes.saturating_mul(16),
             Resource::InflatedBytes => bytes.saturating_mul(100),
         }
     }
@@ -54,7 +52,6 @@ impl Resource {
             Resource::Points => "points",
             Resource::TextBytes => "bytes of text",
             Resource::Features => "features",
-            Resource::Pairs => "pairs of neighbours",
             Resource::InflatedBytes => "unpacked bytes",
             Resource::Pixels => "pixels or cells",
         }
@@ -78,7 +75,6 @@ impl Budget {
             Resource::Points,
             Resource::TextBytes,
             Resource::Features,
-            Resource::Pairs,
             Resource::InflatedBytes,
             Resource::Pixels,
         ];
@@ -130,7 +126,7 @@ impl Account {
         })
     }
 
-    /// Adds bytes of the file that have been read, as they are stored.
+    /// Adds the number of bytes that were read from the file, before unpacking.
     pub fn read(&self, bytes: u64) {
         self.bytes.fetch_add(bytes, Ordering::Relaxed);
     }

@@ -81,7 +81,7 @@ pub trait World: Send + Sync {
         None
     }
 
-    /// Returns the budget of the run. A world that has none of its own grants each file a fresh one.
+    /// Returns the budget of the run. The default is a new budget for each file.
     fn budget(&self) -> Arc<Budget> {
         Arc::default()
     }

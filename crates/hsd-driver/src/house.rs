@@ -163,7 +163,7 @@ pub(super) struct Finished {
     pub(super) built: Option<Built>,
     /// The diagnostics that were found in it.
     pub(super) found: Diagnostics,
-    /// The feature on which it stands, in a town.
+    /// The feature, in a town.
     pub(super) on: Option<OnFeature>,
 }
 

@@ -14,7 +14,7 @@ use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-/// Heights on land and of what stands there, metres (towns.md 9). NaN is in no range.
+/// Heights of ground and buildings, metres. NaN is outside.
 const HEIGHTS: RangeInclusive<f64> = -500.0..=9_000.0;
 
 /// Ids that are remembered to find those that occur twice; 8 bytes each.
@@ -24,7 +24,7 @@ const MOST_IDS: usize = 4 << 20;
 pub(super) struct Checked {
     inner: Box<dyn Reader>,
     account: Arc<Account>,
-    /// True once the file has more features than a run may take.
+    /// True once the file has exhausted the budget of features.
     is_over: bool,
     file: Arc<str>,
     points: usize,
@@ -143,7 +143,7 @@ fn refusal(geometry: &Geometry, crs: Option<&Crs>, most: usize) -> Option<Kind> 
         let (what, limit) = ("points of a feature", most as u64);
         return Some(Kind::TooLarge { what, limit });
     }
-    // What the numbers mean may be found out later; those that are too large for anything are refused here.
+    // The system may be found out later; numbers that are too large for any system are rejected here.
     let local = Crs::local();
     let crs = crs.unwrap_or(&local);
     for p in geometry.points() {

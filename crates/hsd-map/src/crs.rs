@@ -88,7 +88,7 @@ const JAPAN: (DVec2, DVec2) = (DVec2::new(122.0, 20.0), DVec2::new(154.5, 46.5))
 /// The distance from the origin of a transverse Mercator projection, east and north, beyond which no map lies, in metres.
 const FARTHEST: DVec2 = DVec2::new(1_500_000.0, 10_100_000.0);
 
-/// The farthest that a place of a local survey can be from its origin on each axis, metres (towns.md 11).
+/// Distance from the origin of a local survey on each axis beyond which no place is, metres.
 const LOCAL_SIDE: f64 = 1e8;
 
 /// Half the side of the square that the web's Mercator covers, in metres, rounded up.

@@ -54,6 +54,11 @@ impl Fault {
         }
     }
 
+    /// Returns true if the file expands to more than the run may take, so that it is not used at all.
+    pub fn is_exhausted_file(&self) -> bool {
+        self.feature.is_none() && matches!(self.kind, Kind::Exhausted(_))
+    }
+
     /// Sets the feature.
     #[must_use]
     pub fn of_feature(mut self, number: u64, id: Option<Box<str>>) -> Fault {

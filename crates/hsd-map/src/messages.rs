@@ -401,7 +401,7 @@ fn shown(coordinate: f64) -> String {
     }
 }
 
-/// A feature far from all others.
+/// A feature far from the middle of the town.
 #[cold]
 pub fn outlier(origin: Origin, at: Text, kilometres: u64) -> Diagnostic {
     Diagnostic::warning(

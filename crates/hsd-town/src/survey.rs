@@ -372,6 +372,7 @@ fn read(world: &dyn World, path: &str, options: &Options) -> Result<Read, Fault>
             .for_each(|f| read.faults.push(f));
         let feature = match next {
             Ok(feature) => feature,
+            Err(fault) if fault.is_exhausted_file() => return Err(fault),
             Err(fault) => {
                 read.faults.push(fault);
                 continue;

@@ -101,7 +101,7 @@ pub(crate) struct Init {
     force: bool,
 }
 
-/// Says that nothing is made of a map.
+/// Returns the error of a map that gives no layer.
 fn unreadable(src: &str, fault: &Fault) -> Diagnostic {
     let (layer, key) = (src.into(), "-".into());
     let mut said = hsd_map::diagnostic(fault, 1, Origin::Feature { layer, key });
@@ -158,7 +158,7 @@ impl Init {
         })
     }
 
-    /// Surveys all maps; reports what is wrong with them. Returns the layers, and how many maps cannot be read.
+    /// Surveys all maps and reports their faults. Returns the layers and the number of maps that cannot be read.
     fn survey(
         &self,
         world: &FolderWorld,

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 /// Progress on standard error; with a progress bar if there are several jobs, they take long and it is a terminal.
 pub(super) struct Progress {
     pub(super) teller: Teller,
-    /// True if only messages are told.
+    /// True if only diagnostics are printed.
     pub(super) quiet: bool,
     /// True if a line is printed for each model.
     pub(super) verbose: bool,

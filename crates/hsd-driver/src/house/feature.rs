@@ -1,4 +1,4 @@
-//! Houses of a town, and the features of its maps that they stand on.
+//! Houses of a town and their features on its maps.
 
 #[cfg(feature = "models")]
 use hsd_base::diagnostic::Diagnostics;
@@ -10,26 +10,26 @@ use hsd_ir::ast;
 /// A house of a town.
 #[derive(Debug)]
 pub struct FeatureHouse {
-    /// The number of the layer of its feature, and the number of that in the layer.
+    /// The feature: the number of its layer, and its number in the layer.
     pub feature: (usize, usize),
     /// The house.
     pub house: ast::House,
-    /// The feature on which it stands.
+    /// The feature as diagnostics name it.
     pub origin: Origin,
-    /// Its name in the model.
+    /// The name in the model.
     pub name: String,
-    /// What stands in its place if it has errors.
+    /// The plain body that replaces it if it has errors.
     pub plain: Option<Box<ast::House>>,
-    /// Its text, if it was asked for.
+    /// The source text, if requested.
     pub text: Option<ast::town::HouseText>,
 }
 
 /// A house of a town that is left out, since it would exceed a limit.
 #[derive(Clone, Debug)]
 pub struct LeftOut {
-    /// The feature on which it would stand: the number of its layer, and its number there.
+    /// The feature: the number of its layer, and its number in the layer.
     pub feature: (usize, usize),
-    /// The place as diagnostics name it.
+    /// The feature as diagnostics name it.
     pub origin: Origin,
     /// The code of the diagnostic.
     pub code: Code,
@@ -37,7 +37,7 @@ pub struct LeftOut {
     pub why: Text,
 }
 
-/// The feature on which a house of a town stands.
+/// The feature of a house.
 #[derive(Clone, Debug)]
 pub(crate) struct OnFeature {
     pub(crate) feature: (usize, usize),
@@ -46,7 +46,7 @@ pub(crate) struct OnFeature {
 
 #[cfg(feature = "models")]
 impl OnFeature {
-    /// Returns the house that is left out for the reason that was found last.
+    /// Returns the omitted house with the last reported reason.
     pub(crate) fn without_house(&self, found: &Diagnostics) -> LeftOut {
         let last = found.iter().last();
         LeftOut {
@@ -61,7 +61,7 @@ impl OnFeature {
     }
 }
 
-/// The feature on which a house stands, its name, and what stands in its place if it has errors.
+/// The feature of a house, the name of the house, and the plain body that replaces it if it has errors.
 pub(super) struct OfFeature {
     pub(super) on: OnFeature,
     pub(super) name: String,

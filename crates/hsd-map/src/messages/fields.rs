@@ -53,7 +53,7 @@ pub fn duplicate_list(origin: Origin, at: Text) -> Diagnostic {
     ))
 }
 
-/// Things that were deleted in the editor.
+/// Features that were deleted in the editor.
 #[cold]
 pub fn deleted(origin: Origin, at: Text) -> Diagnostic {
     Diagnostic::note(
@@ -263,7 +263,7 @@ pub fn cells_differ(origin: Origin, at: Text, said: u64, found: u64) -> Diagnost
     ))
 }
 
-/// A map that expands to more than the budget of the run.
+/// A map that expands to more than its account allows.
 #[cold]
 pub fn exhausted(origin: Origin, at: Text, what: Exhausted) -> Diagnostic {
     let limit = what.limit;
@@ -271,7 +271,6 @@ pub fn exhausted(origin: Origin, at: Text, what: Exhausted) -> Diagnostic {
         Resource::Points => ("points", "点"),
         Resource::TextBytes => ("bytes of text", "文字列のバイト数"),
         Resource::Features => ("features", "地物"),
-        Resource::Pairs => ("pairs of neighbours", "隣り合う組"),
         Resource::InflatedBytes => ("unpacked bytes", "展開後のバイト数"),
         Resource::Pixels => ("cells", "セル"),
     };
@@ -279,8 +278,8 @@ pub fn exhausted(origin: Origin, at: Text, what: Exhausted) -> Diagnostic {
         1013,
         origin,
         text!([at, limit, en, ja]
-            "{at}the map repeats or packs so much that it expands to more than the {limit} {en} which a run may take beyond what is written out",
-            "{at}地図の繰り返しや圧縮を展開すると、書かれた量を超えて一度の実行で使える上限（{ja} {limit}）を超えます"
+            "{at}the map expands to more than its size and a budget of {limit} {en} allow, by repetition or compression",
+            "{at}繰り返しや圧縮を展開すると、ファイルの大きさと一度の実行の上限（{ja} {limit}）から許される量を超えます"
         ),
     )
     .help(text!(

@@ -23,7 +23,7 @@ pub enum FeatureState {
     Unused,
 }
 
-/// What the ledger of a town keeps of a feature.
+/// An entry of a feature in the ledger of a town.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Entry {
     /// The feature.
@@ -38,9 +38,9 @@ pub struct Entry {
     houses: usize,
     /// True for a house behind the house of a feature.
     pub is_part: bool,
-    /// How its geometry or its place was changed.
+    /// Corrections of its geometry or position.
     pub corrected: Vec<SkippedFeature>,
-    /// Its envelopes.
+    /// The envelopes of building law.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub envelopes: Vec<EnvelopeRow>,
 }
@@ -49,7 +49,7 @@ pub struct Entry {
 const UNREAD: usize = usize::MAX / 2;
 
 impl Entry {
-    /// Returns what is kept of a record.
+    /// Returns the entry of a record.
     pub fn of(record: &Record) -> Entry {
         let of = |code: &str, reason: String| SkippedFeature {
             layer: record.layer.to_string(),
@@ -83,7 +83,7 @@ impl Entry {
         }
     }
 
-    /// Returns what is kept of a feature that no rule has looked at.
+    /// Returns the entry of a feature that no rule has evaluated.
     fn undecided(
         id: LotId,
         (layer, key): (&str, &str),
@@ -114,7 +114,7 @@ impl Entry {
         }
     }
 
-    /// Returns what is kept of a feature whose tile could not be made.
+    /// Returns the entry of a feature whose tile could not be made.
     pub fn unmade(layer: usize, name: &str, lot: &Lot) -> Entry {
         let why = Undecided::Skipped {
             what: "not made",
@@ -125,12 +125,12 @@ impl Entry {
         Entry::undecided(id, (name, &lot.key), Some(lot.shape.centre()), why)
     }
 
-    /// Returns what is kept of a feature of a layer that no rule names.
+    /// Returns the entry of a feature of a layer that no rule names.
     pub fn unused(id: LotId, (layer, key): (&str, &str), at: DVec2) -> Entry {
         Entry::undecided(id, (layer, key), Some(at), Undecided::Unused)
     }
 
-    /// Returns what is kept of a feature that cannot be read, of which there are some before it in its layer.
+    /// Returns the entry of a feature that cannot be read. `before` counts such features before it in its layer.
     pub fn unread((layer, name): (usize, &str), fault: &Fault, before: usize) -> Entry {
         let found = hsd_map::diagnostic(fault, 1, Span::default().into());
         let key = fault.feature.as_ref().map(|which| which.key().to_string());
@@ -143,7 +143,7 @@ impl Entry {
         Entry::undecided(id, (name, &key.unwrap_or_default()), None, why)
     }
 
-    /// Returns what is kept of a feature that was left out before any rule saw it; there are some before it in its layer.
+    /// Returns the entry of a feature that was omitted before any rule. `before` counts such features before it in its layer.
     pub fn left((layer, name): (usize, &str), lot: &LeftLot, before: usize) -> Entry {
         let why = Undecided::Skipped {
             what: "left out",
@@ -170,7 +170,7 @@ impl Entry {
     }
 }
 
-/// The reason why no rule has looked at a feature.
+/// The reason why no rule has evaluated a feature.
 enum Undecided {
     /// None names its layer.
     Unused,
@@ -185,7 +185,7 @@ enum Undecided {
 /// A house that is left out, since it would exceed a limit.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct LostHouse {
-    /// The feature on which it would stand.
+    /// The feature.
     pub id: LotId,
     /// The layer.
     pub layer: String,

@@ -10,13 +10,13 @@ use serde::Serialize;
 pub struct TownReport {
     /// The number of features of all layers.
     pub features: usize,
-    /// Those of which something exists.
+    /// The number of features of which something exists.
     pub built: usize,
-    /// Those of layers that no rule names.
+    /// The number of features in layers that no rule names.
     pub unused: usize,
     /// The numbers of each layer.
     pub layers: Vec<LayerCount>,
-    /// The others.
+    /// All other features, with the reason.
     pub skipped: Vec<SkippedFeature>,
     /// Features that were changed before something was built on them.
     pub corrected: Vec<SkippedFeature>,
@@ -41,7 +41,7 @@ pub struct LayerCount {
 }
 
 impl TownReport {
-    /// Adds a feature; what stands behind its house is counted with it. Returns its envelopes.
+    /// Adds a feature and returns its envelopes. Houses behind its house are counted with it.
     pub fn add(&mut self, entry: Entry) -> Vec<EnvelopeRow> {
         if entry.is_part {
             return vec![];

@@ -81,9 +81,7 @@ pub fn read(world: &dyn World, path: &str, layer: &Layer, most: usize) -> Result
                 }
             }
             // The file is beyond all limits, so the rest of it is not used either.
-            Err(fault) if fault.feature.is_none() && matches!(fault.kind, Kind::Exhausted(_)) => {
-                return Err(fault);
-            }
+            Err(fault) if fault.is_exhausted_file() => return Err(fault),
             Err(fault) => {
                 faults.push(fault.clone());
                 unread.push(fault);

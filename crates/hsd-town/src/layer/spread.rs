@@ -5,7 +5,7 @@ use glam::DVec2;
 use hsd_map::{Crs, Projection, Transform};
 use std::collections::BTreeMap;
 
-/// The greatest distance of a point from the middle of its town, metres; what lies farther is an outlier (towns.md 9).
+/// Distance from the middle of the town beyond which a point is an outlier, metres.
 pub(super) const FARTHEST: f64 = 50_000.0;
 
 /// The sides of a cell.
@@ -29,7 +29,7 @@ impl Spread {
             Projection::Degrees => DEGREES,
             _ => METRES,
         };
-        // A feature so wide has a wrong point, or says little of where its town lies.
+        // A feature wider than a cell has a wrong point, or its box says little about the position of the town.
         let [low, high] = match (high - low).max_element() < side {
             true => [low, high],
             false => [middle(points); 2],
@@ -43,7 +43,7 @@ impl Spread {
         known.1 = joined(known.1, [low, high]);
     }
 
-    /// Adds those of another map in the same system.
+    /// Adds the features of another map in the same system.
     pub(crate) fn append(&mut self, other: &Spread) {
         for (cell, (count, bounds)) in &other.cells {
             let known = self.cells.entry(*cell).or_insert((0, *bounds));
@@ -65,7 +65,7 @@ impl Spread {
         Some(low.midpoint(*high))
     }
 
-    /// Returns true if most features lie in the cells around the median, as those of a town in degrees do.
+    /// Returns true if most features are in the cells around the median, as those of a town in degrees are.
     pub(super) fn is_gathered(&self) -> bool {
         let Some(median) = self.median() else {
             return true;

@@ -4,8 +4,8 @@
 const FOOT: f64 = 0.3048;
 const INCH: f64 = 0.0254;
 
-/// Returns the number that a text begins with. A length in feet, inches, centimetres or kilometres becomes metres; what else
-/// stands behind a number counts things, such as storeys.
+/// Returns the number that a text begins with. A length in feet, inches, centimetres or kilometres becomes metres. Any
+/// other word after the number is ignored, such as that for storeys.
 pub(super) fn measured(text: &str) -> Option<f64> {
     let (number, unit) = number(text)?;
     let (unit, rest) = word(unit);

@@ -32,9 +32,9 @@ use std::collections::BTreeSet;
 
 /// The place of what lies on the ground is a multiple of this, so that textures go on from piece to piece, metres.
 const TURN: f64 = 1024.0;
-/// The units along the lines of a feature, at most: with as many parts a house has more triangles than any may have.
+/// The most units along the lines of a feature. With more, the triangles would exceed any limit.
 const UNITS: f64 = 200_000.0;
-/// The pieces of ground under a feature, at most, for the same reason.
+/// The most pieces of ground under a feature, for the same reason.
 const GROUND_PIECES: f64 = 1_500_000.0;
 /// Ground under roads is looked at in steps of this, metres.
 const STEP: f64 = 4.0;

@@ -319,7 +319,7 @@ fn is_stream(path: &Path) -> bool {
     path.as_os_str() == STDIN || fs::metadata(path).is_ok_and(is_device)
 }
 
-/// Returns a location as it is compared with others: without case where file systems usually ignore it.
+/// Returns the form of a location for comparisons: in lower case on systems that usually ignore case.
 fn compared(place: PathBuf) -> PathBuf {
     match cfg!(any(windows, target_os = "macos")) {
         true => place.to_string_lossy().to_lowercase().into(),
@@ -327,8 +327,8 @@ fn compared(place: PathBuf) -> PathBuf {
     }
 }
 
-/// Fails if there is no such folder.
-fn there(folder: &Path) -> io::Result<()> {
+/// Fails if a folder is missing.
+fn require_folder(folder: &Path) -> io::Result<()> {
     if folder.is_dir() {
         return Ok(());
     }
@@ -339,7 +339,7 @@ fn there(folder: &Path) -> io::Result<()> {
 
 /// Creates a temporary file in a folder, which must exist.
 fn temporary_in(folder: &Path) -> io::Result<Temporary> {
-    there(folder)?;
+    require_folder(folder)?;
     // Drops the temporary path from the error message.
     Temporary::new_in(folder).map_err(|e| io::Error::from(e.kind()))
 }
@@ -370,7 +370,7 @@ fn prepare(named: &Path, content: Content<'_>) -> io::Result<(u64, Option<ReadyF
     } else {
         folder
     };
-    there(asked)?;
+    require_folder(asked)?;
     // Other folders are not created, so that a misspelt path fails.
     if of_textures {
         fs::create_dir(folder)?;
