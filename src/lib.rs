@@ -95,6 +95,10 @@ pub use hsd_mesh as tessellate;
 #[doc(hidden)]
 pub use hsd_export as backend;
 
+#[cfg(feature = "models")]
+#[doc(hidden)]
+pub use hsd_dump as dump;
+
 // all together.
 #[doc(hidden)]
 pub use hsd_driver as driver;

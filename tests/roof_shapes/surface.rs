@@ -5,8 +5,8 @@ use crate::roof_shapes::common::*;
 use crate::roof_shapes::halls::{FOOTPRINTS, PITCHES, under};
 use glam::{DVec2, DVec3};
 use hsd::ast::{RoofMethod, RoofShape};
-use hsd::backend::{dump, regions_svg::regions_svg};
 use hsd::building::{Beside, Building, EdgeKind, House, RoofSurface};
+use hsd::{backend::regions_svg::regions_svg, dump};
 
 const L: [(f64, f64); 6] = [
     (0.0, 0.0),

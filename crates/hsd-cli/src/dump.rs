@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use hsd_base::diagnostic::{Diagnostics, Language};
 use hsd_base::source::Source;
 use hsd_base::text;
-use hsd_export::dump;
+use hsd_dump as dump;
 use hsd_export::regions_svg::regions_svg;
 use hsd_report::{Format, Report};
 use std::io::{self, Write};

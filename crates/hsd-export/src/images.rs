@@ -198,6 +198,16 @@ pub fn ktx2_size(bytes: &[u8]) -> Option<(u32, u32)> {
 
 /// Returns the width and height of a PNG or JPEG in pixels, from its first bytes.
 pub fn size(mut file: impl BufRead + Seek) -> Option<(u32, u32)> {
+    size_of_any(&mut file)
+}
+
+/// A file that can be read from any place.
+trait SeekableFile: BufRead + Seek {}
+
+impl<T: BufRead + Seek> SeekableFile for T {}
+
+/// Does the work of [`size`] for all kinds of files, so that the decoders are compiled once.
+fn size_of_any(file: &mut dyn SeekableFile) -> Option<(u32, u32)> {
     if let Some(size) = png::size(file.fill_buf().ok()?) {
         return Some(size);
     }

@@ -5,7 +5,6 @@
 //! can put all of them in place or none.
 
 pub mod cityjson;
-pub mod dump;
 pub mod flat;
 pub mod gltf;
 pub mod merged;

@@ -4,7 +4,7 @@ mod plain;
 
 use glam::{dvec2, dvec3};
 use hsd_base::source::{FileId, Span};
-use hsd_export::{Images, NoImages, PictureBytes, SurfaceFiles, dump, gltf, obj, sound, stl};
+use hsd_export::{Images, NoImages, PictureBytes, SurfaceFiles, gltf, obj, sound, stl};
 use hsd_scene::{
     Detail, Image, Kind, Material, MaterialId, Mesh, MeshId, Node, NodeId, PartNames, Place,
     Primitive, Scene,

@@ -50,7 +50,7 @@ use glam::DVec2;
 use hsd_base::diagnostic::Language;
 use hsd_base::geometry::SHAKU;
 use hsd_base::source::Span;
-use hsd_export::dump::{Region, region};
+use hsd_dump::{Region, region};
 use hsd_export::number::Number;
 use hsd_ir::ast::{NamedView, StoreyKind};
 use hsd_ir::building;

@@ -1,4 +1,4 @@
-//! OBJ, STL and the dump of regions.
+//! OBJ and STL.
 
 use super::*;
 
@@ -87,75 +87,4 @@ fn stl_is_in_millimetres() {
     let triangle: Vec<f32> = (0..12).map(|k| float(84 + 4 * k)).collect();
     // The front faces east after the quarter turn, 60 mm before its back; the first door begins 1 m along it, 0.5 m up.
     assert_eq!(triangle[..6], [1.0, 0.0, 0.0, 60.0, 1000.0, 500.0]);
-}
-
-#[test]
-fn regions_are_written_as_documented() {
-    use hsd_ir::ast::RoofShape;
-    use hsd_ir::building::{Building, Built, House, HouseRoofs, PlanRegion, StoreyPlan};
-    let house = House {
-        span: Span::default(),
-        name: String::new(),
-        variant: None,
-        placed: None,
-        origin: [0.0; 3],
-        azimuth: 180.0,
-        unit: 10.0 / 11.0,
-        street: false,
-        age: None,
-        storeys: vec![],
-        raised: 0.0,
-        plinth: 0.0,
-        platform: None,
-        finials: vec![],
-        puts: vec![],
-        grounds: vec![],
-        outdoors: None,
-        roofs: Default::default(),
-    };
-    let plan = StoreyPlan {
-        storey: 1,
-        z: 30.0 / 11.0,
-        outlines: vec![
-            [(0.0, 0.0), (6.0, 0.0), (6.0, 8.5), (0.0, 8.5)]
-                .map(|(a, b)| dvec2(a, b))
-                .into(),
-        ],
-        holes: vec![],
-        regions: vec![PlanRegion {
-            rect: [0.0, 0.0, 6.0, 8.5],
-            polygon: None,
-            ridge: Some("a"),
-            fall: None,
-            role: "main",
-            shape: RoofShape::Gable,
-            over: None,
-        }],
-    };
-    let building = Building {
-        houses: vec![Built {
-            house,
-            roofs: std::sync::Arc::new(HouseRoofs {
-                plans: vec![plan],
-                ..Default::default()
-            }),
-            fittings: vec![],
-            rooms: vec![],
-            fixtures: vec![],
-        }],
-        images: vec![],
-    };
-    let expected = concat!(
-        r#"{"version":1,"houses":[{"name":"","unit_m":0.909091,"storeys":[{"storey":1,"z":2.727273,"#,
-        r#""outline":[[0,0],[6,0],[6,8.5],[0,8.5]],"holes":[],"#,
-        r#""regions":[{"a0":0,"b0":0,"a1":6,"b1":8.5,"ridge":"a","fall":null,"role":"main","#,
-        r#""shape":"KIR","over":null}]}]}]}"#,
-        "\n"
-    );
-    assert_eq!(dump::regions(&building).unwrap(), expected);
-    let scene = dump::scene(&scene()).unwrap();
-    assert!(
-        scene.starts_with(r#"{"version":1,"materials":["#),
-        "{scene}"
-    );
 }

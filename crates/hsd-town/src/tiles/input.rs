@@ -59,7 +59,7 @@ impl TileSalt {
             salt.push_str(source.text());
         }
         let mut salt = salt.into_bytes();
-        salt.extend(essence(&written));
+        salt.extend(essence(written));
         TileSalt(salt)
     }
 }

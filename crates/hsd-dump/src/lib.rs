@@ -1,9 +1,9 @@
 //! The trees between the passes as JSON, for tests and other tools. Every document has a `version`, which changes when a
 //! field changes its meaning or is removed.
 
-use super::number::Number;
 use glam::{DVec2, DVec3};
 use hsd_base::source::Source;
+use hsd_export::number::Number;
 use hsd_ir::ast::{Document, RoofShape};
 use hsd_ir::building::{Building, Built, EdgeKind, HouseRoofs, PlanRegion, StoreyPlan};
 use hsd_ir::program::Program;
@@ -212,5 +212,78 @@ pub fn region(r: &PlanRegion) -> Region {
         shape: r.shape,
         over: r.over,
         polygon: r.polygon.as_ref().map(|o| outline(o)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::regions;
+    use glam::dvec2;
+    use hsd_base::source::Span;
+
+    #[test]
+    fn regions_are_written_as_documented() {
+        use hsd_ir::ast::RoofShape;
+        use hsd_ir::building::{Building, Built, House, HouseRoofs, PlanRegion, StoreyPlan};
+        let house = House {
+            span: Span::default(),
+            name: String::new(),
+            variant: None,
+            placed: None,
+            origin: [0.0; 3],
+            azimuth: 180.0,
+            unit: 10.0 / 11.0,
+            street: false,
+            age: None,
+            storeys: vec![],
+            raised: 0.0,
+            plinth: 0.0,
+            platform: None,
+            finials: vec![],
+            puts: vec![],
+            grounds: vec![],
+            outdoors: None,
+            roofs: Default::default(),
+        };
+        let plan = StoreyPlan {
+            storey: 1,
+            z: 30.0 / 11.0,
+            outlines: vec![
+                [(0.0, 0.0), (6.0, 0.0), (6.0, 8.5), (0.0, 8.5)]
+                    .map(|(a, b)| dvec2(a, b))
+                    .into(),
+            ],
+            holes: vec![],
+            regions: vec![PlanRegion {
+                rect: [0.0, 0.0, 6.0, 8.5],
+                polygon: None,
+                ridge: Some("a"),
+                fall: None,
+                role: "main",
+                shape: RoofShape::Gable,
+                over: None,
+            }],
+        };
+        let building = Building {
+            houses: vec![Built {
+                house,
+                roofs: std::sync::Arc::new(HouseRoofs {
+                    plans: vec![plan],
+                    ..Default::default()
+                }),
+                fittings: vec![],
+                rooms: vec![],
+                fixtures: vec![],
+            }],
+            images: vec![],
+        };
+        let expected = concat!(
+            r#"{"version":1,"houses":[{"name":"","unit_m":0.909091,"storeys":[{"storey":1,"z":2.727273,"#,
+            r#""outline":[[0,0],[6,0],[6,8.5],[0,8.5]],"holes":[],"#,
+            r#""regions":[{"a0":0,"b0":0,"a1":6,"b1":8.5,"ridge":"a","fall":null,"role":"main","#,
+            r#""shape":"KIR","over":null}]}]}]}"#,
+            "\n"
+        );
+        assert_eq!(regions(&building).unwrap(), expected);
     }
 }
