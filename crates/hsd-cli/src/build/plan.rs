@@ -24,6 +24,7 @@ use std::path::{Path, PathBuf};
 use values::{EraArg, Ken, Same, Side};
 
 mod sheets;
+mod walls;
 pub(super) mod values;
 
 /// Metres in a shaku.
@@ -132,6 +133,9 @@ impl Plan {
                     sheet.into_iter().for_each(|at| out.push(say::no_house(at)));
                 }
             },
+            Some(Read::Walls(sheet)) => {
+                told = self.write_walls((&sheet, before), &committer, &mut sources, &mut out)?;
+            }
             Some(Read::House(text)) => {
                 told = Some(self.write_drawn(text, &committer, &mut sources, &mut out)?)
             }

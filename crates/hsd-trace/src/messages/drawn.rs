@@ -321,3 +321,31 @@ pub fn kept(span: Span) -> Diagnostic {
         "図面と見比べてください。`--force` を付けると、すべて新しい読みになります"
     ))
 }
+
+/// A plan whose size was taken from its doors; `by` says from which.
+#[cold]
+pub fn assumed_size(span: Span, by: Text, [width, depth]: [f64; 2]) -> Diagnostic {
+    let [width, depth] = [width, depth].map(|m| (m * 10.0).round() / 10.0);
+    let message = text!([by, width, depth]
+        "nothing on the sheet says how large the house is; {by} make it {width} x {depth} m",
+        "図面に寸法がありません。{by}から {width} x {depth} m としました"
+    );
+    Diagnostic::warning(1207, span, message).help(text!(
+        "measure two points whose distance is known and give them as --ken \"X,Y X,Y N\", N in ken of 1.818 m",
+        "距離のわかる二点を測り、--ken \"X,Y X,Y N\" で指定してください（N は間、1 間は 1.818 m）"
+    ))
+}
+
+/// Houses on a sheet beside the one that was read: so many square metres.
+#[cold]
+pub fn left_out(span: Span, area: f64) -> Diagnostic {
+    let area = area.round();
+    let message = text!([area]
+        "the sheet shows more than one plan; {area} m2 beside the largest were left out",
+        "紙に平面図が二つ以上あります。最も大きいもののほかの {area} m2 は読んでいません"
+    );
+    Diagnostic::error(1208, span, message).help(text!(
+        "crop the picture to one plan, and read each by itself; give the storeys of one house together, from the ground up",
+        "画像を平面図ごとに切り抜き、一つずつ読んでください。同じ家の階は、下の階から順に一緒に指定してください"
+    ))
+}

@@ -4,7 +4,8 @@
 use super::legend::Legend;
 use super::text::is_doubtful;
 use super::vector::{self, dxf, lines::Lines, own, paint, pdf, roles::Roles, svg};
-use super::{Flat, Found, Front, Grid, Ink, Options, Picture, Unreadable};
+use super::flatten::{self, Given};
+use super::{Flat, Found, Front, Grid, Ink, Options, Picture, Unreadable, walls};
 use glam::{DMat3, DVec2, dvec2};
 
 /// Bytes at the start of a file that tell what it is.
@@ -93,6 +94,15 @@ fn open_svg(bytes: &[u8]) -> Result<Content, vector::Refused> {
     }
 }
 
+/// The plan of a drawing.
+#[derive(Clone, Debug)]
+pub enum DrawnPlan {
+    /// On a grid of half ken.
+    Grid(Box<Drawn>),
+    /// Wall by wall.
+    Walls(Box<walls::Found>),
+}
+
 /// What was found in a drawing.
 #[derive(Clone, Debug)]
 pub struct Drawn {
@@ -102,6 +112,44 @@ pub struct Drawn {
     pub shaku: Option<f64>,
     /// Layers and groups of which nothing says what they stand for, those with most strokes first.
     pub unknown: Vec<String>,
+}
+
+/// Finds the plan in the lines of a drawing, as [`find`] does, otherwise wall by wall.
+///
+/// # Errors
+/// If there is none.
+pub fn read(
+    mut lines: Lines,
+    roles: &Roles,
+    unit_mm: Option<f64>,
+    legends: &[Legend],
+    front: Front,
+) -> Result<DrawnPlan, vector::Refused> {
+    let refused = match find(lines.clone(), roles, unit_mm, legends, front) {
+        Ok(drawn) => return Ok(DrawnPlan::Grid(Box::new(drawn))),
+        Err(refused) => refused,
+    };
+    let back = turn(&mut lines, front);
+    let Some(painted) = paint::paint(&lines) else {
+        return Err(refused);
+    };
+    let mut flat = flatten::flatten(&painted.picture.pixels, &Given::default());
+    let ink = Ink::of(&flat.sheet);
+    let drawing = painted.to_drawing.transform_vector2(DVec2::X).length();
+    let metres = lines.unit_mm.map(|mm| mm / 1000.0 * drawing);
+    let reading = walls::read(&ink).and_then(|reading| {
+        let scale = walls::scale::of(&reading, &ink, metres)?;
+        Some((reading, scale))
+    });
+    let Some((reading, scale)) = reading else {
+        return Err(refused);
+    };
+    flat.to_picture = back * painted.to_drawing * flat.to_picture;
+    Ok(DrawnPlan::Walls(Box::new(walls::Found {
+        flat,
+        reading,
+        scale,
+    })))
 }
 
 /// Finds the house in the lines of a drawing: by what its layers, blocks and colours stand for, otherwise as in a picture, by the

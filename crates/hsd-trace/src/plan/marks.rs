@@ -73,16 +73,20 @@ pub fn review(found: &Found, doubts: &[DVec2]) -> RgbImage {
     let mut out = house(&found.flat, &found.grid, &found.shape);
     let reach = found.grid.unit * 0.32;
     for at in doubts {
-        let middle = found.grid.at(at.x, at.y);
-        let ring = (0..=48).map(|k| std::f64::consts::TAU * f64::from(k) / 48.0);
-        let ring: Vec<DVec2> = ring
-            .map(|a| middle + dvec2(libm::cos(a), libm::sin(a)) * reach)
-            .collect();
-        for pair in ring.windows(2) {
-            line(&mut out, pair[0], pair[1], DOUBT, 2);
-        }
+        ring(&mut out, found.grid.at(at.x, at.y), reach);
     }
     out
+}
+
+/// Draws a ring round what is in doubt.
+pub(super) fn ring(out: &mut RgbImage, middle: DVec2, reach: f64) {
+    let ring = (0..=48).map(|k| std::f64::consts::TAU * f64::from(k) / 48.0);
+    let ring: Vec<DVec2> = ring
+        .map(|a| middle + dvec2(libm::cos(a), libm::sin(a)) * reach)
+        .collect();
+    for pair in ring.windows(2) {
+        line(out, pair[0], pair[1], DOUBT, 2);
+    }
 }
 
 fn ink(ink: &Ink) -> RgbImage {
@@ -174,7 +178,7 @@ fn colour(role: Role) -> Option<[u8; 3]> {
 }
 
 /// A sheet as through tracing paper.
-fn pale(sheet: &RgbImage) -> RgbImage {
+pub(super) fn pale(sheet: &RgbImage) -> RgbImage {
     let mut out = sheet.clone();
     for pixel in out.pixels_mut() {
         *pixel = Rgb(pixel.0.map(|c| 160 + c / 8 * 3));
@@ -183,7 +187,7 @@ fn pale(sheet: &RgbImage) -> RgbImage {
 }
 
 /// Draws a line so many pixels wider to each side.
-fn line(out: &mut RgbImage, from: DVec2, to: DVec2, colour: [u8; 3], wider: i32) {
+pub(super) fn line(out: &mut RgbImage, from: DVec2, to: DVec2, colour: [u8; 3], wider: i32) {
     let steps = (from.distance(to).ceil() as u32).clamp(1, 20_000);
     for k in 0..=steps {
         let at = from.lerp(to, f64::from(k) / f64::from(steps));

@@ -58,8 +58,22 @@ impl Era {
         ERAS.into_iter().find(|era| era.name == name)
     }
 
+    /// The part for a role on a wall of so many units, and how many units it usually takes.
+    pub(super) fn part(&self, role: Role, units: f64, is_inner: bool) -> (&'static str, f64) {
+        let side = usize::from(is_inner);
+        match role {
+            Role::Wall => (self.wall[side], 1.0),
+            Role::Slide if units >= 1.5 => (self.slide[side][1], 2.0),
+            Role::Slide => (self.slide[side][0], 1.0),
+            Role::Hinged => (self.hinged, 1.0),
+            Role::Window => (self.window, 1.0),
+            Role::Lattice => (self.lattice, 1.0),
+            Role::Open | Role::Empty | Role::Mat => ("AKI  ", 1.0),
+        }
+    }
+
     /// What stands for what, in words.
-    pub(super) fn lines(&self) -> Vec<String> {
+    pub fn lines(&self) -> Vec<String> {
         let sides = |of: [&str; 2]| match of {
             [outside, inside] if outside == inside => outside.trim_end().to_owned(),
             [outside, inside] => format!(

@@ -1,5 +1,6 @@
 //! The sheets of `hsd plan`: legends and plans, as they are opened and read.
 
+use super::walls::WallSheet;
 use super::{Plan, SHAKU, name_of};
 use crate::Failure;
 use crate::files::output::Committer;
@@ -8,7 +9,7 @@ use hsd_base::diagnostic::Diagnostics;
 use hsd_base::source::{FileId, Source};
 use hsd_base::text;
 use hsd_trace::messages::drawn as say;
-use hsd_trace::plan::drawing::{self, Content, Unopened};
+use hsd_trace::plan::drawing::{self, Content, DrawnPlan, Unopened};
 use hsd_trace::plan::flatten::{Given, project};
 use hsd_trace::plan::legend::Legend;
 use hsd_trace::plan::vector::{self, lines::Lines, roles::Roles};
@@ -72,6 +73,8 @@ impl Sheet {
 pub(super) enum Read {
     /// Plans, one a storey.
     Sheets(Vec<Sheet>),
+    /// A plan that was read wall by wall.
+    Walls(Box<WallSheet>),
     /// A house that `hsd draw` had drawn: its text.
     House(String),
 }
@@ -165,7 +168,11 @@ impl Plan {
                 (Ok(Content::House(_)), _) => out.push(say::whole_house(source.span(0..0))),
                 (Ok(Content::Picture(picture)), Some(legends)) => {
                     match self.picture(&picture, file, legends) {
-                        Ok(sheet) => sheets.push(sheet),
+                        Ok(Read::Sheets(read)) => sheets.extend(read),
+                        Ok(whole) => {
+                            sources.push(source);
+                            return Ok(Some(whole));
+                        }
                         Err(stopped) => {
                             committer.write_all(self.steps(k, (&*stopped).into())?)?;
                             out.push(said::refused(source.span(0..0), stopped.why));
@@ -175,7 +182,11 @@ impl Plan {
                 (Ok(Content::Lines(lines)), Some(legends)) => {
                     self.is_for_drawings(&file)?;
                     match self.drawing(lines, file, legends) {
-                        Ok(sheet) => sheets.push(sheet),
+                        Ok(Read::Sheets(read)) => sheets.extend(read),
+                        Ok(whole) => {
+                            sources.push(source);
+                            return Ok(Some(whole));
+                        }
                         Err(refused) => out.push(said::drawing(&source, &refused)),
                     }
                 }
@@ -190,15 +201,27 @@ impl Plan {
         picture: &Picture,
         file: String,
         legends: &Legends,
-    ) -> Result<Sheet, Box<Stopped>> {
-        let shrink = picture.shrink;
-        Ok(Sheet {
-            found: plan::find(picture, &legends.symbols, &self.options(shrink))?,
-            file,
-            shrink,
-            is_drawing: false,
-            shaku: None,
-            unknown: vec![],
+    ) -> Result<Read, Box<Stopped>> {
+        let (shrink, options) = (picture.shrink, self.options(picture.shrink));
+        // Storeys are laid over each other on their grids.
+        let found = match self.inputs.len() {
+            1 if self.legends.is_empty() => plan::read(picture, &legends.symbols, &options)?,
+            _ => plan::Plan::Grid(Box::new(plan::find(picture, &legends.symbols, &options)?)),
+        };
+        Ok(match found {
+            plan::Plan::Grid(found) => Read::Sheets(vec![Sheet {
+                found: *found,
+                file,
+                shrink,
+                is_drawing: false,
+                shaku: None,
+                unknown: vec![],
+            }]),
+            plan::Plan::Walls(found) => Read::Walls(Box::new(WallSheet {
+                found: *found,
+                file,
+                shrink,
+            })),
         })
     }
 
@@ -224,17 +247,31 @@ impl Plan {
         lines: Lines,
         file: String,
         legends: &Legends,
-    ) -> Result<Sheet, vector::Refused> {
+    ) -> Result<Read, vector::Refused> {
         let unit_mm = self.unit.map(|shaku| shaku * SHAKU * 1000.0);
         let front = self.front.into();
-        let drawn = drawing::find(lines, &legends.roles, unit_mm, &legends.symbols, front)?;
-        Ok(Sheet {
-            found: drawn.found,
-            file,
-            shrink: 1.0,
-            is_drawing: true,
-            shaku: drawn.shaku,
-            unknown: drawn.unknown,
+        let (roles, symbols) = (&legends.roles, &legends.symbols);
+        let drawn = match self.inputs.len() {
+            1 if self.legends.is_empty() => drawing::read(lines, roles, unit_mm, symbols, front)?,
+            _ => {
+                let drawn = drawing::find(lines, roles, unit_mm, symbols, front)?;
+                DrawnPlan::Grid(Box::new(drawn))
+            }
+        };
+        Ok(match drawn {
+            DrawnPlan::Grid(drawn) => Read::Sheets(vec![Sheet {
+                found: drawn.found,
+                file,
+                shrink: 1.0,
+                is_drawing: true,
+                shaku: drawn.shaku,
+                unknown: drawn.unknown,
+            }]),
+            DrawnPlan::Walls(found) => Read::Walls(Box::new(WallSheet {
+                found: *found,
+                file,
+                shrink: 1.0,
+            })),
         })
     }
 

@@ -1,0 +1,205 @@
+//! Walls wherever they stand: the reading of plans that keep to no grid.
+
+pub mod bars;
+pub mod chains;
+pub mod digits;
+pub mod faces;
+pub mod field;
+pub mod graph;
+pub mod letters;
+pub mod mask;
+pub mod openings;
+pub mod outside;
+pub mod pictures;
+pub mod scale;
+pub mod thin;
+pub mod writing;
+
+use super::flatten::Flat;
+use super::sheet::Ink;
+use glam::DVec2;
+use graph::Graph;
+use bars::{Bar, Gap};
+use faces::Faces;
+use field::Field;
+use mask::Strokes;
+use scale::Scale;
+
+/// Radii of the discs by which the outside is found, as shares of the plan's diagonal.
+const RADII: [f64; 4] = [0.04, 0.055, 0.075, 0.1];
+/// The share of the largest area that a smaller radius has to enclose.
+const ENCLOSED: f64 = 0.97;
+
+/// How far from the middle of a wall its ink may lie, in thicknesses of walls.
+const REACH: f64 = 1.5;
+
+/// What parts two rooms, or a room and the outside, at a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stuff {
+    /// Nothing.
+    Free,
+    /// A wall.
+    Wall,
+    /// Lines that run from wall to wall.
+    Thin,
+    /// An opening.
+    Gap,
+    /// The end of what can be told from the outside.
+    Chord,
+}
+
+/// The least share of walls that a reading explains.
+const EXPLAINED: f64 = 0.65;
+
+/// A plan, its sheet and its size.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The flat sheet.
+    pub flat: Flat,
+    /// The plan.
+    pub reading: Reading,
+    /// The size of its pixels.
+    pub scale: Scale,
+}
+
+/// A plan as it was read.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// The rooms, pixel by pixel.
+    pub divided: Divided,
+    /// The walls between them.
+    pub graph: Graph,
+    /// The share of the ink of walls that belongs to a wall of a room.
+    pub explained: f64,
+}
+
+impl Reading {
+    /// Returns the number of rooms.
+    pub fn rooms(&self) -> usize {
+        let rooms = self.graph.lines.iter().flat_map(|line| line.rooms);
+        let rooms: std::collections::BTreeSet<u32> = rooms.filter(|room| *room != 0).collect();
+        rooms.len()
+    }
+}
+
+/// Reads the plan on a sheet; `None` if its walls enclose nothing, or hardly any of them a room.
+pub fn read(ink: &Ink) -> Option<Reading> {
+    let divided = divide(ink);
+    let graph = Graph::of(&divided.faces, divided.strokes.usual);
+    if graph.lines.is_empty() {
+        return None;
+    }
+    let lines = graph.lines.iter().map(|line| line.ends.map(|k| graph.corners[k]));
+    let explained = divided.explained(lines);
+    (explained >= EXPLAINED).then_some(Reading {
+        divided,
+        graph,
+        explained,
+    })
+}
+
+impl Divided {
+    /// Returns the share of the ink of walls that lies on one of some lines.
+    pub fn explained(&self, lines: impl Iterator<Item = [DVec2; 2]>) -> f64 {
+        let walls = self.strokes.walls();
+        let mut near = walls.map(|_| false);
+        let reach = (REACH * self.strokes.usual).max(2.0).ceil() as isize;
+        for [a, b] in lines {
+            let steps = a.distance(b).ceil().max(1.0) as usize;
+            for k in 0..=steps {
+                let at = a.lerp(b, k as f64 / steps as f64);
+                for (dx, dy) in (-reach..=reach).flat_map(|dx| (-reach..=reach).map(move |dy| (dx, dy))) {
+                    let (x, y) = (at.x as isize + dx, at.y as isize + dy);
+                    if near.get(x, y).is_some() {
+                        near[(x as usize, y as usize)] = true;
+                    }
+                }
+            }
+        }
+        let places = || (0..walls.height).flat_map(|y| (0..walls.width).map(move |x| (x, y)));
+        let all = places().filter(|p| walls[*p]).count();
+        let on = places().filter(|p| walls[*p] && near[*p]).count();
+        on as f64 / all.max(1) as f64
+    }
+}
+
+/// A plan divided into rooms.
+#[derive(Clone, Debug)]
+pub struct Divided {
+    /// The strokes, without letters.
+    pub strokes: Strokes,
+    /// What is at each pixel.
+    pub stuff: Field<Stuff>,
+    /// The rooms.
+    pub faces: Faces,
+    /// Openings.
+    pub gaps: Vec<Gap>,
+    /// Walls of lines.
+    pub thin: Vec<Bar>,
+    /// The diagonal of the plan.
+    pub diagonal: f64,
+    /// The longest door.
+    pub door: f64,
+}
+
+/// Divides the plan on a sheet into rooms.
+pub fn divide(ink: &Ink) -> Divided {
+    let mut strokes = Strokes::of(ink);
+    let drawn = letters::remove(&mut strokes);
+    let solid = faces::within_walls(&strokes.walls(), drawn);
+    let (_, bounds) = faces::largest(&solid);
+    let diagonal = diagonal_of(bounds);
+    let thin = thin::thin(&strokes, &solid, (bounds, diagonal));
+    let mut walls = solid.clone();
+    thin.iter().for_each(|bar| thin::draw(&mut walls, bar));
+    let door = bars::door(&strokes, &solid, diagonal);
+    let mut gaps = bars::gaps((&strokes, &walls), &walls, door);
+    let closed = faces::closed(&walls, &gaps);
+    gaps.extend(bars::gaps((&strokes, &walls), &closed, door));
+    let closed = faces::closed(&closed, &gaps);
+    let (network, bounds) = faces::largest(&closed);
+    let diagonal = diagonal_of(bounds);
+    let (faces, network) = enclosed(&network, diagonal);
+    let stuff = Field::new(network.width, network.height, |x, y| {
+        let p = (x, y);
+        match (network[p], solid[p], walls[p], closed[p]) {
+            (false, ..) => Stuff::Free,
+            (_, true, ..) => Stuff::Wall,
+            (_, _, true, _) => Stuff::Thin,
+            (_, _, _, true) => Stuff::Gap,
+            _ => Stuff::Chord,
+        }
+    });
+    let faces = faces.merged(&stuff, diagonal);
+    Divided {
+        strokes,
+        stuff,
+        faces,
+        gaps,
+        thin,
+        diagonal,
+        door,
+    }
+}
+
+/// Closes the network of walls against the outside by the smallest disc that leaves nothing out, and divides it.
+fn enclosed(network: &Field<bool>, diagonal: f64) -> (Faces, Field<bool>) {
+    let tried = RADII.map(|share| {
+        let mut network = network.clone();
+        for chord in outside::chords(&network, share * diagonal) {
+            outside::draw(&mut network, chord);
+        }
+        (Faces::of(&network, diagonal), network)
+    });
+    let area = |faces: &Faces| faces.of.iter().filter(|f| *f != 0).count() as f64;
+    let most = tried.iter().map(|t| area(&t.0)).fold(0.0, f64::max);
+    let mut tried = tried.into_iter();
+    tried
+        .find(|t| area(&t.0) >= ENCLOSED * most)
+        .expect("the largest is one of them")
+}
+
+fn diagonal_of([x0, y0, x1, y1]: [usize; 4]) -> f64 {
+    let (w, h) = (x1.saturating_sub(x0) as f64, y1.saturating_sub(y0) as f64);
+    w.hypot(h)
+}

@@ -1,0 +1,76 @@
+//! A value for each pixel of a sheet.
+
+use std::ops::{Index, IndexMut};
+
+/// Values by rows.
+#[derive(Clone, Debug)]
+pub struct Field<T> {
+    /// Pixels across.
+    pub width: usize,
+    /// Pixels down.
+    pub height: usize,
+    values: Vec<T>,
+}
+
+impl<T: Copy> Field<T> {
+    /// Fills a field.
+    pub fn new(width: usize, height: usize, mut value: impl FnMut(usize, usize) -> T) -> Field<T> {
+        let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+        Field {
+            width,
+            height,
+            values: places.map(|(x, y)| value(x, y)).collect(),
+        }
+    }
+
+    /// Returns a field with a value made of each.
+    pub fn map<U: Copy>(&self, value: impl Fn(T) -> U) -> Field<U> {
+        Field {
+            width: self.width,
+            height: self.height,
+            values: self.values.iter().map(|v| value(*v)).collect(),
+        }
+    }
+
+    /// Yields the values by rows.
+    pub fn iter(&self) -> impl Iterator<Item = T> {
+        self.values.iter().copied()
+    }
+
+    /// Returns the value at a place, or nothing beyond the edges.
+    pub fn get(&self, x: isize, y: isize) -> Option<T> {
+        let (x, y) = (usize::try_from(x).ok()?, usize::try_from(y).ok()?);
+        (x < self.width && y < self.height).then(|| self[(x, y)])
+    }
+
+    /// Returns the places beside a place, of the four directions.
+    pub fn beside(&self, (x, y): (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
+        let (width, height) = (self.width, self.height);
+        let steps = [(1, 0), (0, 1), (usize::MAX, 0), (0, usize::MAX)];
+        let places = steps.into_iter().map(move |(dx, dy)| (x.wrapping_add(dx), y.wrapping_add(dy)));
+        places.filter(move |(x, y)| *x < width && *y < height)
+    }
+}
+
+impl Field<u32> {
+    /// Returns the pixels beside another value.
+    pub fn rims(&self) -> Field<bool> {
+        Field::new(self.width, self.height, |x, y| {
+            self.beside((x, y)).any(|p| self[p] != self[(x, y)])
+        })
+    }
+}
+
+impl<T> Index<(usize, usize)> for Field<T> {
+    type Output = T;
+
+    fn index(&self, (x, y): (usize, usize)) -> &T {
+        &self.values[y * self.width + x]
+    }
+}
+
+impl<T> IndexMut<(usize, usize)> for Field<T> {
+    fn index_mut(&mut self, (x, y): (usize, usize)) -> &mut T {
+        &mut self.values[y * self.width + x]
+    }
+}

@@ -1,0 +1,141 @@
+//! How thick the strokes of a sheet are, and which of them are walls.
+
+use super::field::Field;
+use crate::plan::sheet::Ink;
+
+/// The classes of thickness in a doubling.
+const CLASSES: f64 = 8.0;
+/// The least ratio between the mean thickness of walls and that of other strokes where walls differ by their thickness.
+const APART: f64 = 1.7;
+
+/// The ink of a sheet by the thickness of its strokes.
+#[derive(Clone, Debug)]
+pub struct Strokes {
+    /// Thickness of the stroke at each pixel, pixels of full ink; 0 is paper.
+    pub thickness: Field<f32>,
+    /// Strokes at least as thick are walls.
+    pub wall: f64,
+    /// How much thicker walls are than other strokes.
+    pub apart: f64,
+    /// Thickness of walls in the middle of all, pixels.
+    pub usual: f64,
+}
+
+impl Strokes {
+    /// Measures the strokes of a sheet.
+    pub fn of(ink: &Ink) -> Strokes {
+        let (width, height) = (ink.dark.width() as usize, ink.dark.height() as usize);
+        let full = full(ink);
+        let tone = Field::new(width, height, |x, y| {
+            let level = ink.dark.get_pixel(x as u32, y as u32)[0];
+            match level > ink.threshold {
+                true => (f32::from(level) / full).min(1.0),
+                false => 0.0,
+            }
+        });
+        let thickness = thickness(&tone);
+        let (wall, apart) = parted(&thickness);
+        let usual = median(thickness.iter().filter(|t| f64::from(*t) >= wall));
+        Strokes {
+            thickness,
+            wall,
+            apart,
+            usual,
+        }
+    }
+
+    /// Returns the pixels of walls.
+    pub fn walls(&self) -> Field<bool> {
+        self.thickness.map(|t| f64::from(t) >= self.wall)
+    }
+
+    /// Returns the pixels of all strokes.
+    pub fn all(&self) -> Field<bool> {
+        self.thickness.map(|t| t > 0.0)
+    }
+}
+
+/// Returns the darkness of full ink: nine tenths of all ink is lighter.
+fn full(ink: &Ink) -> f32 {
+    let mut counts = [0_usize; 256];
+    let dark = ink.dark.pixels().filter(|p| p[0] > ink.threshold);
+    dark.for_each(|p| counts[usize::from(p[0])] += 1);
+    let all: usize = counts.iter().sum();
+    let mut below = 0;
+    let level = counts.iter().position(|n| {
+        below += n;
+        below * 10 > all * 9
+    });
+    level.unwrap_or(255) as f32
+}
+
+/// Returns the thickness at each pixel: the ink of the shortest run through it, of four directions.
+fn thickness(tone: &Field<f32>) -> Field<f32> {
+    let (width, height) = (tone.width as isize, tone.height as isize);
+    let mut out = tone.map(|t| if t > 0.0 { f32::INFINITY } else { 0.0 });
+    let mut run = |start: (isize, isize), step: (isize, isize), unit: f32| {
+        let (mut x, mut y) = start;
+        let mut places = vec![];
+        let mut sum = 0.0;
+        loop {
+            let inside = x >= 0 && y >= 0 && x < width && y < height;
+            let t = if inside { tone[(x as usize, y as usize)] } else { 0.0 };
+            if t > 0.0 {
+                places.push((x as usize, y as usize));
+                sum += t * unit;
+            } else {
+                places.drain(..).for_each(|p| out[p] = out[p].min(sum));
+                sum = 0.0;
+            }
+            if !inside {
+                break;
+            }
+            (x, y) = (x + step.0, y + step.1);
+        }
+    };
+    let slanting = std::f32::consts::SQRT_2;
+    (0..height).for_each(|y| run((0, y), (1, 0), 1.0));
+    (0..width).for_each(|x| run((x, 0), (0, 1), 1.0));
+    for step in [1, -1] {
+        let first = if step > 0 { 0 } else { width - 1 };
+        (0..width).for_each(|x| run((x, 0), (step, 1), slanting));
+        (1..height).for_each(|y| run((first, y), (step, 1), slanting));
+    }
+    out
+}
+
+/// Returns the thickness that parts walls from other strokes, and how far the two are apart; strokes count by their area.
+fn parted(thickness: &Field<f32>) -> (f64, f64) {
+    let class = |t: f32| ((f64::from(t).max(0.25) * 4.0).log2() * CLASSES) as usize;
+    let mut counts = vec![0.0; 128];
+    for t in thickness.iter().filter(|t| *t > 0.0) {
+        let k = class(t).min(counts.len() - 1);
+        counts[k] += 1.0;
+    }
+    let all: f64 = counts.iter().sum();
+    let weighted: f64 = counts.iter().enumerate().map(|(k, n)| k as f64 * n).sum();
+    let (mut below, mut sum, mut best) = (0.0, 0.0, (0.0, 0, 0.0));
+    for (k, n) in counts.iter().enumerate() {
+        below += n;
+        sum += k as f64 * n;
+        if below == 0.0 || below >= all {
+            continue;
+        }
+        let apart = (weighted - sum) / (all - below) - sum / below;
+        let variance = below * (all - below) * apart * apart;
+        if variance > best.0 {
+            best = (variance, k + 1, apart);
+        }
+    }
+    let apart = (best.2 / CLASSES).exp2();
+    if apart < APART {
+        return (0.0, apart);
+    }
+    ((best.1 as f64 / CLASSES).exp2() / 4.0, apart)
+}
+
+fn median(values: impl Iterator<Item = f32>) -> f64 {
+    let mut all: Vec<f32> = values.collect();
+    all.sort_by(f32::total_cmp);
+    all.get(all.len() / 2).map_or(0.0, |t| f64::from(*t))
+}

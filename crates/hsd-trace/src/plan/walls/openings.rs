@@ -1,0 +1,182 @@
+//! What stands along each wall: walls, doors, windows, open ways.
+
+use super::bars::Gap;
+use super::graph::{Graph, Line};
+use super::{Divided, Stuff};
+use crate::plan::legend::Role;
+use glam::{DVec2, dvec2};
+
+/// The least length of a piece of a wall, in thicknesses of walls.
+const LEAST: f64 = 1.0;
+/// The share of the bins of a quarter of a circle in which a swinging door is drawn.
+const SWINGS: f64 = 0.7;
+/// The bins of a quarter of a circle, and how much of it is looked at: the ends are at walls.
+const BINS: usize = 9;
+/// The radii of a door's arc, in the width of its opening.
+const ARC: [f64; 2] = [0.82, 1.12];
+
+/// The part of the radius that is looked at within the arc, and the share of it that may be drawn.
+const CLEAR: f64 = 0.75;
+const EMPTY: f64 = 0.3;
+/// The narrowest and widest door, as shares of the plan's diagonal.
+const SHARES: [f64; 2] = [0.03, 0.14];
+
+/// A piece of a wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// Where it ends along the wall, pixels from its first end.
+    pub to: f64,
+    /// What it is.
+    pub role: Role,
+    /// Whether nothing that was drawn says so.
+    pub is_doubtful: bool,
+}
+
+/// Returns the openings with a swinging door: their widths, pixels.
+pub fn swinging(divided: &Divided) -> Vec<f64> {
+    let mut doors: Vec<&Gap> = divided.gaps.iter().filter(|gap| swings(divided, gap)).collect();
+    // Both walls beside an opening have found it.
+    doors.sort_by_key(|gap| (gap.bar.upright, gap.bar.along, gap.bar.across));
+    doors.dedup_by_key(|gap| (gap.bar.upright, gap.bar.along));
+    doors.into_iter().map(Gap::length).collect()
+}
+
+/// Returns the pieces of a wall, from its first end on.
+pub fn pieces(divided: &Divided, graph: &Graph, line: &Line) -> Vec<Piece> {
+    let [a, b] = line.ends.map(|k| graph.corners[k]);
+    let length = a.distance(b);
+    let steps = length.ceil().max(1.0) as usize;
+    let ahead = (b - a) / steps as f64;
+    let side = ahead.normalize_or_zero().perp();
+    let reach = (divided.strokes.usual * 0.75).max(2.0) as i32;
+    let mut kinds: Vec<Stuff> = vec![];
+    for k in 0..steps {
+        let at = a + ahead * (k as f64 + 0.5);
+        let near = (-reach..=reach).map(|d| at + side * f64::from(d));
+        let near = near.filter_map(|p| divided.stuff.get(p.x as isize, p.y as isize));
+        let near: Vec<Stuff> = near.collect();
+        let first = [Stuff::Wall, Stuff::Gap, Stuff::Chord, Stuff::Thin];
+        let kind = first.into_iter().find(|s| near.contains(s));
+        kinds.push(kind.unwrap_or(Stuff::Chord));
+    }
+    let least = (LEAST * divided.strokes.usual).max(3.0);
+    let scale = length / steps as f64;
+    let mut runs: Vec<(usize, Stuff)> = vec![];
+    for (k, kind) in kinds.iter().enumerate() {
+        match runs.last_mut() {
+            Some(last) if last.1 == *kind => last.0 = k + 1,
+            _ => runs.push((k + 1, *kind)),
+        }
+    }
+    // Short pieces belong to what is beside them.
+    loop {
+        let from = |k: usize| if k == 0 { 0 } else { runs[k - 1].0 };
+        let short = (0..runs.len()).filter(|k| ((runs[*k].0 - from(*k)) as f64) * scale < least);
+        let Some(k) = short.min_by_key(|k| runs[*k].0 - from(*k)).filter(|_| runs.len() > 1) else {
+            break;
+        };
+        if k == 0 {
+            runs.remove(0);
+        } else {
+            runs[k - 1].0 = runs[k].0;
+            runs.remove(k);
+        }
+        let mut joined: Vec<(usize, Stuff)> = vec![];
+        for run in &runs {
+            match joined.last_mut() {
+                Some(last) if last.1 == run.1 => last.0 = run.0,
+                _ => joined.push(*run),
+            }
+        }
+        runs = joined;
+    }
+    let is_outer = line.rooms.contains(&0);
+    let mut from = 0.0;
+    let mut out = vec![];
+    for (end, kind) in runs {
+        let to = end as f64 * scale;
+        let middle = a + (b - a) * ((from + to) / 2.0 / length);
+        let (role, is_doubtful) = match kind {
+            Stuff::Wall => (Role::Wall, false),
+            Stuff::Thin => (if is_outer { Role::Window } else { Role::Slide }, false),
+            Stuff::Gap => opening(divided, middle, is_outer),
+            Stuff::Chord | Stuff::Free => (Role::Open, true),
+        };
+        out.push(Piece {
+            to,
+            role,
+            is_doubtful,
+        });
+        from = to;
+    }
+    out
+}
+
+/// Returns what an opening is.
+fn opening(divided: &Divided, at: DVec2, is_outer: bool) -> (Role, bool) {
+    let distance = |gap: &&Gap| {
+        let [x, y] = [gap.bar.along, gap.bar.across].map(|[a, b]| (a + b) as f64 / 2.0);
+        let middle = if gap.bar.upright { dvec2(y, x) } else { dvec2(x, y) };
+        middle.distance(at)
+    };
+    let nearest = divided.gaps.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    let Some(gap) = nearest else {
+        return (Role::Open, true);
+    };
+    if swings(divided, gap) {
+        return (Role::Hinged, false);
+    }
+    match (gap.drawn > 0.6, is_outer) {
+        (true, true) => (Role::Window, false),
+        (true, false) => (Role::Slide, false),
+        (false, true) => (Role::Open, true),
+        (false, false) => (Role::Open, false),
+    }
+}
+
+/// Whether an arc is drawn round one of the ends of an opening.
+fn swings(divided: &Divided, gap: &Gap) -> bool {
+    let width = gap.length();
+    let [least, most] = SHARES.map(|share| share * divided.diagonal);
+    if width < least || width > most {
+        return false;
+    }
+    let line = (gap.bar.across[0] + gap.bar.across[1]) as f64 / 2.0;
+    let place = |along: f64, across: f64| match gap.bar.upright {
+        true => (across, along),
+        false => (along, across),
+    };
+    let inked = |x: f64, y: f64| {
+        let ink = divided.strokes.thickness.get(x.round() as isize, y.round() as isize);
+        ink.is_some_and(|t| t > 0.0 && f64::from(t) < divided.strokes.wall)
+    };
+    // Between the leaf and the arc nothing is drawn.
+    let empty = |hinge: f64, ahead: f64, side: f64| {
+        let cells = (0..BINS * BINS).map(|k| (k / BINS + 1, k % BINS + 1));
+        let unit = width * CLEAR / BINS as f64;
+        let cells = cells.filter(|(a, b)| a * a + b * b < BINS * BINS);
+        let all = cells.clone().count();
+        let drawn = cells.filter(|(a, b)| {
+            let (x, y) = place(hinge + ahead * unit * *a as f64, line + side * unit * *b as f64);
+            inked(x, y)
+        });
+        (drawn.count() as f64) < EMPTY * all as f64
+    };
+    let ends = [(gap.bar.along[0] as f64, 1.0), (gap.bar.along[1] as f64, -1.0)];
+    ends.into_iter().any(|(hinge, ahead)| {
+        [-1.0, 1.0].into_iter().any(|side| {
+            let bin = |k: usize| {
+                let angle = (k as f64 + 1.0) / (BINS as f64 + 1.0) * std::f64::consts::FRAC_PI_2;
+                let (s, c) = (libm::sin(angle), libm::cos(angle));
+                let steps = ((ARC[1] - ARC[0]) * width).ceil() as usize;
+                (0..=steps).any(|n| {
+                    let r = width * ARC[0] + n as f64;
+                    let (x, y) = place(hinge + ahead * c * r, line + side * s * r);
+                    inked(x, y)
+                })
+            };
+            let drawn = (0..BINS).filter(|k| bin(*k)).count();
+            drawn as f64 >= SWINGS * BINS as f64 && empty(hinge, ahead, side)
+        })
+    })
+}

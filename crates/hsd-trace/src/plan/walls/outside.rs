@@ -1,0 +1,175 @@
+//! What is outside: all that a disc wider than an opening reaches from the edges of the sheet.
+
+use super::field::Field;
+use std::collections::VecDeque;
+
+/// Lengths of a step to the side and aslant, for distances.
+const STEPS: [u32; 2] = [5, 7];
+/// The most of the rim of a recess that may be open to the outside if it is a room.
+const OPEN: f64 = 0.3;
+
+/// Returns the distance of each pixel from the nearest that is set, pixels.
+pub fn distances(set: &Field<bool>) -> Field<f32> {
+    let (width, height) = (set.width as isize, set.height as isize);
+    let mut out = set.map(|s| if s { 0 } else { u32::MAX / 2 });
+    let side = |out: &mut Field<u32>, (x, y): (isize, isize), steps: [(isize, isize, u32); 4]| {
+        let near = steps.map(|(dx, dy, length)| {
+            out.get(x + dx, y + dy)
+                .map_or(u32::MAX / 2, |d| d + length)
+        });
+        let place = (x as usize, y as usize);
+        out[place] = near.into_iter().fold(out[place], u32::min);
+    };
+    let [straight, aslant] = STEPS;
+    for y in 0..height {
+        for x in 0..width {
+            let steps = [(-1, 0, straight), (0, -1, straight), (-1, -1, aslant), (1, -1, aslant)];
+            side(&mut out, (x, y), steps);
+        }
+    }
+    for y in (0..height).rev() {
+        for x in (0..width).rev() {
+            let steps = [(1, 0, straight), (0, 1, straight), (1, 1, aslant), (-1, 1, aslant)];
+            side(&mut out, (x, y), steps);
+        }
+    }
+    out.map(|d| d as f32 / straight as f32)
+}
+
+/// Returns what a disc of a radius reaches from the edges of a sheet without touching a wall.
+pub fn reached(walls: &Field<bool>, radius: f64) -> Field<bool> {
+    let free = distances(walls);
+    let is_free = |p: (usize, usize)| f64::from(free[p]) > radius;
+    let mut core = walls.map(|_| false);
+    let mut open = VecDeque::new();
+    let (width, height) = (walls.width, walls.height);
+    let edge = (0..width).flat_map(|x| [(x, 0), (x, height - 1)]);
+    for p in edge.chain((0..height).flat_map(|y| [(0, y), (width - 1, y)])) {
+        if is_free(p) && !core[p] {
+            core[p] = true;
+            open.push_back(p);
+        }
+    }
+    while let Some(p) = open.pop_front() {
+        let next: Vec<_> = core.beside(p).filter(|n| !core[*n] && is_free(*n)).collect();
+        for n in next {
+            core[n] = true;
+            open.push_back(n);
+        }
+    }
+    let near = distances(&core);
+    Field::new(width, height, |x, y| {
+        f64::from(near[(x, y)]) <= radius && !walls[(x, y)]
+    })
+}
+
+/// A line between two pixels.
+pub type Chord = [(usize, usize); 2];
+
+/// Returns lines that part rooms from the outside where a disc does not come in: from wall to wall.
+pub fn chords(walls: &Field<bool>, radius: f64) -> Vec<Chord> {
+    let outside = reached(walls, radius);
+    let mut seen = walls.map(|w| w);
+    let mut out = vec![];
+    for y in 0..walls.height {
+        for x in 0..walls.width {
+            if seen[(x, y)] || outside[(x, y)] {
+                continue;
+            }
+            // A part that the disc does not reach.
+            let mut part = vec![(x, y)];
+            seen[(x, y)] = true;
+            let mut at = 0;
+            let (mut rim, mut open) = (0, vec![]);
+            while at < part.len() {
+                let p = part[at];
+                at += 1;
+                let next: Vec<_> = walls.beside(p).collect();
+                for n in next {
+                    if outside[n] {
+                        open.push(p);
+                        rim += 1;
+                    } else if walls[n] {
+                        rim += 1;
+                    } else if !seen[n] {
+                        seen[n] = true;
+                        part.push(n);
+                    }
+                }
+            }
+            if open.is_empty() || open.len() as f64 > OPEN * f64::from(rim) {
+                continue;
+            }
+            open.sort_unstable();
+            open.dedup();
+            out.extend(groups(&open).iter().filter_map(|group| chord(group, walls)));
+        }
+    }
+    out
+}
+
+/// Divides pixels into those that touch.
+fn groups(pixels: &[(usize, usize)]) -> Vec<Vec<(usize, usize)>> {
+    let mut left: std::collections::BTreeSet<_> = pixels.iter().copied().collect();
+    let mut out = vec![];
+    while let Some(first) = left.pop_first() {
+        let mut group = vec![first];
+        let mut at = 0;
+        while at < group.len() {
+            let (x, y) = group[at];
+            at += 1;
+            for (dx, dy) in (0..5).flat_map(|dx| (0..5).map(move |dy| (dx, dy))) {
+                let n = ((x + dx).wrapping_sub(2), (y + dy).wrapping_sub(2));
+                if left.remove(&n) {
+                    group.push(n);
+                }
+            }
+        }
+        out.push(group);
+    }
+    out
+}
+
+/// Returns the line between the two ends of a row of pixels, prolonged to the walls beside them.
+fn chord(group: &[(usize, usize)], walls: &Field<bool>) -> Option<Chord> {
+    let touches = |&&(x, y): &&(usize, usize)| {
+        let around = (0..5).flat_map(|dx| (0..5).map(move |dy| (dx, dy)));
+        let mut around = around.filter_map(|(dx, dy)| {
+            let (x, y) = (x as isize + dx - 2, y as isize + dy - 2);
+            walls.get(x, y).filter(|w| *w)
+        });
+        around.next().is_some()
+    };
+    let ends: Vec<_> = group.iter().filter(touches).copied().collect();
+    let apart = |a: (usize, usize), b: (usize, usize)| {
+        a.0.abs_diff(b.0).pow(2) + a.1.abs_diff(b.1).pow(2)
+    };
+    let first = *ends.first()?;
+    let far = *ends.iter().max_by_key(|p| apart(first, **p))?;
+    let other = *ends.iter().max_by_key(|p| apart(far, **p))?;
+    let at_wall = |p: (usize, usize)| {
+        let around = (0..7).flat_map(|dx| (0..7).map(move |dy| (dx, dy)));
+        let places = around.filter_map(|(dx, dy)| {
+            let (x, y) = (p.0 as isize + dx - 3, p.1 as isize + dy - 3);
+            walls.get(x, y).filter(|w| *w)?;
+            Some((x as usize, y as usize))
+        });
+        places.min_by_key(|q| (apart(p, *q), *q))
+    };
+    Some([at_wall(far)?, at_wall(other)?])
+}
+
+/// Draws a line.
+pub fn draw(walls: &mut Field<bool>, [a, b]: Chord) {
+    let steps = a.0.abs_diff(b.0).max(a.1.abs_diff(b.1)).max(1);
+    for k in 0..=steps {
+        let t = k as f64 / steps as f64;
+        let along = |a: usize, b: usize| (a as f64 + (b as f64 - a as f64) * t).round() as usize;
+        let (x, y) = (along(a.0, b.0), along(a.1, b.1));
+        for (x, y) in [(x, y), (x + 1, y), (x, y + 1)] {
+            if x < walls.width && y < walls.height {
+                walls[(x, y)] = true;
+            }
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Walls of lines: sliding screens and partitions that are drawn thinner than walls.
+
+use super::bars::{Bar, bars};
+use super::field::Field;
+use super::mask::Strokes;
+
+/// The least length of a thin wall, as a share of the plan's diagonal.
+const LEAST: f64 = 0.05;
+/// The thickest wall of lines, in thicknesses of walls.
+const THICK: f64 = 1.6;
+/// How far from a wall a thin wall may end, in thicknesses of walls.
+const NEAR: f64 = 0.8;
+
+/// Finds lines, single or in pairs, that run from wall to wall.
+pub fn thin(strokes: &Strokes, walls: &Field<bool>, ([x0, y0, x1, y1], diagonal): ([usize; 4], f64)) -> Vec<Bar> {
+    let all = strokes.all();
+    let half = (strokes.usual / 2.0).ceil().max(1.0) as usize;
+    let mut left: Vec<Bar> = vec![];
+    for upright in [false, true] {
+        let wide = widened(&all, half, upright);
+        for bar in bars(&wide, strokes.usual, upright) {
+            let length = (bar.along[1] - bar.along[0] + 1) as f64;
+            let across = [bar.across[0] + half, bar.across[1].saturating_sub(half)];
+            if across[1] < across[0] {
+                continue;
+            }
+            let bar = Bar { across, ..bar };
+            let thickness = bar.thickness() as f64;
+            let (line, around) = (bar.across[0], if upright { [x0, x1] } else { [y0, y1] });
+            if line < around[0] || line > around[1] {
+                continue;
+            }
+            if length >= LEAST * diagonal && thickness <= THICK * strokes.usual + 1.0 {
+                left.push(bar);
+            }
+        }
+    }
+    let reach = (NEAR * strokes.usual).ceil() as usize + 2;
+    let mut known = walls.clone();
+    let mut out = vec![];
+    loop {
+        let before = out.len();
+        left.retain(|bar| {
+            let holds = [false, true].iter().all(|end| held(bar, *end, reach, &known));
+            if holds {
+                out.push(*bar);
+            }
+            !holds
+        });
+        for bar in &out[before..] {
+            draw(&mut known, bar);
+        }
+        if out.len() == before {
+            return out;
+        }
+    }
+}
+
+/// Draws a wall, to the walls at its ends.
+pub fn draw(walls: &mut Field<bool>, bar: &Bar) {
+    for line in bar.across[0]..=bar.across[1] {
+        for k in bar.along[0]..=bar.along[1] {
+            walls[if bar.upright { (line, k) } else { (k, line) }] = true;
+        }
+    }
+}
+
+/// Returns the strokes, each as wide as if it were drawn with a thicker pen.
+fn widened(all: &Field<bool>, half: usize, upright: bool) -> Field<bool> {
+    Field::new(all.width, all.height, |x, y| {
+        let around = |k: usize, most: usize| k.saturating_sub(half)..=(k + half).min(most - 1);
+        match upright {
+            true => around(x, all.width).any(|x| all[(x, y)]),
+            false => around(y, all.height).any(|y| all[(x, y)]),
+        }
+    })
+}
+
+/// Whether a wall stands at an end of a thin one.
+fn held(bar: &Bar, last: bool, reach: usize, known: &Field<bool>) -> bool {
+    let (lines, length) = match bar.upright {
+        true => (known.width, known.height),
+        false => (known.height, known.width),
+    };
+    let end = bar.along[usize::from(last)];
+    let from = if last { end.saturating_sub(2) } else { end.saturating_sub(reach) };
+    let to = if last { end + reach } else { end + 2 }.min(length - 1);
+    let across = bar.across[0].saturating_sub(1)..=(bar.across[1] + 1).min(lines - 1);
+    let place = |k: usize, line: usize| if bar.upright { (line, k) } else { (k, line) };
+    (from..=to).any(|k| across.clone().any(|line| known[place(k, line)]))
+}
