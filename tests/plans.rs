@@ -1,7 +1,9 @@
 //! `hsd plan`: houses out of drawn plans, judged by drawings that the tests make themselves.
 
 mod inside;
+mod real;
 mod trial;
+mod walls;
 
 use crate::plan_drawings::{self as drawings, Convention, Degradation, Nonsense, Variant};
 use hsd::plan::legend::Legend;

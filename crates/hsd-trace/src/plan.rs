@@ -248,7 +248,9 @@ fn is_better(
     }
     let at = |(u, v): (i32, i32)| found.grid.at(f64::from(u), f64::from(v));
     let walls = found.shape.outer.iter().chain(&found.shape.inner);
-    let explained = reading.divided.explained(walls.map(|w| [at(w.from), at(w.to)]));
+    let explained = reading
+        .divided
+        .explained(walls.map(|w| [at(w.from), at(w.to)]));
     let more = reading.explained - explained;
     more > MORE || more > 0.0 && reading.explained >= NEARLY_ALL
 }

@@ -1,15 +1,19 @@
 //! What a file of a plan holds, told by its content and not by its name: a picture, or a drawing in lines; and the house in such
 //! a drawing, so that it is written and reviewed like one in a picture.
 
+use super::flatten::{self, Given};
 use super::legend::Legend;
 use super::text::is_doubtful;
 use super::vector::{self, dxf, lines::Lines, own, paint, pdf, roles::Roles, svg};
-use super::flatten::{self, Given};
 use super::{Flat, Found, Front, Grid, Ink, Options, Picture, Unreadable, walls};
 use glam::{DMat3, DVec2, dvec2};
 
 /// Bytes at the start of a file that tell what it is.
 const HEAD: usize = 4096;
+
+/// The directions of lines that are told apart in a quarter of a turn, and the least turn that is taken back, radians.
+const DIRECTIONS: usize = 180;
+const LEAST_SKEW: f64 = 0.002;
 
 /// What a file holds.
 #[derive(Clone, Debug)]
@@ -129,6 +133,18 @@ pub fn read(
         Ok(drawn) => return Ok(DrawnPlan::Grid(Box::new(drawn))),
         Err(refused) => refused,
     };
+    // A building may be turned on its site.
+    let skew = skew(&lines);
+    let turned_back = DMat3::from_angle(skew);
+    if skew != 0.0 {
+        let upright = turned_back.inverse();
+        let points = lines.strokes.iter_mut().flat_map(|s| &mut s.points);
+        points.for_each(|p| *p = upright.transform_point2(*p));
+        if let Ok(mut drawn) = find(lines.clone(), roles, unit_mm, legends, front) {
+            drawn.found.flat.to_picture = turned_back * drawn.found.flat.to_picture;
+            return Ok(DrawnPlan::Grid(Box::new(drawn)));
+        }
+    }
     let back = turn(&mut lines, front);
     let Some(painted) = paint::paint(&lines) else {
         return Err(refused);
@@ -144,12 +160,51 @@ pub fn read(
     let Some((reading, scale)) = reading else {
         return Err(refused);
     };
-    flat.to_picture = back * painted.to_drawing * flat.to_picture;
+    flat.to_picture = turned_back * back * painted.to_drawing * flat.to_picture;
     Ok(DrawnPlan::Walls(Box::new(walls::Found {
         flat,
         reading,
         scale,
     })))
+}
+
+/// Returns how far most of the lines of a drawing are turned from its axes, radians; 0 if hardly.
+fn skew(lines: &Lines) -> f64 {
+    let all = || {
+        let sides = lines.strokes.iter().flat_map(|s| s.points.windows(2));
+        sides
+            .map(|side| side[1] - side[0])
+            .filter(|way| way.length() > 0.0)
+    };
+    let quarter = std::f64::consts::FRAC_PI_2;
+    let angle = |way: DVec2| libm::atan2(way.y, way.x).rem_euclid(quarter);
+    let bin = |angle: f64| ((angle / quarter * DIRECTIONS as f64) as usize).min(DIRECTIONS - 1);
+    let mut lengths = vec![0.0; DIRECTIONS];
+    all().for_each(|way| lengths[bin(angle(way))] += way.length());
+    let fullest = (0..DIRECTIONS).max_by(|a, b| lengths[*a].total_cmp(&lengths[*b]));
+    let middle = (fullest.unwrap_or(0) as f64 + 0.5) / DIRECTIONS as f64 * quarter;
+    let (mut sum, mut weight) = (0.0, 0.0);
+    for way in all() {
+        let off = (angle(way) - middle + quarter / 2.0).rem_euclid(quarter) - quarter / 2.0;
+        if off.abs() <= quarter / DIRECTIONS as f64 {
+            (sum, weight) = (sum + off * way.length(), weight + way.length());
+        }
+    }
+    let turned = if weight > 0.0 {
+        middle + sum / weight
+    } else {
+        0.0
+    };
+    let turned = if turned > quarter / 2.0 {
+        turned - quarter
+    } else {
+        turned
+    };
+    if turned.abs() > LEAST_SKEW {
+        turned
+    } else {
+        0.0
+    }
 }
 
 /// Finds the house in the lines of a drawing: by what its layers, blocks and colours stand for, otherwise as in a picture, by the

@@ -17,11 +17,11 @@ pub mod writing;
 
 use super::flatten::Flat;
 use super::sheet::Ink;
-use glam::DVec2;
-use graph::Graph;
 use bars::{Bar, Gap};
 use faces::Faces;
 use field::Field;
+use glam::DVec2;
+use graph::Graph;
 use mask::Strokes;
 use scale::Scale;
 
@@ -89,7 +89,10 @@ pub fn read(ink: &Ink) -> Option<Reading> {
     if graph.lines.is_empty() {
         return None;
     }
-    let lines = graph.lines.iter().map(|line| line.ends.map(|k| graph.corners[k]));
+    let lines = graph
+        .lines
+        .iter()
+        .map(|line| line.ends.map(|k| graph.corners[k]));
     let explained = divided.explained(lines);
     (explained >= EXPLAINED).then_some(Reading {
         divided,
@@ -108,7 +111,9 @@ impl Divided {
             let steps = a.distance(b).ceil().max(1.0) as usize;
             for k in 0..=steps {
                 let at = a.lerp(b, k as f64 / steps as f64);
-                for (dx, dy) in (-reach..=reach).flat_map(|dx| (-reach..=reach).map(move |dy| (dx, dy))) {
+                for (dx, dy) in
+                    (-reach..=reach).flat_map(|dx| (-reach..=reach).map(move |dy| (dx, dy)))
+                {
                     let (x, y) = (at.x as isize + dx, at.y as isize + dy);
                     if near.get(x, y).is_some() {
                         near[(x as usize, y as usize)] = true;

@@ -1,9 +1,9 @@
 //! A plan that was read wall by wall becomes a house.
 
 use super::{Plan, bytes, name_of};
+use crate::Failure;
 use crate::files::output::Committer;
 use crate::files::terminal::counted;
-use crate::Failure;
 use glam::DVec2;
 use hsd_base::diagnostic::{Diagnostics, Text, noun};
 use hsd_base::source::{FileId, Source};
@@ -11,12 +11,12 @@ use hsd_base::text;
 use hsd_driver::fs::FolderWorld;
 use hsd_driver::plan_file::{PlanFile, PlanSheet};
 use hsd_trace::messages::drawn as say;
+use hsd_trace::plan::again;
 use hsd_trace::plan::house::Wanted;
 use hsd_trace::plan::text::Era;
 use hsd_trace::plan::walls::scale::Evidence;
 use hsd_trace::plan::walls::writing::{self, Traced};
 use hsd_trace::plan::walls::{Found, pictures};
-use hsd_trace::plan::again;
 use image::ImageFormat;
 use std::path::PathBuf;
 
@@ -45,7 +45,10 @@ impl WallSheet {
         let size = self.found.size(traced);
         let explained = (self.found.reading.explained * 100.0).round();
         let mut lines = vec![
-            format!("Read by hsd plan from {}, wall by wall: {explained} % of the ink of walls is explained", self.file),
+            format!(
+                "Read by hsd plan from {}, wall by wall: {explained} % of the ink of walls is explained",
+                self.file
+            ),
             format!(
                 "{:.2} x {:.2} m, {:.1} m2, {}",
                 size.x,
@@ -84,7 +87,9 @@ impl Plan {
     ) -> Result<Option<Text>, Failure> {
         let picture = sources.last().map(|source| source.span(0..0));
         let Some((traced, file)) = self.traced(sheet) else {
-            picture.into_iter().for_each(|at| out.push(say::no_house(at)));
+            picture
+                .into_iter()
+                .for_each(|at| out.push(say::no_house(at)));
             return Ok(None);
         };
         if let Some(at) = picture {
@@ -100,7 +105,8 @@ impl Plan {
             let place = sheet.in_picture(*at);
             out.push(say::joined(source.span(span.clone()), &sheet.file, place));
         }
-        kept.into_iter().for_each(|place| out.push(say::kept(source.span(place))));
+        kept.into_iter()
+            .for_each(|place| out.push(say::kept(source.span(place))));
         let (world, options) = (FolderWorld::new(vec![], 0), hsd_driver::Options::default());
         hsd_driver::check(&[&source], &world, &options, out);
         sources.push(source);
@@ -109,7 +115,10 @@ impl Plan {
         committer.write_all(files)?;
         let name = self.output.display();
         let rooms = counted(sheet.found.reading.rooms(), noun("room", "部屋{}室"));
-        let doubts = counted(traced.doubts.len(), noun("doubtful wall", "確かでない壁{}か所"));
+        let doubts = counted(
+            traced.doubts.len(),
+            noun("doubtful wall", "確かでない壁{}か所"),
+        );
         Ok(Some(text!([name, rooms, doubts]
             "{name}: {rooms}, {doubts}; `hsd view {name}` shows it over the plan, `hsd build {name} -o OUT.glb` builds it",
             "{name}: {rooms}、{doubts}。`hsd view {name}` で図面に重ねて確かめ、`hsd build {name} -o OUT.glb` で作れます"
@@ -129,8 +138,16 @@ impl Plan {
         };
         let height = wanted.heights(1)[0];
         let found = &sheet.found;
-        let name = self.output.file_stem().unwrap_or_default().to_string_lossy();
-        let (divided, graph, metres) = (&found.reading.divided, &found.reading.graph, found.scale.metres);
+        let name = self
+            .output
+            .file_stem()
+            .unwrap_or_default()
+            .to_string_lossy();
+        let (divided, graph, metres) = (
+            &found.reading.divided,
+            &found.reading.graph,
+            found.scale.metres,
+        );
         let write = |lines: &[String]| {
             writing::write((divided, graph), metres, (&name, lines, height, era))
         };
@@ -146,7 +163,10 @@ impl Plan {
         let doubts: Vec<DVec2> = traced.doubts.iter().map(|doubt| doubt.0).collect();
         let mut files = vec![
             (path, bytes(&under, ImageFormat::Jpeg).ok()?),
-            (self.review_path(1), bytes(&pictures::review(found, &doubts), ImageFormat::Png).ok()?),
+            (
+                self.review_path(1),
+                bytes(&pictures::review(found, &doubts), ImageFormat::Png).ok()?,
+            ),
         ];
         if let Some(folder) = &self.steps {
             std::fs::create_dir_all(folder).ok()?;
@@ -179,7 +199,11 @@ impl Plan {
             )),
         };
         if let Some(by) = by {
-            out.push(say::assumed_size(at, by, sheet.found.size(traced).to_array()));
+            out.push(say::assumed_size(
+                at,
+                by,
+                sheet.found.size(traced).to_array(),
+            ));
         }
         if traced.apart > ANOTHER * traced.area {
             out.push(say::left_out(at, traced.apart));

@@ -108,9 +108,14 @@ pub fn bars(walls: &Field<bool>, usual: f64, upright: bool) -> Vec<Bar> {
 }
 
 /// Finds the gaps of a plan that are openings: from walls on to what is closed, up to the length of a door or as far as something is drawn.
-pub fn gaps((strokes, walls): (&Strokes, &Field<bool>), closed: &Field<bool>, door: f64) -> Vec<Gap> {
+pub fn gaps(
+    (strokes, walls): (&Strokes, &Field<bool>),
+    closed: &Field<bool>,
+    door: f64,
+) -> Vec<Gap> {
     let all = between((strokes, walls), closed).into_iter();
-    all.filter(|gap| gap.length() <= door || gap.drawn >= DRAWN).collect()
+    all.filter(|gap| gap.length() <= door || gap.drawn >= DRAWN)
+        .collect()
 }
 
 /// Returns the length of the longest opening in which nothing is drawn: doors of a plan are about equally wide, and the commonest gap
@@ -128,7 +133,11 @@ pub fn usual_opening(strokes: &Strokes, walls: &Field<bool>, diagonal: f64) -> O
     let mut lengths: Vec<f64> = all.iter().map(Gap::length).collect();
     lengths.retain(|l| *l >= LEAST_DOOR * diagonal && *l <= most);
     lengths.sort_by(f64::total_cmp);
-    let within = |from: f64| lengths.iter().filter(move |l| **l >= from && **l <= ALIKE * from);
+    let within = |from: f64| {
+        lengths
+            .iter()
+            .filter(move |l| **l >= from && **l <= ALIKE * from)
+    };
     let commonest = lengths.iter().max_by_key(|from| within(**from).count());
     commonest.and_then(|from| within(*from).last()).copied()
 }
@@ -147,7 +156,11 @@ fn between((strokes, walls): (&Strokes, &Field<bool>), closed: &Field<bool>) -> 
 
 /// Returns what lies between the end of a wall and the next wall in its line.
 fn beyond(bar: &Bar, forward: bool, (strokes, walls): (&Strokes, &Field<bool>)) -> Option<Gap> {
-    let length = if bar.upright { walls.height } else { walls.width };
+    let length = if bar.upright {
+        walls.height
+    } else {
+        walls.width
+    };
     let place = |k: usize, line: usize| if bar.upright { (line, k) } else { (k, line) };
     let quarter = bar.thickness() / 4;
     let band = bar.across[0] + quarter..=bar.across[1] - quarter;

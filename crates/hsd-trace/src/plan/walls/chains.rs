@@ -2,7 +2,7 @@
 
 use super::field::Field;
 use glam::{DVec2, dvec2};
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 /// A corner of a pixel.
 type Corner = (usize, usize);
@@ -21,19 +21,8 @@ const STEPS: [(isize, isize); 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
 
 /// Traces the lines between rooms.
 pub fn chains(of: &Field<u32>) -> Vec<Chain> {
-    let room = |x: isize, y: isize| of.get(x, y).unwrap_or(0);
-    // The rooms to the left and right of a step from a corner.
-    let rooms = |(x, y): Corner, step: usize| {
-        let (x, y) = (x as isize, y as isize);
-        match step {
-            0 => [room(x, y - 1), room(x, y)],
-            1 => [room(x, y), room(x - 1, y)],
-            2 => [room(x - 1, y), room(x - 1, y - 1)],
-            _ => [room(x - 1, y - 1), room(x, y - 1)],
-        }
-    };
     let parts = |at: Corner, step: usize| {
-        let [a, b] = rooms(at, step);
+        let [a, b] = beside(of, at, step);
         a != b
     };
     let next = |(x, y): Corner, step: usize| {
@@ -42,16 +31,16 @@ pub fn chains(of: &Field<u32>) -> Vec<Chain> {
     };
     let corners = || (0..=of.height).flat_map(|y| (0..=of.width).map(move |x| (x, y)));
     let degree = |at: Corner| (0..4).filter(|s| parts(at, *s)).count();
-    let mut used: BTreeMap<(Corner, usize), ()> = BTreeMap::new();
+    let mut used: BTreeSet<(Corner, usize)> = BTreeSet::new();
     let mut out = vec![];
-    let mut follow = |start: Corner, first: usize, used: &mut BTreeMap<(Corner, usize), ()>| {
+    let mut follow = |start: Corner, first: usize, used: &mut BTreeSet<(Corner, usize)>| {
         let (mut at, mut step) = (start, first);
-        let sides = rooms(start, first);
+        let sides = beside(of, start, first);
         let mut points = vec![point(start)];
         loop {
-            used.insert((at, step), ());
+            used.insert((at, step));
             at = next(at, step);
-            used.insert((at, (step + 2) % 4), ());
+            used.insert((at, (step + 2) % 4));
             points.push(point(at));
             if degree(at) != 2 || at == start {
                 break;
@@ -74,13 +63,25 @@ pub fn chains(of: &Field<u32>) -> Vec<Chain> {
                 continue;
             }
             for step in 0..4 {
-                if parts(at, step) && !used.contains_key(&(at, step)) {
+                if parts(at, step) && !used.contains(&(at, step)) {
                     follow(at, step, &mut used);
                 }
             }
         }
     }
     out
+}
+
+/// The rooms to the left and right of a step from a corner.
+fn beside(of: &Field<u32>, (x, y): Corner, step: usize) -> [u32; 2] {
+    let (x, y) = (x as isize, y as isize);
+    let room = |x: isize, y: isize| of.get(x, y).unwrap_or(0);
+    match step {
+        0 => [room(x, y - 1), room(x, y)],
+        1 => [room(x, y), room(x - 1, y)],
+        2 => [room(x - 1, y), room(x - 1, y - 1)],
+        _ => [room(x - 1, y - 1), room(x, y - 1)],
+    }
 }
 
 fn point((x, y): Corner) -> DVec2 {

@@ -1,7 +1,6 @@
 //! Numbers that are printed on a sheet: dimensions between walls say how large a plan is.
 
 use super::graph::Graph;
-use super::scale::{Evidence, Scale};
 use crate::plan::raster::Parts;
 use crate::plan::sheet::Ink;
 use glam::{DVec2, dvec2};
@@ -82,7 +81,11 @@ pub fn numbers(ink: &Ink, diagonal: f64) -> Vec<Number> {
         rows.into_iter().map(move |(value, at, size)| Number {
             value,
             // A quarter turn to the right takes the foot of the sheet to its left.
-            middle: if upright { dvec2(at.y, height - at.x) } else { at },
+            middle: if upright {
+                dvec2(at.y, height - at.x)
+            } else {
+                at
+            },
             height: size,
         })
     });
@@ -123,7 +126,10 @@ fn recognised(dark: &GrayImage, [x0, y0, x1, y1]: [usize; 4]) -> Option<u32> {
     let full = darkest.map(|(x, y)| tone(x, y)).fold(1.0, f64::max);
     // The mean of the pixels that a cell covers, each by its part.
     let covered = |k: usize, cells: usize, size: f64| {
-        let (from, to) = (k as f64 * size / cells as f64, (k + 1) as f64 * size / cells as f64);
+        let (from, to) = (
+            k as f64 * size / cells as f64,
+            (k + 1) as f64 * size / cells as f64,
+        );
         (from as usize..(to.ceil() as usize)).map(move |p| {
             let part = (p as f64 + 1.0).min(to) - (p as f64).max(from);
             (p, part)
@@ -171,10 +177,15 @@ fn rows(mut glyphs: Vec<Glyph>) -> Vec<(f64, DVec2, f64)> {
                 let own = (g.y[1] - g.y[0] + 1) as f64;
                 let between = g.x[0] as f64 - last.x[1] as f64;
                 let foot = last.y[1].abs_diff(g.y[1]) as f64;
-                !used[*k] && between > 0.0 && between <= SPACE * height && foot <= 0.15 * height + 1.0
+                !used[*k]
+                    && between > 0.0
+                    && between <= SPACE * height
+                    && foot <= 0.15 * height + 1.0
                     && (own - height).abs() <= 0.15 * height + 1.0
             };
-            let next = (first + 1..glyphs.len()).filter(follows).min_by_key(|k| glyphs[*k].x[0]);
+            let next = (first + 1..glyphs.len())
+                .filter(follows)
+                .min_by_key(|k| glyphs[*k].x[0]);
             let Some(next) = next.filter(|k| glyphs[*k].value.is_some()) else {
                 break;
             };
@@ -203,8 +214,9 @@ struct Vote {
     whole: Option<usize>,
 }
 
-/// Returns the scale by printed dimensions: numbers between two walls that agree with each other, or width and depth of the whole.
-pub fn scale(numbers: &[Number], graph: &Graph) -> Option<Scale> {
+/// Returns metres of a pixel by printed dimensions, and how many of them agree: numbers between two walls, or width and depth of the
+/// whole.
+pub fn metres(numbers: &[Number], graph: &Graph) -> Option<(f64, usize)> {
     let places = [0, 1].map(|axis| places(graph, axis));
     let extents = places.iter().filter_map(|p| Some(p.last()? - p.first()?));
     let extent = extents.fold(0.0, f64::max);
@@ -214,7 +226,11 @@ pub fn scale(numbers: &[Number], graph: &Graph) -> Option<Scale> {
         let values = all.iter().map(|v| numbers[v.number].value.to_bits());
         values.collect::<BTreeSet<u64>>().len()
     };
-    let is_whole = |all: &[Vote]| [0, 1].iter().all(|axis| all.iter().any(|v| v.whole == Some(*axis)));
+    let is_whole = |all: &[Vote]| {
+        [0, 1]
+            .iter()
+            .all(|axis| all.iter().any(|v| v.whole == Some(*axis)))
+    };
     let best = best.max_by_key(|all| (is_whole(all), values(all), all.len()))?;
     if !is_whole(&best) && (best.len() < FEWEST || values(&best) < 2) {
         return None;
@@ -227,15 +243,15 @@ pub fn scale(numbers: &[Number], graph: &Graph) -> Option<Scale> {
         metres >= EXTENT[0] && metres <= EXTENT[1]
     };
     let unit = UNITS.iter().find(fits)?;
-    Some(Scale {
-        metres: ratio * unit,
-        evidence: Evidence::Printed(best.len()),
-    })
+    Some((ratio * unit, best.len()))
 }
 
 /// Returns the places of the walls across an axis.
 fn places(graph: &Graph, axis: usize) -> Vec<f64> {
-    let ends = graph.lines.iter().map(|line| line.ends.map(|k| graph.corners[k][axis]));
+    let ends = graph
+        .lines
+        .iter()
+        .map(|line| line.ends.map(|k| graph.corners[k][axis]));
     let across = ends.filter(|[a, b]| (a - b).abs() < 1e-6);
     let mut all: Vec<f64> = across.map(|[a, _]| a).collect();
     all.sort_by(f64::total_cmp);
@@ -267,7 +283,9 @@ fn votes(numbers: &[Number], places: &[Vec<f64>; 2]) -> Vec<Vote> {
 
 /// Returns the votes for a ratio, one of each number.
 fn agreeing(votes: &[Vote], ratio: f64) -> Vec<Vote> {
-    let near = votes.iter().filter(|v| (v.ratio / ratio - 1.0).abs() <= ALIKE);
+    let near = votes
+        .iter()
+        .filter(|v| (v.ratio / ratio - 1.0).abs() <= ALIKE);
     let mut all: Vec<Vote> = near.copied().collect();
     all.sort_by_key(|v| (v.number, v.whole.is_none()));
     all.dedup_by_key(|v| v.number);

@@ -12,6 +12,8 @@ use std::collections::{BTreeMap, VecDeque};
 const LEAST: f64 = 0.0008;
 /// The least diagonal of a large wall, as a share of that of all ink.
 const LARGE: f64 = 0.12;
+/// A network of walls counts if so many of its size are as large as the largest.
+const NETWORK: usize = 8;
 /// The narrowest room between walls, and between thin ones, as shares of the plan's diagonal.
 const NARROW: [f64; 2] = [0.025, 0.05];
 /// The share of thin walls round a room between thin ones.
@@ -33,7 +35,11 @@ pub fn closed(walls: &Field<bool>, gaps: &[Gap]) -> Field<bool> {
         let quarter = gap.bar.thickness() / 4;
         for line in gap.bar.across[0] + quarter..=gap.bar.across[1] - quarter {
             for k in gap.bar.along[0]..=gap.bar.along[1] {
-                let place = if gap.bar.upright { (line, k) } else { (k, line) };
+                let place = if gap.bar.upright {
+                    (line, k)
+                } else {
+                    (k, line)
+                };
                 out[place] = true;
             }
         }
@@ -41,7 +47,7 @@ pub fn closed(walls: &Field<bool>, gaps: &[Gap]) -> Field<bool> {
     out
 }
 
-/// Keeps the largest of the networks of walls.
+/// Keeps the largest of the networks of walls, and those nearly as large; returns the bounds of the largest.
 pub fn largest(walls: &Field<bool>) -> (Field<bool>, [usize; 4]) {
     let parts = Parts::of(&gray(walls), true);
     let mut boxes = vec![[usize::MAX, usize::MAX, 0, 0]; parts.count + 1];
@@ -55,13 +61,13 @@ pub fn largest(walls: &Field<bool>) -> (Field<bool>, [usize; 4]) {
         false => (b[2] - b[0] + 1) * (b[3] - b[1] + 1),
     };
     let best = (0..boxes.len()).max_by_key(|k| (size(&boxes[*k]), std::cmp::Reverse(*k)));
-    let best = best.unwrap_or(0);
+    let bounds = boxes[best.unwrap_or(0)];
+    let stays = |part: u32| size(&boxes[part as usize]) * NETWORK >= size(&bounds);
     let mut out = walls.map(|_| false);
-    for (x, y, part) in parts.pixels().filter(|p| p.2 as usize == best) {
-        let _ = part;
+    for (x, y, _) in parts.pixels().filter(|(_, _, part)| stays(*part)) {
         out[(x as usize, y as usize)] = true;
     }
-    (out, boxes[best])
+    (out, bounds)
 }
 
 fn gray(field: &Field<bool>) -> GrayImage {
@@ -79,8 +85,7 @@ impl Faces {
         for (x, y, part) in parts.pixels() {
             let (x, y, part) = (x as usize, y as usize, part as usize);
             areas[part] += 1;
-            is_outside[part] |=
-                x == 0 || y == 0 || x + 1 == walls.width || y + 1 == walls.height;
+            is_outside[part] |= x == 0 || y == 0 || x + 1 == walls.width || y + 1 == walls.height;
         }
         let least = LEAST * diagonal * diagonal;
         let mut count = 0;
@@ -125,18 +130,28 @@ pub fn within_walls(walls: &Field<bool>, drawn: f64) -> Field<bool> {
         *b = [b[0].min(x), b[1].min(y), b[2].max(x), b[3].max(y)];
     }
     let diagonal = |b: &[usize; 4]| {
-        let (w, h) = (b[2].saturating_sub(b[0]) as f64, b[3].saturating_sub(b[1]) as f64);
+        let (w, h) = (
+            b[2].saturating_sub(b[0]) as f64,
+            b[3].saturating_sub(b[1]) as f64,
+        );
         if b[0] == usize::MAX { 0.0 } else { w.hypot(h) }
     };
     let large = boxes.iter().filter(|b| diagonal(b) >= LARGE * drawn);
     let bounds = large.copied().reduce(|a, b| {
-        [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])]
+        [
+            a[0].min(b[0]),
+            a[1].min(b[1]),
+            a[2].max(b[2]),
+            a[3].max(b[3]),
+        ]
     });
     let Some([x0, y0, x1, y1]) = bounds else {
         return walls.clone();
     };
     let inside = |x: usize, y: usize| x >= x0 && x <= x1 && y >= y0 && y <= y1;
-    Field::new(walls.width, walls.height, |x, y| walls[(x, y)] && inside(x, y))
+    Field::new(walls.width, walls.height, |x, y| {
+        walls[(x, y)] && inside(x, y)
+    })
 }
 
 impl Faces {
@@ -151,7 +166,11 @@ impl Faces {
                 for ((_, _), (l, a)) in thin {
                     (light, all) = (light + l, all + a);
                 }
-                let least = if light > LIGHT * all { NARROW[1] } else { NARROW[0] };
+                let least = if light > LIGHT * all {
+                    NARROW[1]
+                } else {
+                    NARROW[0]
+                };
                 widths[*k] < least * diagonal
             });
             let Some(k) = narrow.min_by(|a, b| widths[*a].total_cmp(&widths[*b])) else {

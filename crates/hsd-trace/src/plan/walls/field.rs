@@ -47,7 +47,9 @@ impl<T: Copy> Field<T> {
     pub fn beside(&self, (x, y): (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
         let (width, height) = (self.width, self.height);
         let steps = [(1, 0), (0, 1), (usize::MAX, 0), (0, usize::MAX)];
-        let places = steps.into_iter().map(move |(dx, dy)| (x.wrapping_add(dx), y.wrapping_add(dy)));
+        let places = steps
+            .into_iter()
+            .map(move |(dx, dy)| (x.wrapping_add(dx), y.wrapping_add(dy)));
         places.filter(move |(x, y)| *x < width && *y < height)
     }
 }

@@ -66,10 +66,12 @@ impl Graph {
                 .iter()
                 .map(|p| {
                     let corners = &mut graph.corners;
-                    *known.entry([p.x.to_bits(), p.y.to_bits()]).or_insert_with(|| {
-                        corners.push(*p);
-                        corners.len() - 1
-                    })
+                    *known
+                        .entry([p.x.to_bits(), p.y.to_bits()])
+                        .or_insert_with(|| {
+                            corners.push(*p);
+                            corners.len() - 1
+                        })
                 })
                 .collect();
             graph.lines.extend(corners.windows(2).map(|w| Line {
@@ -176,14 +178,19 @@ impl Graph {
         loop {
             let mut at: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
             for (n, line) in self.lines.iter().enumerate() {
-                line.ends.iter().for_each(|k| at.entry(*k).or_default().push(n));
+                line.ends
+                    .iter()
+                    .for_each(|k| at.entry(*k).or_default().push(n));
             }
             let straight = at.iter().find_map(|(k, lines)| {
                 let [a, b] = lines[..] else { return None };
                 let (one, two) = (self.lines[a], self.lines[b]);
                 let other = |line: &Line| line.ends[usize::from(line.ends[0] == *k)];
                 let (p, q) = (other(&one), other(&two));
-                let (u, v) = (self.corners[*k] - self.corners[p], self.corners[q] - self.corners[*k]);
+                let (u, v) = (
+                    self.corners[*k] - self.corners[p],
+                    self.corners[q] - self.corners[*k],
+                );
                 let turn = u.perp_dot(v).abs() / (u.length() * v.length());
                 let goes_on = turn < 0.02 && u.dot(v) > 0.0 && p != q;
                 goes_on.then_some((a, b, p, q, one.ends[1] == *k))

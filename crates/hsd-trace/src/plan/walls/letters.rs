@@ -88,7 +88,11 @@ fn dashes(parts: &[Part], is_small: &[bool]) -> Vec<(Part, f32)> {
         let small = parts.iter().zip(is_small).filter(|(_, small)| **small);
         let all = small.map(|(p, _)| *p).filter(|p| p.dash() == Some(upright));
         let turned = |p: Part| match upright {
-            true => Part { x: p.y, y: p.x, ..p },
+            true => Part {
+                x: p.y,
+                y: p.x,
+                ..p
+            },
             false => p,
         };
         let mut all: Vec<Part> = all.map(turned).collect();

@@ -79,7 +79,11 @@ fn thickness(tone: &Field<f32>) -> Field<f32> {
         let mut sum = 0.0;
         loop {
             let inside = x >= 0 && y >= 0 && x < width && y < height;
-            let t = if inside { tone[(x as usize, y as usize)] } else { 0.0 };
+            let t = if inside {
+                tone[(x as usize, y as usize)]
+            } else {
+                0.0
+            };
             if t > 0.0 {
                 places.push((x as usize, y as usize));
                 sum += t * unit;

@@ -34,7 +34,11 @@ pub struct Piece {
 
 /// Returns the openings with a swinging door: their widths, pixels.
 pub fn swinging(divided: &Divided) -> Vec<f64> {
-    let mut doors: Vec<&Gap> = divided.gaps.iter().filter(|gap| swings(divided, gap)).collect();
+    let mut doors: Vec<&Gap> = divided
+        .gaps
+        .iter()
+        .filter(|gap| swings(divided, gap))
+        .collect();
     // Both walls beside an opening have found it.
     doors.sort_by_key(|gap| (gap.bar.upright, gap.bar.along, gap.bar.across));
     doors.dedup_by_key(|gap| (gap.bar.upright, gap.bar.along));
@@ -49,47 +53,18 @@ pub fn pieces(divided: &Divided, graph: &Graph, line: &Line) -> Vec<Piece> {
     let ahead = (b - a) / steps as f64;
     let side = ahead.normalize_or_zero().perp();
     let reach = (divided.strokes.usual * 0.75).max(2.0) as i32;
-    let mut kinds: Vec<Stuff> = vec![];
-    for k in 0..steps {
+    let kinds = (0..steps).map(|k| {
         let at = a + ahead * (k as f64 + 0.5);
         let near = (-reach..=reach).map(|d| at + side * f64::from(d));
         let near = near.filter_map(|p| divided.stuff.get(p.x as isize, p.y as isize));
         let near: Vec<Stuff> = near.collect();
         let first = [Stuff::Wall, Stuff::Gap, Stuff::Chord, Stuff::Thin];
         let kind = first.into_iter().find(|s| near.contains(s));
-        kinds.push(kind.unwrap_or(Stuff::Chord));
-    }
-    let least = (LEAST * divided.strokes.usual).max(3.0);
+        kind.unwrap_or(Stuff::Chord)
+    });
     let scale = length / steps as f64;
-    let mut runs: Vec<(usize, Stuff)> = vec![];
-    for (k, kind) in kinds.iter().enumerate() {
-        match runs.last_mut() {
-            Some(last) if last.1 == *kind => last.0 = k + 1,
-            _ => runs.push((k + 1, *kind)),
-        }
-    }
-    // Short pieces belong to what is beside them.
-    loop {
-        let from = |k: usize| if k == 0 { 0 } else { runs[k - 1].0 };
-        let short = (0..runs.len()).filter(|k| ((runs[*k].0 - from(*k)) as f64) * scale < least);
-        let Some(k) = short.min_by_key(|k| runs[*k].0 - from(*k)).filter(|_| runs.len() > 1) else {
-            break;
-        };
-        if k == 0 {
-            runs.remove(0);
-        } else {
-            runs[k - 1].0 = runs[k].0;
-            runs.remove(k);
-        }
-        let mut joined: Vec<(usize, Stuff)> = vec![];
-        for run in &runs {
-            match joined.last_mut() {
-                Some(last) if last.1 == run.1 => last.0 = run.0,
-                _ => joined.push(*run),
-            }
-        }
-        runs = joined;
-    }
+    let least = (LEAST * divided.strokes.usual).max(3.0) / scale;
+    let runs = runs(kinds, least);
     let is_outer = line.rooms.contains(&0);
     let mut from = 0.0;
     let mut out = vec![];
@@ -112,14 +87,48 @@ pub fn pieces(divided: &Divided, graph: &Graph, line: &Line) -> Vec<Piece> {
     out
 }
 
+/// Returns the ends of runs of one kind; those that are too short belong to what is beside them.
+fn runs(kinds: impl Iterator<Item = Stuff>, least: f64) -> Vec<(usize, Stuff)> {
+    let mut runs: Vec<(usize, Stuff)> = vec![];
+    let put = |runs: &mut Vec<(usize, Stuff)>, end: usize, kind: Stuff| match runs.last_mut() {
+        Some(last) if last.1 == kind => last.0 = end,
+        _ => runs.push((end, kind)),
+    };
+    for (k, kind) in kinds.enumerate() {
+        put(&mut runs, k + 1, kind);
+    }
+    loop {
+        let length = |k: usize| runs[k].0 - if k == 0 { 0 } else { runs[k - 1].0 };
+        let short = (0..runs.len()).filter(|k| (length(*k) as f64) < least);
+        let Some(k) = short.min_by_key(|k| length(*k)).filter(|_| runs.len() > 1) else {
+            return runs;
+        };
+        if k > 0 {
+            runs[k - 1].0 = runs[k].0;
+        }
+        runs.remove(k);
+        let before = std::mem::take(&mut runs);
+        before
+            .into_iter()
+            .for_each(|(end, kind)| put(&mut runs, end, kind));
+    }
+}
+
 /// Returns what an opening is.
 fn opening(divided: &Divided, at: DVec2, is_outer: bool) -> (Role, bool) {
     let distance = |gap: &&Gap| {
         let [x, y] = [gap.bar.along, gap.bar.across].map(|[a, b]| (a + b) as f64 / 2.0);
-        let middle = if gap.bar.upright { dvec2(y, x) } else { dvec2(x, y) };
+        let middle = if gap.bar.upright {
+            dvec2(y, x)
+        } else {
+            dvec2(x, y)
+        };
         middle.distance(at)
     };
-    let nearest = divided.gaps.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    let nearest = divided
+        .gaps
+        .iter()
+        .min_by(|a, b| distance(a).total_cmp(&distance(b)));
     let Some(gap) = nearest else {
         return (Role::Open, true);
     };
@@ -147,7 +156,10 @@ fn swings(divided: &Divided, gap: &Gap) -> bool {
         false => (along, across),
     };
     let inked = |x: f64, y: f64| {
-        let ink = divided.strokes.thickness.get(x.round() as isize, y.round() as isize);
+        let ink = divided
+            .strokes
+            .thickness
+            .get(x.round() as isize, y.round() as isize);
         ink.is_some_and(|t| t > 0.0 && f64::from(t) < divided.strokes.wall)
     };
     // Between the leaf and the arc nothing is drawn.
@@ -157,12 +169,18 @@ fn swings(divided: &Divided, gap: &Gap) -> bool {
         let cells = cells.filter(|(a, b)| a * a + b * b < BINS * BINS);
         let all = cells.clone().count();
         let drawn = cells.filter(|(a, b)| {
-            let (x, y) = place(hinge + ahead * unit * *a as f64, line + side * unit * *b as f64);
+            let (x, y) = place(
+                hinge + ahead * unit * *a as f64,
+                line + side * unit * *b as f64,
+            );
             inked(x, y)
         });
         (drawn.count() as f64) < EMPTY * all as f64
     };
-    let ends = [(gap.bar.along[0] as f64, 1.0), (gap.bar.along[1] as f64, -1.0)];
+    let ends = [
+        (gap.bar.along[0] as f64, 1.0),
+        (gap.bar.along[1] as f64, -1.0),
+    ];
     ends.into_iter().any(|(hinge, ahead)| {
         [-1.0, 1.0].into_iter().any(|side| {
             let bin = |k: usize| {

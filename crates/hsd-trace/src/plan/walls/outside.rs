@@ -13,23 +13,31 @@ pub fn distances(set: &Field<bool>) -> Field<f32> {
     let (width, height) = (set.width as isize, set.height as isize);
     let mut out = set.map(|s| if s { 0 } else { u32::MAX / 2 });
     let side = |out: &mut Field<u32>, (x, y): (isize, isize), steps: [(isize, isize, u32); 4]| {
-        let near = steps.map(|(dx, dy, length)| {
-            out.get(x + dx, y + dy)
-                .map_or(u32::MAX / 2, |d| d + length)
-        });
+        let near = steps
+            .map(|(dx, dy, length)| out.get(x + dx, y + dy).map_or(u32::MAX / 2, |d| d + length));
         let place = (x as usize, y as usize);
         out[place] = near.into_iter().fold(out[place], u32::min);
     };
     let [straight, aslant] = STEPS;
     for y in 0..height {
         for x in 0..width {
-            let steps = [(-1, 0, straight), (0, -1, straight), (-1, -1, aslant), (1, -1, aslant)];
+            let steps = [
+                (-1, 0, straight),
+                (0, -1, straight),
+                (-1, -1, aslant),
+                (1, -1, aslant),
+            ];
             side(&mut out, (x, y), steps);
         }
     }
     for y in (0..height).rev() {
         for x in (0..width).rev() {
-            let steps = [(1, 0, straight), (0, 1, straight), (1, 1, aslant), (-1, 1, aslant)];
+            let steps = [
+                (1, 0, straight),
+                (0, 1, straight),
+                (1, 1, aslant),
+                (-1, 1, aslant),
+            ];
             side(&mut out, (x, y), steps);
         }
     }
@@ -51,7 +59,10 @@ pub fn reached(walls: &Field<bool>, radius: f64) -> Field<bool> {
         }
     }
     while let Some(p) = open.pop_front() {
-        let next: Vec<_> = core.beside(p).filter(|n| !core[*n] && is_free(*n)).collect();
+        let next: Vec<_> = core
+            .beside(p)
+            .filter(|n| !core[*n] && is_free(*n))
+            .collect();
         for n in next {
             core[n] = true;
             open.push_back(n);
@@ -141,9 +152,8 @@ fn chord(group: &[(usize, usize)], walls: &Field<bool>) -> Option<Chord> {
         around.next().is_some()
     };
     let ends: Vec<_> = group.iter().filter(touches).copied().collect();
-    let apart = |a: (usize, usize), b: (usize, usize)| {
-        a.0.abs_diff(b.0).pow(2) + a.1.abs_diff(b.1).pow(2)
-    };
+    let apart =
+        |a: (usize, usize), b: (usize, usize)| a.0.abs_diff(b.0).pow(2) + a.1.abs_diff(b.1).pow(2);
     let first = *ends.first()?;
     let far = *ends.iter().max_by_key(|p| apart(first, **p))?;
     let other = *ends.iter().max_by_key(|p| apart(far, **p))?;

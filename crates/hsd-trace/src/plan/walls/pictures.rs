@@ -41,7 +41,11 @@ pub fn review(found: &Found, doubts: &[DVec2]) -> RgbImage {
     }
     for line in &graph.lines {
         let [a, b] = line.ends.map(|k| graph.corners[k]);
-        let colour = if line.rooms.contains(&0) { OUTER } else { INNER };
+        let colour = if line.rooms.contains(&0) {
+            OUTER
+        } else {
+            INNER
+        };
         marks::line(&mut out, a, b, colour, 1);
     }
     for at in doubts {
@@ -92,7 +96,10 @@ impl Found {
     /// Returns the width and depth of a house, metres.
     pub fn size(&self, traced: &Traced) -> DVec2 {
         let first = traced.outline.first().copied().unwrap_or_default();
-        let bounds = traced.outline.iter().fold((first, first), |(a, b), p| (a.min(*p), b.max(*p)));
+        let bounds = traced
+            .outline
+            .iter()
+            .fold((first, first), |(a, b), p| (a.min(*p), b.max(*p)));
         let size = (bounds.1 - bounds.0) * self.scale.metres;
         dvec2(size.x, size.y)
     }

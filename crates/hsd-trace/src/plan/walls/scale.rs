@@ -45,9 +45,16 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
     });
     let printed = || {
         let numbers = digits::numbers(ink, reading.divided.diagonal);
-        digits::scale(&numbers, &reading.graph)
+        let (metres, count) = digits::metres(&numbers, &reading.graph)?;
+        Some(Scale {
+            metres,
+            evidence: Evidence::Printed(count),
+        })
     };
-    given.or_else(printed).or_else(|| by_doors(&reading.divided)).or_else(|| by_openings(&reading.divided))
+    given
+        .or_else(printed)
+        .or_else(|| by_doors(&reading.divided))
+        .or_else(|| by_openings(&reading.divided))
 }
 
 /// Returns the scale by the commonest opening, taken for a door.

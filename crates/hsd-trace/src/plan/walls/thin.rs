@@ -12,7 +12,11 @@ const THICK: f64 = 1.6;
 const NEAR: f64 = 0.8;
 
 /// Finds lines, single or in pairs, that run from wall to wall.
-pub fn thin(strokes: &Strokes, walls: &Field<bool>, ([x0, y0, x1, y1], diagonal): ([usize; 4], f64)) -> Vec<Bar> {
+pub fn thin(
+    strokes: &Strokes,
+    walls: &Field<bool>,
+    ([x0, y0, x1, y1], diagonal): ([usize; 4], f64),
+) -> Vec<Bar> {
     let all = strokes.all();
     let half = (strokes.usual / 2.0).ceil().max(1.0) as usize;
     let mut left: Vec<Bar> = vec![];
@@ -41,7 +45,9 @@ pub fn thin(strokes: &Strokes, walls: &Field<bool>, ([x0, y0, x1, y1], diagonal)
     loop {
         let before = out.len();
         left.retain(|bar| {
-            let holds = [false, true].iter().all(|end| held(bar, *end, reach, &known));
+            let holds = [false, true]
+                .iter()
+                .all(|end| held(bar, *end, reach, &known));
             if holds {
                 out.push(*bar);
             }
@@ -83,7 +89,11 @@ fn held(bar: &Bar, last: bool, reach: usize, known: &Field<bool>) -> bool {
         false => (known.height, known.width),
     };
     let end = bar.along[usize::from(last)];
-    let from = if last { end.saturating_sub(2) } else { end.saturating_sub(reach) };
+    let from = if last {
+        end.saturating_sub(2)
+    } else {
+        end.saturating_sub(reach)
+    };
     let to = if last { end + reach } else { end + 2 }.min(length - 1);
     let across = bar.across[0].saturating_sub(1)..=(bar.across[1] + 1).min(lines - 1);
     let place = |k: usize, line: usize| if bar.upright { (line, k) } else { (k, line) };

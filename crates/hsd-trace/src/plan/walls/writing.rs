@@ -1,8 +1,8 @@
 //! The source file of a house with walls of any length and direction.
 
-use super::graph::{Graph, Line};
-use super::openings::{Piece, pieces};
 use super::Divided;
+use super::graph::Graph;
+use super::openings::{Piece, pieces};
 use crate::plan::text::Era;
 use glam::{DVec2, dvec2};
 use quick_xml::escape::escape;
@@ -53,22 +53,14 @@ pub fn write(
     metres: f64,
     (name, lines, height, era): (&str, &[String], f64, Era),
 ) -> Option<Traced> {
-    let mut loops = loops(graph);
-    let area = |walk: &Vec<Step>| enclosed(&corners(graph, walk));
-    loops.sort_by(|a, b| area(b).abs().total_cmp(&area(a).abs()));
-    let outline = loops.first().filter(|walk| area(walk).abs() > 0.0)?;
-    let around = corners(graph, outline);
-    let holes: Vec<&Vec<Step>> = loops[1..]
-        .iter()
-        .filter(|walk| inside(&around, corners(graph, walk)[0]) && area(walk) * area(outline) < 0.0)
-        .collect();
-    let apart: f64 = loops[1..]
-        .iter()
-        .filter(|walk| area(walk) * area(outline) > 0.0)
-        .map(|walk| area(walk).abs())
-        .sum();
-    let start = start(graph, outline);
-    let mut walk = outline.clone();
+    let Walks {
+        outline,
+        holes,
+        apart,
+    } = Walks::of(graph)?;
+    let around = corners(graph, &outline);
+    let start = start(graph, &outline);
+    let mut walk = outline;
     walk.rotate_left(start);
     let origin = corners(graph, &walk)[0];
     let mut w = Writer {
@@ -80,34 +72,18 @@ pub fn write(
         text: String::new(),
         doubts: vec![],
     };
-    w.text.push_str("<!--\n");
-    for line in lines {
-        // Two hyphens would end the comment.
-        let _ = writeln!(w.text, "  {}", line.replace("--", "- -"));
-    }
-    let _ = writeln!(w.text, "-->\n<House name=\"{}\">", escape(name));
-    let _ = writeln!(w.text, "  <Storey height=\"{height}\">");
+    w.head(name, lines, height);
     w.walk(&walk, 4, false, true);
-    for hole in holes {
-        let at = w.place(corners(graph, hole)[0]);
-        let _ = writeln!(w.text, "    <Loop hole=\"yes\" start=\"{} {}\">", short(at.x), short(at.y));
-        w.turned(hole, 6);
-        w.walk(hole, 6, false, true);
-        w.text.push_str("    </Loop>\n");
+    for hole in &holes {
+        w.apart("hole", hole);
     }
     let indoors: BTreeSet<u32> = rooms_of(graph, &around);
     for run in inner(graph, &indoors) {
-        let at = w.place(corners(graph, &run)[0]);
-        let _ = writeln!(w.text, "    <Loop inner=\"yes\" start=\"{} {}\">", short(at.x), short(at.y));
-        w.turned(&run, 6);
-        w.walk(&run, 6, true, false);
-        w.text.push_str("    </Loop>\n");
+        w.apart("inner", &run);
     }
-    for (k, at) in middles(divided, &indoors).into_iter().enumerate() {
-        let at = w.place(at);
-        let _ = writeln!(w.text, "    <Room name=\"{}\" at=\"{} {}\"/>", k + 1, short(at.x), short(at.y));
-    }
-    w.text.push_str("  </Storey>\n  <Roofs kind=\"K\" shape=\"KIR\" pitch=\"4.5\"/>\n</House>\n");
+    w.rooms(&middles(divided, &indoors));
+    w.text
+        .push_str("  </Storey>\n  <Roofs kind=\"K\" shape=\"KIR\" pitch=\"4.5\"/>\n</House>\n");
     Some(Traced {
         text: w.text,
         origin,
@@ -118,7 +94,69 @@ pub fn write(
     })
 }
 
+/// The walks of the largest house on a sheet.
+struct Walks {
+    outline: Vec<Step>,
+    holes: Vec<Vec<Step>>,
+    /// The area of other houses, square pixels.
+    apart: f64,
+}
+
+impl Walks {
+    /// Returns `None` if nothing is enclosed.
+    fn of(graph: &Graph) -> Option<Walks> {
+        let mut loops = loops(graph);
+        let area = |walk: &Vec<Step>| enclosed(&corners(graph, walk));
+        loops.sort_by(|a, b| area(b).abs().total_cmp(&area(a).abs()));
+        let others = loops.split_off(1.min(loops.len()));
+        let outline = loops.pop().filter(|walk| area(walk).abs() > 0.0)?;
+        let around = corners(graph, &outline);
+        let (houses, courts): (Vec<_>, Vec<_>) = others
+            .into_iter()
+            .partition(|walk| area(walk) * area(&outline) > 0.0);
+        let holes = courts.into_iter();
+        Some(Walks {
+            apart: houses.iter().map(|walk| area(walk).abs()).sum(),
+            holes: holes
+                .filter(|walk| inside(&around, corners(graph, walk)[0]))
+                .collect(),
+            outline,
+        })
+    }
+}
+
 impl Writer<'_> {
+    /// Writes the comment at the head, and how the house and its storey begin.
+    fn head(&mut self, name: &str, lines: &[String], height: f64) {
+        self.text.push_str("<!--\n");
+        for line in lines {
+            // Two hyphens would end the comment.
+            let _ = writeln!(self.text, "  {}", line.replace("--", "- -"));
+        }
+        let _ = writeln!(self.text, "-->\n<House name=\"{}\">", escape(name));
+        let _ = writeln!(self.text, "  <Storey height=\"{height}\">");
+    }
+
+    /// Writes a walk of its own: a courtyard (`hole`) or walls inside (`inner`).
+    fn apart(&mut self, kind: &str, walk: &[Step]) {
+        let at = self.place(corners(self.graph, walk)[0]);
+        let (a, b) = (short(at.x), short(at.y));
+        let _ = writeln!(self.text, "    <Loop {kind}=\"yes\" start=\"{a} {b}\">");
+        self.turned(walk, 6);
+        let is_inner = kind == "inner";
+        self.walk(walk, 6, is_inner, !is_inner);
+        self.text.push_str("    </Loop>\n");
+    }
+
+    /// Writes the rooms, each by a place in it.
+    fn rooms(&mut self, middles: &[DVec2]) {
+        for (k, at) in middles.iter().enumerate() {
+            let at = self.place(*at);
+            let (n, a, b) = (k + 1, short(at.x), short(at.y));
+            let _ = writeln!(self.text, "    <Room name=\"{n}\" at=\"{a} {b}\"/>");
+        }
+    }
+
     /// Returns a place as authors count: units to the left of the right end of the front, and back from it.
     fn place(&self, at: DVec2) -> DVec2 {
         (self.origin - at) * self.metres / UNIT
@@ -136,7 +174,12 @@ impl Writer<'_> {
     fn turned(&mut self, walk: &[Step], indent: usize) {
         let turn = turn(self.heading(walk[0]));
         if turn.abs() > 0.005 {
-            let _ = writeln!(self.text, "{}<Row turn=\"{}\"/>", " ".repeat(indent), turn_name(turn));
+            let _ = writeln!(
+                self.text,
+                "{}<Row turn=\"{}\"/>",
+                " ".repeat(indent),
+                turn_name(turn)
+            );
         }
     }
 
@@ -169,7 +212,11 @@ impl Writer<'_> {
             for (code, widths, at) in parts {
                 let start = self.text.len();
                 let [width, count] = [widths.0, widths.1 as f64];
-                let part = format!("<Part code=\"{}\" width=\"{} m\"/>", code.trim_end(), short(width));
+                let part = format!(
+                    "<Part code=\"{}\" width=\"{} m\"/>",
+                    code.trim_end(),
+                    short(width)
+                );
                 match count as usize {
                     1 => self.text.push_str(&part),
                     n => {
@@ -186,7 +233,11 @@ impl Writer<'_> {
 
     /// The parts along a step: code, width in metres and how often, and the middle of what is in doubt.
     #[expect(clippy::type_complexity, reason = "used once")]
-    fn parts(&self, step: Step, is_inner: bool) -> Vec<(&'static str, (f64, usize), Option<DVec2>)> {
+    fn parts(
+        &self,
+        step: Step,
+        is_inner: bool,
+    ) -> Vec<(&'static str, (f64, usize), Option<DVec2>)> {
         let line = &self.graph.lines[step.line];
         let [a, b] = line.ends.map(|k| self.graph.corners[k]);
         let length = a.distance(b);
@@ -270,7 +321,10 @@ fn loops(graph: &Graph) -> Vec<Vec<Step>> {
             _ => continue,
         };
         let from = line.ends[usize::from(!forward)];
-        starting.entry(from).or_default().push(Step { line: n, forward });
+        starting
+            .entry(from)
+            .or_default()
+            .push(Step { line: n, forward });
     }
     let end = |step: &Step| graph.lines[step.line].ends[usize::from(step.forward)];
     let mut out = vec![];
@@ -279,7 +333,9 @@ fn loops(graph: &Graph) -> Vec<Vec<Step>> {
         let mut walk: Vec<Step> = vec![];
         let mut at = begin;
         loop {
-            let Some(all) = starting.get_mut(&at) else { break };
+            let Some(all) = starting.get_mut(&at) else {
+                break;
+            };
             // Where two corners of the house touch, the sharper turn to the right stays on one side.
             let sharpest = (0..all.len()).max_by(|a, b| {
                 let bend = |k: &usize| {
@@ -318,12 +374,20 @@ fn start(graph: &Graph, walk: &[Step]) -> usize {
         let level = -ahead.x > 0.98 * ahead.length();
         let before = walk[(*k + walk.len() - 1) % walk.len()];
         let [p, q] = ends(graph, before);
-        let turns = (q - p).normalize_or_zero().perp_dot(ahead.normalize_or_zero()).abs() > 0.02;
+        let turns = (q - p)
+            .normalize_or_zero()
+            .perp_dot(ahead.normalize_or_zero())
+            .abs()
+            > 0.02;
         (level && turns).then_some(a)
     };
     let all = (0..walk.len()).filter_map(|k| Some((k, front(&k)?)));
-    all.max_by(|(_, a), (_, b)| (a.y, a.x).partial_cmp(&(b.y, b.x)).unwrap_or(std::cmp::Ordering::Equal))
-        .map_or(0, |(k, _)| k)
+    all.max_by(|(_, a), (_, b)| {
+        (a.y, a.x)
+            .partial_cmp(&(b.y, b.x))
+            .unwrap_or(std::cmp::Ordering::Equal)
+    })
+    .map_or(0, |(k, _)| k)
 }
 
 /// The rooms within an outline.
@@ -334,7 +398,10 @@ fn rooms_of(graph: &Graph, around: &[DVec2]) -> BTreeSet<u32> {
         let side = (b - a).perp().normalize_or_zero();
         let middle = graph.middle(line);
         // On a sheet whose places run down, what is to the right of a line lies towards its perpendicular.
-        for (room, at) in [(line.rooms[0], middle - side), (line.rooms[1], middle + side)] {
+        for (room, at) in [
+            (line.rooms[0], middle - side),
+            (line.rooms[1], middle + side),
+        ] {
             if room != 0 && inside(around, at) {
                 out.insert(room);
             }
@@ -346,7 +413,12 @@ fn rooms_of(graph: &Graph, around: &[DVec2]) -> BTreeSet<u32> {
 /// The walls between rooms of a house, those in one line together.
 fn inner(graph: &Graph, rooms: &BTreeSet<u32>) -> Vec<Vec<Step>> {
     let mut left: Vec<usize> = (0..graph.lines.len())
-        .filter(|n| graph.lines[*n].rooms.iter().all(|r| *r != 0 && rooms.contains(r)))
+        .filter(|n| {
+            graph.lines[*n]
+                .rooms
+                .iter()
+                .all(|r| *r != 0 && rooms.contains(r))
+        })
         .collect();
     let ahead = |step: Step| {
         let [a, b] = ends(graph, step);
@@ -354,7 +426,10 @@ fn inner(graph: &Graph, rooms: &BTreeSet<u32>) -> Vec<Vec<Step>> {
     };
     // To the left or up on the sheet.
     let along = |n: usize| {
-        let forward = ahead(Step { line: n, forward: true });
+        let forward = ahead(Step {
+            line: n,
+            forward: true,
+        });
         Step {
             line: n,
             forward: (forward.x + forward.y * 1.01) < 0.0,
@@ -373,7 +448,9 @@ fn inner(graph: &Graph, rooms: &BTreeSet<u32>) -> Vec<Vec<Step>> {
                 let straight = ahead(step).dot(ahead(head)) > 0.9998;
                 straight && (a.distance(to) < 1e-6 || b.distance(from) < 1e-6)
             };
-            let Some(k) = left.iter().position(fits) else { break };
+            let Some(k) = left.iter().position(fits) else {
+                break;
+            };
             let step = along(left.swap_remove(k));
             match ends(graph, step)[0].distance(to) < 1e-6 {
                 true => run.push(step),
@@ -410,9 +487,4 @@ fn middles(divided: &Divided, rooms: &BTreeSet<u32>) -> Vec<DVec2> {
         }
     }
     best.into_values().map(|(_, at)| at).collect()
-}
-
-/// Whether a wall of a graph is one of an outline; for tests and pictures.
-pub fn is_outer(line: &Line) -> bool {
-    line.rooms.contains(&0)
 }

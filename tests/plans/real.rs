@@ -1,0 +1,115 @@
+//! Plans that nobody drew for this program, where `../shared/data/plans_real` has them with their labels.
+
+use super::legends;
+use crate::support::on_all_processors;
+use glam::{DVec2, dvec2};
+use hsd::plan::text::Era;
+use hsd::plan::walls::writing;
+use hsd::plan::{self, Picture, Plan};
+use serde_json::Value;
+use std::path::Path;
+
+/// What was read of a plan, beside its label.
+#[derive(Debug)]
+struct Judged {
+    name: String,
+    /// The area that both outlines share, of that of either.
+    outline: f64,
+    /// Metres that were read for metres that are true, if that is known.
+    scale: Option<f64>,
+    rooms: usize,
+}
+
+fn points(of: &Value) -> Vec<DVec2> {
+    let corner = |p: &Value| dvec2(p[0].as_f64().unwrap(), p[1].as_f64().unwrap());
+    of.as_array().unwrap().iter().map(corner).collect()
+}
+
+fn inside(around: &[DVec2], at: DVec2) -> bool {
+    let next = around.iter().cycle().skip(1);
+    let crossed = around.iter().zip(next).filter(|(a, b)| {
+        (a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)
+    });
+    crossed.count() % 2 == 1
+}
+
+/// The area that two polygons share, of that of either, by places every three pixels.
+fn shared_area(a: &[DVec2], b: &[DVec2], (width, height): (f64, f64)) -> f64 {
+    let (mut both, mut either) = (0, 0);
+    for y in 0..(height / 3.0) as usize {
+        for x in 0..(width / 3.0) as usize {
+            let at = dvec2(x as f64 * 3.0 + 1.3, y as f64 * 3.0 + 1.3);
+            let (p, q) = (inside(a, at), inside(b, at));
+            both += usize::from(p && q);
+            either += usize::from(p || q);
+        }
+    }
+    both as f64 / either.max(1) as f64
+}
+
+/// Reads a plan wall by wall; `None` if it was refused, or read on a grid.
+fn judge(label: &Value, folder: &Path) -> Option<Judged> {
+    let bytes = std::fs::read(folder.join("inputs").join(label["input"].as_str()?)).ok()?;
+    let picture = Picture::decode(&bytes).ok()?;
+    let plan = plan::read(&picture, &legends(), &plan::Options::default()).ok()?;
+    let Plan::Walls(found) = plan else {
+        return None;
+    };
+    let plan = (&found.reading.divided, &found.reading.graph);
+    let head = ("a", &[][..], 10.0, Era::named("edo")?);
+    let traced = writing::write(plan, found.scale.metres, head)?;
+    let outline: Vec<DVec2> = traced
+        .outline
+        .iter()
+        .map(|p| found.in_picture(*p))
+        .collect();
+    let frame = &label["frame"];
+    let size = (frame["width"].as_f64()?, frame["height"].as_f64()?);
+    let all = label["outlines"].as_array()?.iter();
+    let best = all.map(|o| shared_area(&outline, &points(&o["polygon"]), size));
+    let metres = label["size"]["m_per_unit"].as_f64();
+    Some(Judged {
+        name: label["name"].as_str()?.to_owned(),
+        outline: best.fold(0.0, f64::max),
+        scale: metres.map(|m| found.scale.metres / m),
+        rooms: found.reading.rooms(),
+    })
+}
+
+#[test]
+fn real_plans_are_read_wall_by_wall() {
+    let folder = Path::new("../shared/data/plans_real");
+    let Ok(labels) = std::fs::read_dir(folder.join("labels")) else {
+        return;
+    };
+    let mut labels: Vec<Value> = labels
+        .map(|entry| std::fs::read(entry.unwrap().path()).unwrap())
+        .map(|bytes| serde_json::from_slice(&bytes).unwrap())
+        .collect();
+    labels.retain(|label: &Value| {
+        let is_picture = |name: &str| name.ends_with(".png") || name.ends_with(".jpg");
+        label["input"].as_str().is_some_and(is_picture)
+    });
+    labels.sort_by_key(|label| label["name"].as_str().unwrap().to_owned());
+    let judged = std::sync::Mutex::new(vec![]);
+    on_all_processors(labels.len(), |k| {
+        judged.lock().unwrap().extend(judge(&labels[k], folder));
+        Vec::<String>::new()
+    });
+    let judged = judged.into_inner().unwrap();
+    assert!(judged.len() >= 8, "{judged:#?}");
+    for plan in &judged {
+        let is_silent = plan.outline < 0.7 || plan.scale.is_some_and(|s| (s - 1.0).abs() > 0.3);
+        assert!(!is_silent, "a wrong house without an error: {plan:?}");
+    }
+    let sharp = judged.iter().filter(|plan| plan.outline >= 0.95).count();
+    assert!(sharp >= 6, "{judged:#?}");
+    // Its four printed dimensions say how large it is, and all its rooms are found.
+    let printed = judged.iter().find(|plan| plan.name == "own_h2_quarter");
+    let printed = printed.expect("the plan is read");
+    assert!(
+        printed.scale.is_some_and(|s| (s - 1.0).abs() < 0.01),
+        "{printed:?}"
+    );
+    assert_eq!(printed.rooms, 7);
+}

@@ -1,0 +1,146 @@
+//! Plans that keep to no grid, drawn here: walls of any thickness, length and direction.
+
+use super::{legends, picture};
+use glam::{DVec2, dvec2};
+use hsd::plan::text::Era;
+use hsd::plan::walls::scale::Evidence;
+use hsd::plan::walls::writing::{self, Traced};
+use hsd::plan::walls::{self, Found};
+use hsd::plan::{self, Plan};
+use image::{Rgb, RgbImage};
+
+/// Draws a wall between two places, pixels.
+fn wall(sheet: &mut RgbImage, a: DVec2, b: DVec2, thickness: f64) {
+    for (x, y, pixel) in sheet.enumerate_pixels_mut() {
+        let at = dvec2(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        let along = ((at - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+        let off = (at - a.lerp(b, along)).abs();
+        if off.max_element() <= thickness / 2.0 {
+            *pixel = Rgb([20; 3]);
+        }
+    }
+}
+
+/// A house of three rooms off every grid: 613 by 437 pixels, with two doors and a cut corner.
+fn sheet(at: DVec2) -> RgbImage {
+    let mut sheet = RgbImage::from_pixel(1000, 700, Rgb([250; 3]));
+    let (w, h) = (613.0, 437.0);
+    let p = |x: f64, y: f64| at + dvec2(x, y);
+    let round = [
+        p(0.0, 0.0),
+        p(w - 97.0, 0.0),
+        p(w, 97.0),
+        p(w, h),
+        p(0.0, h),
+    ];
+    for k in 0..round.len() {
+        wall(&mut sheet, round[k], round[(k + 1) % round.len()], 14.0);
+    }
+    // Two walls inside, each with a door of 50 pixels.
+    wall(&mut sheet, p(251.0, 0.0), p(251.0, 150.0), 9.0);
+    wall(&mut sheet, p(251.0, 200.0), p(251.0, h), 9.0);
+    wall(&mut sheet, p(251.0, 263.0), p(400.0, 263.0), 9.0);
+    wall(&mut sheet, p(450.0, 263.0), p(w, 263.0), 9.0);
+    sheet
+}
+
+fn read(sheet: RgbImage, unit: Option<f64>) -> Box<Found> {
+    let options = plan::Options {
+        unit,
+        ..plan::Options::default()
+    };
+    match plan::read(&picture(sheet), &legends(), &options) {
+        Ok(Plan::Walls(found)) => found,
+        other => panic!(
+            "not read wall by wall: {:?}",
+            other.map(|_| "on a grid").map_err(|e| e.why)
+        ),
+    }
+}
+
+fn written(found: &Found) -> Traced {
+    let plan = (&found.reading.divided, &found.reading.graph);
+    let head = ("h", &[][..], 10.0, Era::named("edo").unwrap());
+    writing::write(plan, found.scale.metres, head).expect("a house")
+}
+
+#[test]
+fn walls_keep_their_lengths_and_directions() {
+    let found = read(sheet(dvec2(150.0, 120.0)), Some(50.0));
+    assert_eq!(found.reading.rooms(), 3);
+    assert_eq!(found.scale.evidence, Evidence::Given);
+    let size = found.size(&written(&found));
+    let metres = walls::writing::UNIT / 50.0;
+    let off = size - dvec2(613.0, 437.0) * metres;
+    assert!(off.abs().max_element() < 0.06, "{size}");
+    // The cut corner is a wall of its own.
+    let outline = written(&found).outline;
+    assert_eq!(outline.len(), 5, "{outline:?}");
+    let explained = found.reading.explained;
+    assert!(explained > 0.97, "{explained}");
+}
+
+#[test]
+fn what_is_read_builds_and_says_where_its_size_is_from() {
+    let found = read(sheet(dvec2(150.0, 120.0)), None);
+    assert_eq!(found.scale.evidence, Evidence::Openings);
+    // Both openings of 50 pixels are taken for doors.
+    assert!(
+        (found.scale.metres * 50.0 - 0.85).abs() < 0.05,
+        "{:?}",
+        found.scale
+    );
+    let text = written(&found).text;
+    let source = hsd::Source::new(hsd::FileId(0), "h.hsd", text.as_bytes());
+    let mut out = hsd::Diagnostics::new();
+    let made = hsd::check(
+        &[&source],
+        &hsd::NoFiles,
+        &hsd::Options::default(),
+        &mut out,
+    );
+    let told = out.into_sorted();
+    assert!(told.is_empty(), "{told:?}\n{text}");
+    assert_eq!(made.building.houses[0].rooms.len(), 3, "{text}");
+}
+
+#[test]
+fn another_house_on_the_sheet_is_counted() {
+    let mut two = sheet(dvec2(40.0, 40.0));
+    let p = |x: f64, y: f64| dvec2(700.0, 300.0) + dvec2(x, y);
+    let round = [p(0.0, 0.0), p(240.0, 0.0), p(240.0, 330.0), p(0.0, 330.0)];
+    for k in 0..4 {
+        wall(&mut two, round[k], round[(k + 1) % 4], 14.0);
+    }
+    let found = read(two, Some(50.0));
+    let metres = walls::writing::UNIT / 50.0;
+    let apart = written(&found).apart;
+    let drawn = 240.0 * 330.0 * metres * metres;
+    assert!((apart / drawn - 1.0).abs() < 0.1, "{apart} m2 of {drawn}");
+}
+
+#[test]
+fn nonsense_is_no_house() {
+    use crate::plan_drawings::{Nonsense, nonsense};
+    let kinds = [
+        Nonsense::Noise,
+        Nonsense::Blank,
+        Nonsense::Street,
+        Nonsense::Map,
+    ];
+    let cases: Vec<(Nonsense, u64)> = kinds
+        .into_iter()
+        .flat_map(|kind| (100..110).map(move |seed| (kind, seed)))
+        .collect();
+    let findings = crate::support::on_all_processors(cases.len(), |k| {
+        let (kind, seed) = cases[k];
+        let read = plan::read(
+            &picture(nonsense(kind, seed, (700, 500))),
+            &legends(),
+            &plan::Options::default(),
+        );
+        let is_house = read.is_ok().then(|| format!("{kind:?} {seed} is a house"));
+        is_house.into_iter().collect()
+    });
+    crate::support::assert_none(&findings);
+}
