@@ -1,6 +1,7 @@
 //! Evaluates a town: reads its maps, then makes the houses of its features, a chunk of features at a time. What is made of a
 //! feature depends on the town file, the feature and what stands round it; chunks only save time.
 
+mod enclosed;
 mod font;
 mod footprints;
 mod maps;
@@ -182,7 +183,9 @@ pub fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
     );
     drop(trees);
     let (mut houses, mut records) = (vec![], vec![]);
-    for ((made, site), id) in made.into_iter().zip(&sites).zip(lots) {
+    let enclosing = enclosed::enclosing((plan, input), lots, &made);
+    let made = made.into_iter().zip(enclosing);
+    for ((made, site), id) in made.zip(&sites).zip(lots) {
         let of = (plan, input);
         records.extend(record(of, *id, site, made, &mut houses, &mut found));
     }
@@ -206,7 +209,7 @@ fn record(
     (plan, input): (&Plan, TownInput<'_>),
     id: LotId,
     site: &LotSite<'_>,
-    made: FeatureMade,
+    (made, enclosing): (FeatureMade, Option<LotId>),
     houses: &mut Vec<FeatureHouse>,
     found: &mut Diagnostics,
 ) -> Vec<Record> {
@@ -227,6 +230,12 @@ fn record(
         let refused = say::refused(origin.clone(), &why);
         record.outcome = Outcome::Refused(refused.code, why);
         found.push(refused);
+    }
+    if let Some(other) = enclosing {
+        let enclosed = say::enclosed(origin, &plan.lot(other).key);
+        record.outcome = Outcome::Refused(enclosed.code, enclosed.message.clone());
+        found.push(enclosed);
+        return vec![record];
     }
     let mut parts = parts(&record, &site.rear_decisions.borrow());
     if parts

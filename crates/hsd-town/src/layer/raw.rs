@@ -147,6 +147,17 @@ impl Raw {
         self.is_guessed && are_no_degrees
     }
 
+    /// Returns true if its features lie in degrees for certain: the file or the layer names such a system, or they are so small that they
+    /// can be in no other.
+    pub fn are_degrees(&self) -> bool {
+        self.crs.is_degrees() && (!self.is_guessed || self.seen.widths.are_degrees())
+    }
+
+    /// Returns true if a point of a feature cannot be in its system.
+    pub fn has_refused(&self) -> bool {
+        self.seen.refused > 0
+    }
+
     /// Returns why the system that the file names cannot be used, if it names one and nothing else says what it is.
     pub fn unknown_crs(&self) -> Option<&Fault> {
         let mut faults = self.lots.faults.iter().map(|(fault, _)| fault);
