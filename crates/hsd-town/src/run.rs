@@ -237,13 +237,7 @@ fn record(
         found.push(enclosed);
         return vec![record];
     }
-    let mut parts = parts(&record, &site.rear_decisions.borrow());
-    if parts
-        .iter()
-        .any(|part| matches!(part.outcome, Outcome::NoHouse))
-    {
-        found.push(say::rear_of_no_house(origin));
-    }
+    let mut parts = parts(&record, site, origin, found);
     let (mut behind, ring) = (vec![], lot.shape.ring());
     site.built.replace(footprints(&made.made, ring, input));
     for made in made.made {
@@ -334,9 +328,14 @@ fn part_key(key: &str, unit: &str) -> String {
 }
 
 /// Returns the records of the houses behind the house of a feature, and of those that have no place.
-fn parts(of: &Record, decisions: &[RearDecision]) -> Vec<Record> {
+fn parts(of: &Record, site: &LotSite<'_>, origin: Origin, found: &mut Diagnostics) -> Vec<Record> {
     let part = |decision: &RearDecision| of.part(&part_key(&of.key, &decision.unit), decision);
-    decisions.iter().map(part).collect()
+    let parts: Vec<Record> = site.rear_decisions.borrow().iter().map(part).collect();
+    let has_no_house = |part: &Record| matches!(part.outcome, Outcome::NoHouse);
+    if parts.iter().any(has_no_house) {
+        found.push(say::rear_of_no_house(origin));
+    }
+    parts
 }
 
 /// Returns the name in the model of a house of a feature, by its number there.

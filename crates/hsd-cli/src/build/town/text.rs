@@ -41,20 +41,9 @@ pub(super) fn build(
         written.push(WrittenHouse::of(house))
     });
     let lost: HashSet<&str> = lost.iter().map(|house| &*house.name).collect();
-    let (mut count, mut open, mut unwritten) = (0, 0, vec![]);
-    for house in written {
-        if house.is_outdoors {
-            open += 1;
-        } else if lost.contains(&*house.name) {
-            // It is reported as skipped.
-        } else if house.text.is_empty() {
-            unwritten.push(house.name);
-        } else {
-            count += 1;
-            file.push_str(&house.text);
-            file.push('\n');
-        }
-    }
+    // Those that are lost are reported as skipped.
+    written.retain(|house| !lost.contains(&*house.name));
+    let (count, open, unwritten) = write_houses(written, &mut file);
     file.push_str("</Houses>\n");
     let source = Source::new(FileId(0), path.to_string_lossy(), file.as_bytes());
     let laid_out = print::format(&source, limits, &mut Diagnostics::new());
@@ -81,6 +70,23 @@ pub(super) fn build(
         included,
         out,
     ))
+}
+
+/// Writes houses; returns their number, that of things which are not houses, and the names of those that have no text.
+fn write_houses(houses: Vec<WrittenHouse>, file: &mut String) -> (usize, usize, Vec<String>) {
+    let (mut count, mut open, mut unwritten) = (0, 0, vec![]);
+    for house in houses {
+        if house.is_outdoors {
+            open += 1;
+        } else if house.text.is_empty() {
+            unwritten.push(house.name);
+        } else {
+            count += 1;
+            file.push_str(&house.text);
+            file.push('\n');
+        }
+    }
+    (count, open, unwritten)
 }
 
 /// A house of a town as it is written.
