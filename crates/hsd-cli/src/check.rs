@@ -16,8 +16,8 @@ use std::io::{self, Write};
 
 /// Check source files for errors without building a model.
 ///
-/// The exit status is 1 if a source file has errors (with `-D warnings`, errors or warnings) or a town cannot build a
-/// feature of its maps, and 3 if a file cannot be read.
+/// The exit status is 1 if a source file has errors (with `-D warnings`, errors or warnings), and 3 if one cannot be
+/// read. It is 1 too if a build of a town would skip a feature.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

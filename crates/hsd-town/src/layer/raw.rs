@@ -147,8 +147,7 @@ impl Raw {
         self.is_guessed && are_no_degrees
     }
 
-    /// Returns true if its features lie in degrees for certain: the file or the layer names such a system, or they are so small that they
-    /// can be in no other.
+    /// Returns true if its features can only be in degrees. The file or the layer names such a system, or they are very small.
     pub fn are_degrees(&self) -> bool {
         self.crs.is_degrees() && (!self.is_guessed || self.seen.widths.are_degrees())
     }

@@ -43,7 +43,7 @@ impl Picture {
         Ok(Picture::of(upright(bytes, MOST_BYTES)?.0))
     }
 
-    /// Decodes a picture like [`decode`](Picture::decode) in a run that may take about this memory, bytes.
+    /// Decodes an image like [`decode`](Picture::decode) in a run that may take about this memory, bytes.
     ///
     /// # Errors
     /// Those of `decode`.

@@ -34,7 +34,7 @@ impl DarkBlocks {
         }
     }
 
-    /// Returns true if a box round a unit of the grid, given by two of its corners in units, has no pixel darker than a level.
+    /// Returns true if no pixel of a box is darker than a level. Two corners give the box, units of the grid.
     pub(super) fn is_blank(&self, grid: &Grid, [low, high]: [DVec2; 2], level: u8) -> bool {
         let corners = [low, dvec2(high.x, low.y), high, dvec2(low.x, high.y)];
         let corners = corners.map(|corner| grid.at(corner.x, corner.y));
