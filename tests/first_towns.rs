@@ -46,6 +46,38 @@ fn written(name: &str, text: &str) -> tempfile::TempDir {
     folder
 }
 
+/// One line across the country does not turn the degrees of a town into metres: it is an outlier.
+#[test]
+fn houses_in_degrees_stay_there_beside_a_very_wide_line() {
+    let folder = written("houses.geojson", &squares(&[r#""building":"yes""#; 4]));
+    let line = r#"{"type":"Feature","properties":{"highway":"trunk"},"geometry":{"type":"LineString","coordinates":[[129.5,31.5],[142.0,43.0]]}}"#;
+    fs::write(folder.path().join("roads.geojson"), line).expect("is written");
+    let layers = surveyed(folder.path(), &["houses.geojson", "roads.geojson"]);
+    let names = |_: &str| vec![];
+    let layers = hsd::survey::joined(layers, &names);
+    let text = town("town", &layers);
+    assert!(!text.contains("local"), "{text}");
+    let built = in_folder(&text, folder.path(), |_| {});
+    assert_eq!((built.built, built.skipped), (4, 1));
+    let outlier = built.told.iter().find(|told| told[0] == "HSD1007");
+    assert!(
+        outlier.is_some_and(|told| told[2].contains("roads.geojson")),
+        "{:?}",
+        built.told
+    );
+}
+
+/// Heights with units and words are still heights.
+#[test]
+fn heights_with_units_are_found() {
+    let fields = ["8 m", "21 ft", "6,5", "unknown", "9"]
+        .map(|h| format!(r#""building":"yes","height":"{h}""#));
+    let fields: Vec<&str> = fields.iter().map(String::as_str).collect();
+    let folder = written("houses.geojson", &squares(&fields));
+    let (text, _) = first_town(folder.path(), &["houses.geojson"]);
+    assert!(text.contains(r#"from="height" type="number""#), "{text}");
+}
+
 fn squares(fields: &[&str]) -> String {
     let features: Vec<String> = fields
         .iter()

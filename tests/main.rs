@@ -62,6 +62,7 @@ mod plain_roofs;
 mod plan_vectors;
 mod plans;
 mod published;
+mod random_towns;
 mod readme;
 mod real_outlines;
 mod real_roofs;

@@ -147,6 +147,79 @@ fn units_along_a_line_are_counted_before_they_are_made() {
     }
 }
 
+/// A rectangle with a corner at a place.
+fn rectangle([x, y]: [f64; 2], [w, d]: [f64; 2], properties: &str) -> String {
+    outline(
+        &[(x, y), (x + w, y), (x + w, y + d), (x, y + d)],
+        properties,
+    )
+}
+
+#[test]
+fn a_house_inside_of_another_is_skipped() {
+    let court = r#"{"type":"Polygon","coordinates":[[[100,0],[130,0],[130,30],[100,30],[100,0]],[[105,5],[105,25],[125,25],[125,5],[105,5]]]}"#;
+    let map = [
+        rectangle([0.0, 0.0], [30.0, 20.0], ""),
+        rectangle([7.0, 6.0], [9.0, 8.0], ""),
+        // A tower on its podium, a house that overlaps, one in a courtyard.
+        rectangle([18.0, 6.0], [6.0, 6.0], r#""building:part":"yes""#),
+        rectangle([25.0, 15.0], [12.0, 12.0], ""),
+        feature(court, ""),
+        rectangle([110.0, 10.0], [8.0, 8.0], ""),
+        // Nothing is built of what is round this one.
+        rectangle([200.0, 0.0], [90.0, 90.0], r#""landuse":"school""#),
+        rectangle([210.0, 10.0], [9.0, 9.0], ""),
+    ];
+    let layer = r#"<Layer name="a" src="a.geojson" crs="local"><Field name="use" from="landuse" type="text" default="-"/></Layer>"#;
+    let rule = r#"<for each="a" test="{use != '-'}"><Skip because="land"/></for><for each="a" test="{use == '-'}"><Place type="block" on="outline"/></for>"#;
+    let built = town(
+        &format!("<Town>{layer}{rule}</Town>"),
+        &[("a", map.join(","))],
+    );
+    assert_eq!(skipped(&built), ["1"], "{:?}", built.told);
+    let told = built.told.iter().find(|told| told[0] == "HSD1118");
+    assert!(
+        told.is_some_and(|told| told[2].contains("`0`")),
+        "{:?}",
+        built.told
+    );
+}
+
+#[test]
+fn words_in_fields_of_numbers_are_reported_once_per_field() {
+    let heights = ["about 9", "11,5 m", "?", "1e999", "12", "high", "3;4", ""];
+    let map = heights.iter().zip(0u8..).map(|(height, n)| {
+        let properties = format!(r#""h":"{height}","w":"{n}""#);
+        rectangle([f64::from(n) * 20.0, 0.0], [8.0, 8.0], &properties)
+    });
+    let fields = r#"<Field name="h" type="number" default="7"/><Field name="w" type="number"/>"#;
+    let layer = format!(r#"<Layer name="a" src="a.geojson" crs="local">{fields}</Layer>"#);
+    let text = format!(r#"<Town>{layer}<for each="a"><Place type="block"/></for></Town>"#);
+    let built = town(&text, &[("a", map.collect::<Vec<String>>().join(","))]);
+    assert_eq!((built.built, built.skipped), (8, 0));
+    let told: Vec<&str> = built
+        .told
+        .iter()
+        .filter(|t| t[0] == "HSD1010")
+        .map(|t| &*t[2])
+        .collect();
+    assert!(
+        matches!(told[..], [one] if one.contains("`about 9`") && one.contains("field `h`") && one.contains("3 more")),
+        "{told:?}"
+    );
+}
+
+#[test]
+fn wires_are_counted_before_they_are_drawn() {
+    let text = format!(r#"<Town>{ONE}<for each="a"><Wire wires="1000000000"/></for></Town>"#);
+    let built = town(&text, &[("a", line(40.0))]);
+    assert!(
+        built.found.contains(&"HSD0226".to_owned()),
+        "{:?}",
+        built.told
+    );
+}
+
 #[test]
 fn spreadsheets_run_no_key() {
     let run = r#""key":"=HYPERLINK(1)""#;

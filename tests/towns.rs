@@ -377,7 +377,8 @@ fn a_misspelt_field_of_a_where_names_the_nearest_one() {
     let world = FolderWorld::new(vec![], 1 << 20).with_roots(vec![folder.path().to_owned()]);
     let (options, mut out) = (Options::default(), Diagnostics::new());
     let input = TownInput::new(&source, &world, &options);
-    hsd::town::check(input, &mut vec![], &|| true, &mut out);
+    let depth = hsd::town::CheckDepth::Rules(&|| true);
+    hsd::town::check(input, depth, &mut vec![], &mut out);
     let list = out.into_sorted();
     let wrong = list.iter().find(|d| d.code.to_string() == "HSD1141");
     let found = wrong.expect("the field is not there");

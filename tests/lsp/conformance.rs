@@ -39,7 +39,8 @@ fn checked(path: &Path, text: &str, encoding: &str) -> Vec<Value> {
     let options = Options::default();
     let mut checked = driver::check(&[&source], &world, &options, &mut out);
     let input = TownInput::new(&source, &world, &options);
-    town::check(input, &mut checked.included, &|| true, &mut out);
+    let depth = town::CheckDepth::Rules(&|| true);
+    town::check(input, depth, &mut checked.included, &mut out);
     let mark = if text.starts_with('\u{feff}') { 3 } else { 0 };
     let own = out.into_sorted().into_iter();
     own.filter(|d| d.span().is_none_or(|span| span.file == FileId(0)))

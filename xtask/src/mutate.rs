@@ -11,8 +11,10 @@ use std::time::{Duration, Instant};
 
 /// Kilobytes of addresses that the program may use; it reserves more than it takes.
 const MEMORY: u32 = 4_000_000;
-/// A run that takes longer hangs.
-const LONGEST: Duration = Duration::from_secs(30);
+/// A run that takes more processor time hangs, seconds: other programs on the machine do not count.
+const PROCESSOR: u32 = 30;
+/// A run that takes longer waits for something that does not happen.
+const LONGEST: Duration = Duration::from_secs(300);
 /// The folder of cases that the program does not survive.
 const KEPT: &str = "target/mutate";
 
@@ -186,7 +188,10 @@ fn arguments(name: &str, folder: &Path) -> io::Result<Vec<String>> {
 /// Runs the program with bounds on memory and time.
 fn ended(wish: &Wish, arguments: &[String], folder: &Path) -> io::Result<Ended> {
     let mut child = Command::new("sh")
-        .args(["-c", &format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\"")])
+        .args([
+            "-c",
+            &format!("ulimit -v {MEMORY}; ulimit -t {PROCESSOR}; exec \"$0\" \"$@\""),
+        ])
         .arg(&wish.program)
         .args(arguments)
         .current_dir(folder)

@@ -10,14 +10,14 @@ use hsd_base::diagnostic::{Diagnostics, Language};
 use hsd_base::text;
 use hsd_driver::Feed;
 use hsd_report::{Format, Report};
-use hsd_town::TownInput;
+use hsd_town::{CheckDepth, TownInput};
 use std::env;
 use std::io::{self, Write};
 
 /// Check source files for errors without building a model.
 ///
 /// The exit status is 1 if a source file has errors (with `-D warnings`, errors or warnings), and 3 if one cannot be
-/// read.
+/// read. It is 1 too if a build of a town would skip a feature.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -48,11 +48,14 @@ impl Check {
         let mut checked = hsd_driver::inspect(feed, &world, &options, &mut out, &|| {
             streamed::spool(&env::temp_dir())
         })?;
-        let mut houses = checked.houses;
+        let (mut houses, mut is_incomplete) = (checked.houses, false);
         for source in &sources {
             let input = TownInput::new(source, &world, &options);
-            let town = hsd_town::check(input, &mut checked.included, &|| true, &mut out);
-            houses += town.map_or(0, |town| town.houses);
+            let depth = CheckDepth::Houses;
+            if let Some(town) = hsd_town::check(input, depth, &mut checked.included, &mut out) {
+                houses += town.houses;
+                is_incomplete |= town.is_incomplete;
+            }
         }
         let list = out.into_sorted();
         let format = Format::from(self.format);
@@ -75,8 +78,7 @@ impl Check {
         if failed {
             return Ok(Exit::Unread);
         }
-        Ok(exit(
-            list.iter().any(|d| self.input_args.spoils(d.severity)),
-        ))
+        let is_spoiled = list.iter().any(|d| self.input_args.spoils(d.severity));
+        Ok(exit(is_spoiled || is_incomplete))
     }
 }

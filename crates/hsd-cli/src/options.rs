@@ -108,9 +108,8 @@ pub(super) struct ReadArgs {
     #[arg(long, value_name = "N", default_value_t = Limits::default().pixels)]
     max_pixels: u64,
 
-    /// Reject maps that expand to more than about N bytes of memory beyond what they write out.
-    #[arg(long, value_name = "N", default_value_t = Limits::default().memory)]
-    max_memory: u64,
+    #[command(flatten)]
+    memory_args: MemoryArgs,
 
     /// Use N threads; one per processor by default.
     ///
@@ -140,6 +139,14 @@ impl InputArgs {
             },
         }
     }
+}
+
+/// The memory of a run for what its files expand to.
+#[derive(Clone, Copy, Debug, Args, Deserialize, Serialize)]
+pub(super) struct MemoryArgs {
+    /// Reject maps and plans that expand to more than about N bytes of memory beyond what they write out.
+    #[arg(long, value_name = "N", default_value_t = Limits::default().memory)]
+    pub(super) max_memory: u64,
 }
 
 /// The level of detail of a model.
@@ -184,7 +191,7 @@ impl ReadArgs {
             triangles: self.max_triangles,
             variants: self.max_variants,
             pixels: self.max_pixels,
-            memory: self.max_memory,
+            memory: self.memory_args.max_memory,
         }
     }
 
@@ -249,8 +256,8 @@ impl ReadArgs {
 
     /// Returns the file access for `inputs`: image folders and include roots.
     pub(super) fn world(&self, inputs: &[PathBuf]) -> FolderWorld {
-        let pictures =
-            FolderWorld::new(self.folders(inputs), self.max_pixels).with_memory(self.max_memory);
+        let pictures = FolderWorld::new(self.folders(inputs), self.max_pixels)
+            .with_memory(self.memory_args.max_memory);
         pictures.with_roots(self.roots(inputs))
     }
 

@@ -261,8 +261,8 @@ impl<'a> Expansion<'a> {
                     on: OnFeature {
                         feature: made.feature,
                         origin: made.origin,
+                        name: made.name,
                     },
-                    name: made.name,
                     plain: made.plain,
                 }),
                 found: Diagnostics::new(),
@@ -331,7 +331,7 @@ impl<'a> Expansion<'a> {
             found.push(message);
         }
         if let Some(house) = &mut made {
-            house.name = feature.name;
+            house.name.clone_from(&feature.on.name);
         }
         let found = found.of_feature(&feature.on.origin);
         batch.push(made, found, Some(feature.on));

@@ -24,6 +24,8 @@ mod pieces;
 #[cfg(feature = "models")]
 mod places;
 #[cfg(feature = "models")]
+mod plainer;
+#[cfg(feature = "models")]
 mod stream;
 #[cfg(feature = "models")]
 mod tile;

@@ -6,6 +6,7 @@ use super::models::{not_shown, use_by};
 use super::overlaps::{Ground, SpilledGrounds};
 use super::pieces::Feed;
 use super::places::{Places, provenance};
+use super::plainer::plainer;
 use super::{Options, Read, beside, documents_of, refuse_towns, spare_expressions, timed};
 use hsd_base::diagnostic::Diagnostics;
 use hsd_base::diagnostic::messages::limits::too_many_triangles;
@@ -169,7 +170,8 @@ fn run_houses(
     (out, (sink, new)): (&mut Diagnostics, Outlet<'_, '_>),
     times: &mut Vec<(&'static str, Duration)>,
 ) -> io::Result<Left> {
-    let tessellator = Tessellator::new(catalog, shapes(options, apart));
+    let shapes = shapes(options, apart);
+    let tessellator = Tessellator::new(catalog, shapes);
     let places = Places::new(feed, included, options);
     let mut town = Town {
         world,
@@ -187,7 +189,7 @@ fn run_houses(
         sink,
     };
     timed(times, "houses", || {
-        town.build(&mut expansion, (&tessellator, &places), catalog)?;
+        town.build(&mut expansion, (&tessellator, &places, shapes), catalog)?;
         town.lay(ground)
     })?;
     let Town {
@@ -253,7 +255,7 @@ impl Made {
     fn of(
         batch: Batch,
         number: usize,
-        (tessellator, places, triangles): (&Tessellator<'_>, &Places<'_>, usize),
+        (tessellator, places, shapes): (&Tessellator<'_>, &Places<'_>, hsd_mesh::Options),
         (catalog, cache): (&Catalog, &NewCache<'_>),
     ) -> Made {
         let images = batch.images.clone();
@@ -272,18 +274,28 @@ impl Made {
             let mut drafts = tessellator.houses(&built, number + first);
             places.tell(drafts.nodes_mut());
             let oversized = drafts.take_oversized();
-            let count = built.len() - oversized.len();
-            for (number, place) in oversized {
+            let mut count = built.len() - oversized.len();
+            let mut houses = vec![drafts];
+            for (at, place) in oversized {
                 let mut own = Diagnostics::new();
-                own.push(too_many_triangles(place, triangles));
-                if let Some(on) = &features[number] {
-                    left_out.push(on.without_house(&own));
-                    own = own.of_feature(&on.origin);
+                match &features[at] {
+                    None => own.push(too_many_triangles(place, shapes.triangles)),
+                    Some(on) => {
+                        let house = (&built[at], number + first + at);
+                        match plainer(house, on, (catalog, shapes), &mut own) {
+                            Ok(mut drafts) => {
+                                places.tell(drafts.nodes_mut());
+                                houses.push(drafts);
+                                count += 1;
+                            }
+                            Err(left) => left_out.push(left),
+                        }
+                    }
                 }
                 found.push(own);
             }
             Made {
-                houses: vec![drafts],
+                houses,
                 count,
                 first: built.first().map(|b| b.house.span),
                 found,
@@ -353,11 +365,10 @@ impl Town<'_, '_> {
     fn build(
         &mut self,
         expansion: &mut Expansion<'_>,
-        (tessellator, places): (&Tessellator<'_>, &Places<'_>),
+        makers: (&Tessellator<'_>, &Places<'_>, hsd_mesh::Options),
         catalog: &Catalog,
     ) -> io::Result<()> {
         let cache = || self.options.shown_roofs();
-        let makers = (tessellator, places, self.options.expand.limits.triangles);
         let (mut number, mut done) = (1, None);
         let mut next = expansion.batch(self.together);
         while let Some(batch) = next.take() {

@@ -4,8 +4,8 @@
 use super::Options;
 use super::house::{Expansion, FeatureHouse, LeftOut, OnFeature};
 use super::models::{not_shown, use_by};
+use super::plainer::plainer;
 use hsd_base::diagnostic::Diagnostics;
-use hsd_base::diagnostic::messages::limits::too_many_triangles;
 use hsd_base::source::{Source, World};
 use hsd_export::images::Library;
 use hsd_export::sound;
@@ -112,6 +112,7 @@ impl<'a> TileDriver<'a> {
         let on = |house: &FeatureHouse| OnFeature {
             feature: house.feature,
             origin: house.origin.clone(),
+            name: house.name.clone(),
         };
         let features: Vec<OnFeature> = houses.iter().map(on).collect();
         let mut left_out = BTreeMap::new();
@@ -221,7 +222,7 @@ impl<'a> TileDriver<'a> {
         &found.expect("levels are those of the town").1
     }
 
-    /// Adds a house to a scene, unless it has too many triangles; returns about how many bytes it takes there.
+    /// Adds a house to a scene, plainer if it has too many triangles; returns about how many bytes it takes there.
     fn add(
         &self,
         made: &TileHouses,
@@ -233,14 +234,16 @@ impl<'a> TileDriver<'a> {
             return 0;
         };
         let mut drafts = tessellator.houses(slice::from_ref(built), number + 1);
-        let bytes = drafts.bytes();
-        for (_, place) in drafts.take_oversized() {
-            let mut found = Diagnostics::new();
-            let limit = self.options.expand.limits.triangles;
-            found.push(too_many_triangles(place, limit));
-            left_out.insert(number, on.without_house(&found));
-            out.append(found.of_feature(&on.origin));
+        if !drafts.take_oversized().is_empty() {
+            let house = (built, number + 1);
+            match plainer(house, on, (self.catalog, tessellator.options()), out) {
+                Ok(plainer) => drafts = plainer,
+                Err(left) => {
+                    left_out.insert(number, left);
+                }
+            }
         }
+        let bytes = drafts.bytes();
         scene.add(drafts);
         bytes
     }

@@ -284,6 +284,6 @@ mod tests {
             r#""shape":"KIR","over":null}]}]}]}"#,
             "\n"
         );
-        assert_eq!(regions(&building).unwrap(), expected);
+        assert_eq!(regions(&building).expect("has a roof"), expected);
     }
 }

@@ -7,7 +7,7 @@ use super::world::{Open, Overlay};
 use hsd_base::diagnostic::{Diagnostic, Diagnostics};
 use hsd_base::source::Source;
 use hsd_driver::Options;
-use hsd_town::{KeptMaps, TownFacts, TownInput};
+use hsd_town::{CheckDepth, KeptMaps, TownFacts, TownInput};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
@@ -139,7 +139,7 @@ fn check(job: TownJob, stops: &AtomicBool) -> Option<TownDone> {
     };
     let (mut included, mut out) = (job.included, Diagnostics::new());
     let goes_on = || !stops.load(Ordering::Relaxed);
-    let facts = hsd_town::check(input, &mut included, &goes_on, &mut out);
+    let facts = hsd_town::check(input, CheckDepth::Rules(&goes_on), &mut included, &mut out);
     let facts = match facts {
         Some(facts) => facts,
         None if !goes_on() => return None,

@@ -147,10 +147,13 @@ fn length(world: &dyn World, file: &Arc<str>) -> Result<u64, Fault> {
 
 /// Half of the features of a map in degrees, at least, are narrower than this; those of a town in metres are wider.
 const WIDEST: f64 = 3.0;
+/// The width up to which a feature can only be in degrees: a kilometre, or a centimetre.
+const TINIEST: f64 = 0.01;
 
 /// The widths of features, as far as they tell degrees from metres.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Widths {
+    tiny: usize,
     narrow: usize,
     all: usize,
 }
@@ -163,6 +166,12 @@ impl Widths {
         };
         self.all += 1;
         self.narrow += usize::from(width <= WIDEST);
+        self.tiny += usize::from(width <= TINIEST);
+    }
+
+    /// Returns true if features of such widths can only be in degrees: as metres, most of them would be specks.
+    pub fn are_degrees(&self) -> bool {
+        2 * self.tiny > self.all
     }
 
     /// Returns true if features of such widths can only be in metres: as degrees, most of them would be several degrees wide.

@@ -115,6 +115,11 @@ impl<'c> Tessellator<'c> {
         }
     }
 
+    /// Returns its options.
+    pub fn options(&self) -> Options {
+        self.options
+    }
+
     /// Tessellates some houses, the first of which has this number in the run, counted from 1.
     pub fn houses(&self, houses: &[Built], first: usize) -> HouseDrafts {
         let Options {

@@ -1,5 +1,5 @@
-//! Checks a town with its maps: evaluates its rules at every feature and makes nothing. Tells what editors ask for: the
-//! fields of the layers, and the values of expressions.
+//! Checks a town with its maps: evaluates its rules at every feature, and if wanted makes the houses, which nothing keeps.
+//! Returns what editors ask for: the fields of the layers, and the values of expressions.
 
 use super::layer::{Lots, as_text, is_name};
 use super::plan::Plan;
@@ -7,6 +7,7 @@ use super::run::{self, TownInput};
 use super::stream::TownStream;
 use hsd_base::diagnostic::Diagnostics;
 use hsd_base::source::{FileId, Source, Span};
+use hsd_driver::Read;
 use hsd_ir::ast::Value;
 use hsd_ir::ast::town::{FieldType, Known};
 use hsd_syntax::parse::Seen;
@@ -15,11 +16,22 @@ use std::collections::BTreeMap;
 /// The number of different values of a field that are kept.
 const EXAMPLES: usize = 5;
 
+/// The part of a town that a check evaluates.
+#[derive(Clone, Copy)]
+pub enum CheckDepth<'a> {
+    /// The rules at every feature, for as long as the function returns true.
+    Rules(&'a dyn Fn() -> bool),
+    /// The rules, then every house up to its model: reports what a build of the town reports.
+    Houses,
+}
+
 /// What is known of a town that has been checked.
 #[derive(Debug, Default)]
 pub struct TownFacts {
     /// The number of houses that its rules ask for.
     pub houses: usize,
+    /// True if something is missing that the author wanted.
+    pub is_incomplete: bool,
     /// Its layers, in the order of the file; none if its maps cannot be read, or if nobody asked.
     pub layers: Vec<LayerFacts>,
     /// The values of expressions, if the options ask for them.
@@ -56,17 +68,17 @@ pub struct FieldFacts {
     pub more: bool,
 }
 
-/// Checks a town file; `None` if it is no town, or if `goes_on` has become false. `included` are the files that were read for
-/// it before; files in which more is found are added, with numbers of their own.
+/// Checks a town file; `None` if it is not a town, or if the function of `depth` has returned false. `included` are the files that
+/// were read for it before; files in which more is found are added, with separate numbers.
 pub fn check(
     input: TownInput<'_>,
+    depth: CheckDepth<'_>,
     included: &mut Vec<Source>,
-    goes_on: &dyn Fn() -> bool,
     out: &mut Diagnostics,
 ) -> Option<TownFacts> {
     let (mut known, mut found) = (Diagnostics::new(), Diagnostics::new());
-    let read = hsd_driver::documents(&[input.source], input.world, input.options, &mut known);
-    let town = read.documents.into_iter().find_map(|d| d.town)?;
+    let mut read = hsd_driver::documents(&[input.source], input.world, input.options, &mut known);
+    let town = read.documents.iter_mut().find_map(|d| d.town.take())?;
     let asked = input.options.notes_values;
     if known.has_errors() {
         // The rules cannot be evaluated; the maps can still be asked.
@@ -74,7 +86,7 @@ pub fn check(
         return Some(facts(plan.as_ref(), TownFacts::default()));
     }
     let (made, sources) = match run::plan(input, &town, &mut found) {
-        Some(plan) => evaluated(input, &plan, goes_on, &mut found)?,
+        Some(plan) => evaluated(input, (&plan, read), depth, &mut found)?,
         None => (TownFacts::default(), vec![]),
     };
     adopt(sources, input.source.id(), included, &mut found);
@@ -85,18 +97,26 @@ pub fn check(
 /// Evaluates the rules at all features.
 fn evaluated(
     input: TownInput<'_>,
-    plan: &Plan,
-    goes_on: &dyn Fn() -> bool,
+    (plan, read): (&Plan, Read),
+    depth: CheckDepth<'_>,
     out: &mut Diagnostics,
 ) -> Option<(TownFacts, Vec<Source>)> {
     let mut stream = TownStream::new(input, plan);
-    let houses = stream.by_ref().take_while(|_| goes_on()).count();
-    if !goes_on() {
-        return None;
-    }
+    let houses = match depth {
+        CheckDepth::Rules(goes_on) => {
+            let houses = stream.by_ref().take_while(|_| goes_on()).count();
+            goes_on().then_some(houses)?
+        }
+        CheckDepth::Houses => {
+            let mut houses = 0;
+            stream.build(input, read, out, &mut |_| houses += 1);
+            houses
+        }
+    };
     let (ledger, sources) = stream.finish(out);
     let made = TownFacts {
         houses,
+        is_incomplete: ledger.is_incomplete(),
         layers: vec![],
         values: ledger.values.into_places(),
     };

@@ -17,15 +17,17 @@ pub use files::{MapFile, NoFiles, files, with_side_files};
 pub use ground::{Ground, GroundLayer, NoGround};
 pub use join::{Joined, NoJoin, Unjoined};
 pub use kept::KeptMaps;
+pub(crate) use left::LEVELS;
 pub use left::{LeftLot, LeftWhy, Sieve};
 pub use outlined::NoOutlines;
 pub use raw::{NotPlaced, Raw, read};
 
 pub(crate) use files::part;
 pub(crate) use spread::Spread;
+pub(crate) use units::measured;
 
 use super::grid::{Bounds, bounds};
-use super::shape::{area, centroid, cleaned};
+use super::shape::{area, centroid, cleaned, contains, sides};
 use glam::DVec2;
 use hsd_ir::ast::town::{FieldType, Known, Layer};
 use hsd_ir::ast::{self, Value};
@@ -33,6 +35,9 @@ use hsd_map::{Crs, Fault, Faults, Geometry};
 use hsd_syntax::parse::fields::{FieldTest, NoTruth};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+
+/// Distance between an outline and one that is inside of it, metres.
+const INSIDE: f64 = 0.05;
 
 /// A feature in the frame of the town.
 #[derive(Clone, Debug)]
@@ -104,6 +109,18 @@ impl Shape {
             Shape::Area(ring, _) => Some(ring),
             Shape::Lines(_) | Shape::Point(_) => None,
         }
+    }
+
+    /// Returns true if a ring is inside of it without touching it, and in none of its holes.
+    pub fn encloses(&self, ring: &[DVec2]) -> bool {
+        let Shape::Area(own, holes) = self else {
+            return false;
+        };
+        let is_apart = |other: &[DVec2]| {
+            sides(other).all(|side| sides(ring).all(|s| s.distance(side) > INSIDE))
+        };
+        let is_in = |other: &[DVec2]| ring.first().is_some_and(|corner| contains(other, *corner));
+        is_in(own) && is_apart(own) && holes.iter().all(|hole| !is_in(hole) && is_apart(hole))
     }
 
     /// Returns the box around it.
@@ -280,28 +297,59 @@ impl Lots {
     /// Returns the value of a field of a feature, after what the layer says of it.
     pub fn field(&self, lot: &Lot, name: &str) -> Known {
         let rule = self.layer.fields.iter().find(|f| f.name.value == name);
-        let from = rule.map_or(name, |rule| &rule.from.value);
-        let column = self.columns.get(from);
-        let found = column.and_then(|column| {
-            let at = lot.fields.binary_search_by_key(column, |f| f.0).ok()?;
-            as_text(&lot.fields[at].1).filter(|text| !text.trim().is_empty())
-        });
         let Some(rule) = rule else {
-            return match (column, found) {
-                (None, _) => Known::Unknown,
-                (_, None) => Known::Missing,
-                (_, Some(text)) => Known::Value(Value::read(&text)),
+            return match self.text(lot, name) {
+                Some(text) => Known::Value(Value::read(&text)),
+                None if self.columns.contains_key(name) => Known::Missing,
+                None => Known::Unknown,
             };
         };
-        let mapped = found.map(|text| {
-            let other = rule.map.iter().find(|(from, _)| *from == text.trim());
-            other.map_or(text, |(_, to)| to.clone())
-        });
-        let value = mapped.and_then(|text| typed(&text, rule.kind));
+        let text = self.source_text(lot, rule);
+        let value = text.and_then(|text| typed(&text, rule.kind));
         match value.or_else(|| rule.default.clone()) {
             Some(value) => Known::Value(value),
             None => Known::Missing,
         }
+    }
+
+    /// Checks the numbers of all features.
+    pub(crate) fn check_all_numbers(&mut self) {
+        let lots = std::mem::take(&mut self.lots);
+        lots.iter().for_each(|lot| self.check_numbers(lot));
+        self.lots = lots;
+    }
+
+    /// Adds a fault for each field of numbers in which a feature has a text that is not a number.
+    pub(crate) fn check_numbers(&mut self, lot: &Lot) {
+        for rule in &self.layer.fields {
+            if rule.kind != Some(FieldType::Number) {
+                continue;
+            }
+            let Some(text) = self.source_text(lot, rule) else {
+                continue;
+            };
+            if typed(&text, rule.kind).is_none() {
+                let kind = hsd_map::Kind::NotANumber { text: text.into() };
+                let fault = Fault::of_file(&self.file, kind).in_field(&*rule.from.value);
+                let number = u64::from(lot.number);
+                self.faults
+                    .push(fault.of_feature(number, Some(lot.key.clone())));
+            }
+        }
+    }
+
+    /// Returns the text from which a `Field` makes the value of a feature.
+    fn source_text(&self, lot: &Lot, rule: &ast::town::Field) -> Option<String> {
+        let text = self.text(lot, &rule.from.value)?;
+        let other = rule.map.iter().find(|(from, _)| *from == text.trim());
+        Some(other.map_or(text, |(_, to)| to.clone()))
+    }
+
+    /// Returns the text of a column at a feature, unless it is blank.
+    fn text(&self, lot: &Lot, column: &str) -> Option<String> {
+        let column = self.columns.get(column)?;
+        let at = lot.fields.binary_search_by_key(column, |f| f.0).ok()?;
+        as_text(&lot.fields[at].1).filter(|text| !text.trim().is_empty())
     }
 
     /// Returns the columns of the file by name.
@@ -351,7 +399,7 @@ fn typed(text: &str, kind: Option<FieldType>) -> Option<Value> {
             Some(read)
         }
         // "12.5 m" and "3階" are numbers for whoever reads them.
-        (Some(FieldType::Number), _) => units::measured(text).map(Value::Number),
+        (Some(FieldType::Number), _) => measured(text).map(Value::Number),
         (Some(FieldType::Truth), _) => None,
         (None, _) => Some(read),
     }

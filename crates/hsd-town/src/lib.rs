@@ -12,7 +12,7 @@
 //! | the rules of the town file make the houses | `run` |
 //! | a house is written as a text, if asked for | `text` |
 //! | every decision is recorded | `decision`, `stream` |
-//! | or nothing is made, and what an editor asks for is kept | `check`, `layer/kept` |
+//! | or nothing is kept of the houses but what was found, and what an editor asks for | `check`, `layer/kept` |
 //!
 //! Frame: metres east and north of the town's origin, z up. Rings run counter-clockwise.
 
@@ -35,7 +35,7 @@ pub mod street;
 pub mod table;
 mod text;
 
-pub use check::{FieldFacts, LayerFacts, TownFacts, adopt, check};
+pub use check::{CheckDepth, FieldFacts, LayerFacts, TownFacts, adopt, check};
 pub use decision::TownReport;
 pub use layer::KeptMaps;
 pub use plan::Plan;

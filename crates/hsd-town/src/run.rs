@@ -1,6 +1,7 @@
 //! Evaluates a town: reads its maps, then makes the houses of its features, a chunk of features at a time. What is made of a
 //! feature depends on the town file, the feature and what stands round it; chunks only save time.
 
+mod enclosed;
 mod font;
 mod footprints;
 mod maps;
@@ -182,7 +183,9 @@ pub fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
     );
     drop(trees);
     let (mut houses, mut records) = (vec![], vec![]);
-    for ((made, site), id) in made.into_iter().zip(&sites).zip(lots) {
+    let enclosing = enclosed::enclosing((plan, input), lots, &made);
+    let made = made.into_iter().zip(enclosing);
+    for ((made, site), id) in made.zip(&sites).zip(lots) {
         let of = (plan, input);
         records.extend(record(of, *id, site, made, &mut houses, &mut found));
     }
@@ -206,7 +209,7 @@ fn record(
     (plan, input): (&Plan, TownInput<'_>),
     id: LotId,
     site: &LotSite<'_>,
-    made: FeatureMade,
+    (made, enclosing): (FeatureMade, Option<LotId>),
     houses: &mut Vec<FeatureHouse>,
     found: &mut Diagnostics,
 ) -> Vec<Record> {
@@ -228,13 +231,13 @@ fn record(
         record.outcome = Outcome::Refused(refused.code, why);
         found.push(refused);
     }
-    let mut parts = parts(&record, &site.rear_decisions.borrow());
-    if parts
-        .iter()
-        .any(|part| matches!(part.outcome, Outcome::NoHouse))
-    {
-        found.push(say::rear_of_no_house(origin));
+    if let Some(other) = enclosing {
+        let enclosed = say::enclosed(origin, &plan.lot(other).key);
+        record.outcome = Outcome::Refused(enclosed.code, enclosed.message.clone());
+        found.push(enclosed);
+        return vec![record];
     }
+    let mut parts = parts(&record, site, origin, found);
     let (mut behind, ring) = (vec![], lot.shape.ring());
     site.built.replace(footprints(&made.made, ring, input));
     for made in made.made {
@@ -325,9 +328,14 @@ fn part_key(key: &str, unit: &str) -> String {
 }
 
 /// Returns the records of the houses behind the house of a feature, and of those that have no place.
-fn parts(of: &Record, decisions: &[RearDecision]) -> Vec<Record> {
+fn parts(of: &Record, site: &LotSite<'_>, origin: Origin, found: &mut Diagnostics) -> Vec<Record> {
     let part = |decision: &RearDecision| of.part(&part_key(&of.key, &decision.unit), decision);
-    decisions.iter().map(part).collect()
+    let parts: Vec<Record> = site.rear_decisions.borrow().iter().map(part).collect();
+    let has_no_house = |part: &Record| matches!(part.outcome, Outcome::NoHouse);
+    if parts.iter().any(has_no_house) {
+        found.push(say::rear_of_no_house(origin));
+    }
+    parts
 }
 
 /// Returns the name in the model of a house of a feature, by its number there.

@@ -14,8 +14,8 @@ use super::site::law::EnvelopeRow;
 use account::Totals;
 use hsd_base::diagnostic::Diagnostics;
 use hsd_base::source::Source;
-use hsd_driver::{FeatureHouse, LeftOut};
-use hsd_export::spool::NewSpool;
+use hsd_driver::{FeatureHouse, LeftOut, Read, stream_town};
+use hsd_export::spool::{NewSpool, in_memory};
 use hsd_syntax::messages::town as say;
 use hsd_syntax::parse::Values;
 use rayon::prelude::*;
@@ -145,6 +145,29 @@ impl<'a> TownStream<'a> {
     pub fn lose(&mut self, left_out: &[LeftOut]) {
         let lost: Vec<LostHouse> = left_out.iter().map(LostHouse::from).collect();
         self.ledger.lose(&lost);
+    }
+
+    /// Makes the models of all houses and drops them; returns those that would exceed a limit, which are taken from their features.
+    /// `each` receives every house before it is made.
+    pub fn build(
+        &mut self,
+        input: TownInput<'_>,
+        read: Read,
+        out: &mut Diagnostics,
+        each: &mut (dyn FnMut(&FeatureHouse) + Send),
+    ) -> Vec<LeftOut> {
+        let streamed = stream_town(
+            (input.source, read),
+            self.by_ref().inspect(each),
+            &mut std::iter::empty(),
+            input.world,
+            input.options,
+            out,
+            (&mut |_, _| Ok(()), &in_memory),
+        );
+        let left_out = streamed.expect("everything is in memory").left_out;
+        self.lose(&left_out);
+        left_out
     }
 
     /// Evaluates what is left, and returns the ledger. Reports fields that are missing and features that no rule takes.

@@ -20,6 +20,7 @@ pub use sheets::{is_map, joined, standing};
 pub use text::town;
 
 use crate::grid::{Bounds, bounds};
+use crate::layer::measured;
 use fields::Fields;
 use glam::DVec2;
 use hsd_base::source::World;
@@ -74,6 +75,8 @@ pub struct Surveyed {
     pub plane: Plane,
     /// True if its files say nothing of that.
     pub is_silent: bool,
+    /// True if its features are so small that they can only be in degrees.
+    pub is_tiny: bool,
     /// The fields of a table of vertices: the id of the house, and the number of the vertex.
     pub vertices: Option<(String, String)>,
     /// The encoding that the town must name.
@@ -120,6 +123,8 @@ pub(in crate::survey) struct Seen {
     pub(in crate::survey) filled: usize,
     /// Those of which it is a number.
     pub(in crate::survey) numbers: usize,
+    /// Those of which it is a number, or begins with one: `12 m`.
+    pub(in crate::survey) measures: usize,
     /// The values and how often they occur, up to [`MOST_VALUES`] of them.
     pub(in crate::survey) values: BTreeMap<String, usize>,
     /// True while no value occurred twice.
@@ -137,6 +142,8 @@ impl Seen {
         }
         self.filled += 1;
         self.numbers += usize::from(value.number().is_some());
+        let is_measure = value.number().is_some() || measured(&text).is_some();
+        self.measures += usize::from(is_measure);
         self.is_unique &= self
             .all
             .insert(BuildHasherDefault::<DefaultHasher>::default().hash_one(&text));
@@ -169,6 +176,7 @@ impl Seen {
         };
         self.filled += other.filled;
         self.numbers += other.numbers;
+        self.measures += other.measures;
         self.all.extend(other.all);
         for (value, count) in other.values {
             if self.values.len() < MOST_VALUES || self.values.contains_key(&value) {
@@ -254,6 +262,7 @@ fn survey_grid(world: &dyn World, path: &str, src: &str) -> Result<Surveyed, Fau
             None => Plane::Metres,
         },
         is_silent: false,
+        is_tiny: false,
         vertices: None,
         encoding: None,
         fields: Fields::new(&[], vec![], 0),
@@ -309,6 +318,7 @@ fn survey_layer(
             None => Plane::Degrees,
         },
         is_silent: read.is_silent || is_metres,
+        is_tiny: read.widths.are_degrees(),
         vertices: read.vertices,
         encoding: None,
         fields,

@@ -5,7 +5,7 @@ use super::town::Town;
 use super::town::candidates::Candidates;
 use crate::files::output::{self, Committer, Files};
 use crate::files::terminal::counted;
-use crate::options::report;
+use crate::options::{MemoryArgs, report};
 use crate::{Exit, Failure, Outcome};
 use clap::{ArgMatches, Args, Command, Error, FromArgMatches, Subcommand};
 use hsd_base::diagnostic::{Diagnostic, Diagnostics, Language, Origin, Severity, Text, noun};
@@ -99,6 +99,9 @@ pub(crate) struct Init {
     /// Replace the file if it exists.
     #[arg(long)]
     force: bool,
+
+    #[command(flatten)]
+    memory_args: MemoryArgs,
 }
 
 /// Returns the error of a map that gives no layer.
@@ -121,6 +124,7 @@ impl Init {
         let committer = Committer::reading(&self.maps);
         let folder = output::folder_of(&self.output);
         let world = FolderWorld::new(vec![], 0).with_roots(vec![folder.to_owned()]);
+        let world = world.with_memory(self.memory_args.max_memory);
         let world = world.recorded_in(&committer.inputs);
         let mut out = Diagnostics::new();
         let (layers, unread) = self.survey(&world, folder, &mut out)?;

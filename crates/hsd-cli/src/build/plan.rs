@@ -2,7 +2,7 @@
 
 use crate::files::output::Committer;
 use crate::files::terminal::counted;
-use crate::options::report;
+use crate::options::{MemoryArgs, report};
 use crate::{Exit, Failure, Outcome};
 use clap::Args;
 use glam::DVec2;
@@ -107,6 +107,9 @@ pub(crate) struct Plan {
     /// Replace a house that was changed by hand, or that was not read from a plan.
     #[arg(long)]
     force: bool,
+
+    #[command(flatten)]
+    memory_args: MemoryArgs,
 
     /// Print only diagnostics.
     #[arg(short, long)]

@@ -31,17 +31,20 @@ pub struct LeftOut {
     pub feature: (usize, usize),
     /// The feature as diagnostics name it.
     pub origin: Origin,
+    /// The name in the model.
+    pub name: String,
     /// The code of the diagnostic.
     pub code: Code,
     /// The reason.
     pub why: Text,
 }
 
-/// The feature of a house.
+/// The feature of a house, and the name of the house.
 #[derive(Clone, Debug)]
 pub(crate) struct OnFeature {
     pub(crate) feature: (usize, usize),
     pub(crate) origin: Origin,
+    pub(crate) name: String,
 }
 
 #[cfg(feature = "models")]
@@ -52,6 +55,7 @@ impl OnFeature {
         LeftOut {
             feature: self.feature,
             origin: self.origin.clone(),
+            name: self.name.clone(),
             code: last.map_or(Code(904), |found| found.code),
             why: last.map_or_else(
                 || text!("it would exceed a limit", "上限を超えます"),
@@ -61,9 +65,8 @@ impl OnFeature {
     }
 }
 
-/// The feature of a house, the name of the house, and the plain body that replaces it if it has errors.
+/// The feature of a house, and the plain body that replaces the house if it has errors.
 pub(super) struct OfFeature {
     pub(super) on: OnFeature,
-    pub(super) name: String,
     pub(super) plain: Option<Box<ast::House>>,
 }

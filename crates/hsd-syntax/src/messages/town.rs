@@ -4,7 +4,7 @@ mod accounts;
 mod law;
 mod outdoors;
 
-pub use accounts::{centre_outside, drawn_twice, layer_unused};
+pub use accounts::{centre_outside, drawn_twice, enclosed, layer_unused};
 pub use law::no_guiding_height;
 pub use outdoors::{no_font, not_laid};
 

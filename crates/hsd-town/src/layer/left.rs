@@ -15,7 +15,7 @@ const ROUNDING: f64 = 0.01;
 const SAME: f64 = 0.001;
 
 /// Fields that differ where one part of a building is above another.
-const LEVELS: [&str; 4] = [
+pub(crate) const LEVELS: [&str; 4] = [
     "building:part",
     "min_height",
     "building:min_level",

@@ -147,6 +147,16 @@ impl Raw {
         self.is_guessed && are_no_degrees
     }
 
+    /// Returns true if its features can only be in degrees. The file or the layer names such a system, or they are very small.
+    pub fn are_degrees(&self) -> bool {
+        self.crs.is_degrees() && (!self.is_guessed || self.seen.widths.are_degrees())
+    }
+
+    /// Returns true if a point of a feature cannot be in its system.
+    pub fn has_refused(&self) -> bool {
+        self.seen.refused > 0
+    }
+
     /// Returns why the system that the file names cannot be used, if it names one and nothing else says what it is.
     pub fn unknown_crs(&self) -> Option<&Fault> {
         let mut faults = self.lots.faults.iter().map(|(fault, _)| fault);

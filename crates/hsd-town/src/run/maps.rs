@@ -46,7 +46,9 @@ pub fn plan_lodged(
     let most = lodging.map_or(usize::MAX, |lodging| lodging.from);
     let mut raw = vec![];
     for written in &town.layers {
-        raw.extend(read_layer(input, written, most, out));
+        let first: Option<&Vec<Sheet>> = raw.first();
+        let is_globe = first.is_some_and(|first| first.iter().all(|s| s.raw.are_degrees()));
+        raw.extend(read_layer(input, written, (most, is_globe), out));
     }
     let mut tables = vec![];
     for table in &town.tables {
@@ -122,10 +124,11 @@ fn layers(
         }
         if written.divided.is_some() {
             lots.sift(&mut Sieve::new(true));
-            // What is wrong with the map is told of the layer that is divided.
+            // What is wrong with the map is reported at the layer that is divided.
             (lots.faults, lots.unread, lots.left) = Default::default();
             lots.divide();
         }
+        lots.check_all_numbers();
         lots.faults
             .report(&written.name.value, Some(written.src.span), out);
         layers.push(lots);
@@ -171,11 +174,12 @@ fn passes_by(town: &Town, layer: &Layer, sheets: &[Sheet]) -> bool {
     has_rules && !is_joined && !is_made && !is_first && is_alone
 }
 
-/// Reads the files of a layer, in their order; `None` if one of them cannot be read.
+/// Reads the files of a layer, in their order; `None` if one of them cannot be read. If the town is known to be in degrees, wide
+/// features in a file without a system are outliers and not metres.
 fn read_layer(
     input: TownInput<'_>,
     written: &Layer,
-    most: usize,
+    (most, is_globe): (usize, bool),
     out: &mut Diagnostics,
 ) -> Option<Vec<Sheet>> {
     let files = match files(input, &written.src) {
@@ -196,7 +200,9 @@ fn read_layer(
     let mut sheets = vec![];
     for (file, raw) in read {
         match raw {
-            Ok(raw) if raw.is_nowhere() => out.push(nowhere(&file, &raw)),
+            Ok(raw) if raw.is_nowhere() && (!is_globe || raw.has_refused()) => {
+                out.push(nowhere(&file, &raw));
+            }
             Ok(raw) => sheets.push(Sheet { file, raw }),
             Err(fault) => out.push(hsd_map::diagnostic(&fault, 1, file.span.into())),
         }

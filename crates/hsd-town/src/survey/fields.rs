@@ -253,17 +253,17 @@ impl Fields {
 
     /// Returns the field of storeys.
     pub(super) fn levels(&self) -> Option<&'static str> {
-        self.first(LEVELS, mostly_numbers).map(|(name, _)| name)
+        self.first(LEVELS, mostly_measures).map(|(name, _)| name)
     }
 
     /// Returns the field of heights in metres.
     pub(super) fn height(&self) -> Option<&'static str> {
-        self.first(HEIGHTS, mostly_numbers).map(|(name, _)| name)
+        self.first(HEIGHTS, mostly_measures).map(|(name, _)| name)
     }
 
     /// Returns the field of widths of streets.
     pub(super) fn width(&self) -> Option<&'static str> {
-        self.first(WIDTHS, mostly_numbers).map(|(name, _)| name)
+        self.first(WIDTHS, mostly_measures).map(|(name, _)| name)
     }
 
     /// Returns the field of kinds, with its values.
@@ -302,6 +302,6 @@ impl Fields {
     }
 }
 
-fn mostly_numbers(seen: &Seen) -> bool {
-    seen.numbers * 2 > seen.filled
+fn mostly_measures(seen: &Seen) -> bool {
+    seen.measures * 2 > seen.filled
 }

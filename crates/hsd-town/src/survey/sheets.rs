@@ -1,7 +1,8 @@
 //! Files of one kind beside each other become one layer: the sheets of a map, or the squares of a mesh.
 
 use super::{Kind, Plane, Sheet, Surveyed};
-use crate::grid::Bounds;
+use crate::grid::{Bounds, meet};
+use glam::DVec2;
 
 /// Endings of the maps that are read where a folder is named.
 const MAPS: [&str; 15] = [
@@ -131,16 +132,27 @@ fn common<'n>(names: &[&'n str]) -> &'n str {
     &first[..end.unwrap_or(0)]
 }
 
-/// Files that say nothing and lie among the features of one that can only be in metres are in metres too.
+/// Settles the unit of files that do not name one. Those among features that can only be in degrees are in degrees, and those
+/// among features that can only be in metres are in metres.
 fn settle(layers: &mut [Surveyed]) {
-    let metres = layers.iter().filter(|layer| layer.plane == Plane::Metres);
-    let metres: Vec<Bounds> = metres.flat_map(Surveyed::boxes).collect();
-    let is_among = |[a, b]: Bounds| {
-        let mut boxes = metres.iter();
-        boxes.any(|[c, d]| a.cmple(*d).all() && c.cmple(b).all())
+    let boxes = |of: &dyn Fn(&Surveyed) -> bool| -> Vec<Bounds> {
+        let layers = layers.iter().filter(|layer| of(layer));
+        layers.flat_map(Surveyed::boxes).collect()
     };
+    let tiny = boxes(&|layer| layer.plane.is_placed() && layer.is_tiny);
+    let metres = boxes(&|layer| layer.plane == Plane::Metres);
+    let is_among = |layer: &Surveyed, boxes: &[Bounds]| {
+        layer
+            .boxes()
+            .any(|own| boxes.iter().any(|other| meet(own, *other)))
+    };
+    let globe = [DVec2::new(-180.0, -90.0), DVec2::new(180.0, 90.0)];
+    let is_on_globe = |[low, high]: Bounds| low.cmpge(globe[0]).all() && high.cmple(globe[1]).all();
     for layer in layers.iter_mut().filter(|layer| layer.is_silent) {
-        if layer.boxes().any(is_among) {
+        let is_metres = layer.plane == Plane::Metres;
+        if is_metres && layer.boxes().all(is_on_globe) && is_among(layer, &tiny) {
+            layer.plane = Plane::Degrees;
+        } else if !layer.is_tiny && !is_among(layer, &tiny) && is_among(layer, &metres) {
             layer.plane = Plane::Metres;
         }
     }

@@ -42,20 +42,20 @@ enum Format {
     Pdf,
 }
 
-/// Opens a file; of a PDF the page that is asked for, counted from 1.
+/// Opens a file; of a PDF the page that is asked for, counted from 1. It may expand to about this memory, bytes.
 ///
 /// # Errors
 /// If it is damaged, too large, or of another format.
-pub fn open(bytes: &[u8], page: usize) -> Result<Content, Unopened> {
+pub fn open(bytes: &[u8], page: usize, memory: u64) -> Result<Content, Unopened> {
     let opened = match format(bytes) {
         Some(Format::Svg) => open_svg(bytes),
         Some(Format::Dxf) => dxf::read(bytes).map(Content::Lines),
-        Some(Format::Pdf) => pdf::read(bytes, page).map(|page| match page {
+        Some(Format::Pdf) => pdf::read(bytes, page, memory).map(|page| match page {
             pdf::Page::Lines(lines) => Content::Lines(lines),
             pdf::Page::Picture(picture) => Content::Picture(picture),
         }),
         None => {
-            return Picture::decode(bytes)
+            return Picture::decode_within(bytes, memory)
                 .map(Content::Picture)
                 .map_err(Unopened::Picture);
         }

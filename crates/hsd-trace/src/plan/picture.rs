@@ -1,5 +1,6 @@
 //! A picture as it comes from a camera or a scanner.
 
+use hsd_base::budget::Budget;
 use image::error::{ImageError, LimitErrorKind};
 use image::imageops;
 use image::metadata::Orientation;
@@ -7,7 +8,7 @@ use image::{ColorType, DynamicImage, ImageDecoder, ImageFormat, ImageReader, Lim
 use std::io::Cursor;
 
 /// The most bytes that an image may take while it is decoded.
-pub(super) const MOST_BYTES: u64 = 448 << 20;
+pub(super) const MOST_BYTES: u64 = most_bytes(Budget::MEMORY);
 /// The most bytes that a decoder may take for what stands before the pixels, such as a colour profile.
 const MOST_BESIDE: u64 = 32 << 20;
 /// The longer side of the picture that is read, pixels: a plan of 30 units still has 70 pixels a unit.
@@ -39,7 +40,15 @@ impl Picture {
     /// # Errors
     /// If it is none, damaged or too large.
     pub fn decode(bytes: &[u8]) -> Result<Picture, Unreadable> {
-        Ok(Picture::of(upright(bytes)?.0))
+        Ok(Picture::of(upright(bytes, MOST_BYTES)?.0))
+    }
+
+    /// Decodes an image like [`decode`](Picture::decode) in a run that may take about this memory, bytes.
+    ///
+    /// # Errors
+    /// Those of `decode`.
+    pub fn decode_within(bytes: &[u8], memory: u64) -> Result<Picture, Unreadable> {
+        Ok(Picture::of(upright(bytes, most_bytes(memory))?.0))
     }
 
     /// Decodes a photograph in its full size, with what its camera wrote (Exif).
@@ -47,7 +56,7 @@ impl Picture {
     /// # Errors
     /// If it is none, damaged or too large.
     pub fn whole(bytes: &[u8]) -> Result<(Picture, Option<Vec<u8>>), Unreadable> {
-        let (image, exif) = upright(bytes)?;
+        let (image, exif) = upright(bytes, MOST_BYTES)?;
         let pixels = on_white(image);
         Ok((
             Picture {
@@ -75,8 +84,13 @@ impl Picture {
     }
 }
 
+/// Returns the most bytes that an image may take while it is decoded, in a run that may take about this memory.
+pub(super) const fn most_bytes(memory: u64) -> u64 {
+    memory - memory / 8
+}
+
 /// The picture of a file, turned as its camera was held, and its Exif block.
-fn upright(bytes: &[u8]) -> Result<(DynamicImage, Option<Vec<u8>>), Unreadable> {
+fn upright(bytes: &[u8], most: u64) -> Result<(DynamicImage, Option<Vec<u8>>), Unreadable> {
     let damaged = |e: &ImageError| Unreadable::Damaged(e.to_string());
     let mut reader = ImageReader::new(Cursor::new(bytes))
         .with_guessed_format()
@@ -91,13 +105,13 @@ fn upright(bytes: &[u8]) -> Result<(DynamicImage, Option<Vec<u8>>), Unreadable> 
     // A decoder of PNG takes its pixels elsewhere; others need memory for rows or blocks of them.
     limits.max_alloc = Some(match format {
         ImageFormat::Png => MOST_BESIDE,
-        _ => MOST_BYTES,
+        _ => most,
     });
     reader.limits(limits);
     let mut decoder = reader.into_decoder().map_err(|e| refused(&e))?;
     let exif = decoder.exif_metadata().ok().flatten();
     let orientation = decoder.orientation().map_err(|e| damaged(&e))?;
-    if bytes_of(&decoder, orientation) > MOST_BYTES {
+    if bytes_of(&decoder, orientation) > most {
         return Err(Unreadable::TooLarge);
     }
     let mut image = DynamicImage::from_decoder(decoder).map_err(|e| refused(&e))?;

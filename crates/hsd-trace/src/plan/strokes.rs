@@ -7,13 +7,14 @@ use alike::Walls;
 use glam::DVec2;
 use learnt::Learnt;
 pub use nib::Nib;
-use patch::{Patch, Raw};
+use patch::{InkSheet, Patch, Raw};
 use rayon::prelude::*;
 use runs::{Habits, Line, Sum};
 use stamp::Stamp;
 use std::collections::BTreeSet;
 
 mod alike;
+mod blank;
 mod learnt;
 mod loose;
 mod nib;
@@ -178,8 +179,8 @@ impl Lines {
     /// Level and upright lines; `ink` is that of walls, `all` has what slants too.
     pub fn of(ink: &Ink, all: &Ink, grid: &Grid) -> Lines {
         let ((u0, u1), (v0, v1)) = (grid.across, grid.down);
-        let full = patch::full(ink);
-        let post = |(u, v): (i32, i32)| patch::post(all, grid, f64::from(u), f64::from(v));
+        let sheet = InkSheet::new(ink, all);
+        let post = |(u, v): (i32, i32)| sheet.post(grid, DVec2::new(f64::from(u), f64::from(v)));
         let (wide, high) = ((u1 - u0) as usize + 1, (v1 - v0) as usize + 1);
         let posts: Vec<f64> = (0..wide * high)
             .into_par_iter()
@@ -192,7 +193,7 @@ impl Lines {
             };
             let unit = |k: i32| {
                 let from = DVec2::new(f64::from(at(k).0), f64::from(at(k).1));
-                Raw::of((ink, all, full), grid, from, upright)
+                Raw::of(&sheet, grid, from, upright)
             };
             let post = |k: i32| posts[(at(k).1 - v0) as usize * wide + (at(k).0 - u0) as usize];
             RawStrip {

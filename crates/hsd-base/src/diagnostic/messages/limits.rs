@@ -79,6 +79,19 @@ pub fn too_many_triangles(span: Span, limit: usize) -> Diagnostic {
     ))
 }
 
+/// A house of a town with too many triangles at a level of detail, which is shown at another.
+#[cold]
+pub fn shown_plainer(span: Span, limit: usize, (detail, shown): (usize, usize)) -> Diagnostic {
+    let message = text!([limit, detail, shown]
+        "this house would have more than {limit} triangles at detail {detail}; it is shown at detail {shown}",
+        "この家の三角形は詳細度 {detail} で上限 ({limit}) を超えます。詳細度 {shown} で示します"
+    );
+    Diagnostic::warning(911, span, message).help(text!(
+        "split its outline into several houses, or raise the limit with `--max-triangles`",
+        "外形を何軒かに分けるか、`--max-triangles` で上限を上げてください"
+    ))
+}
+
 /// Too many storeys of monuments.
 #[cold]
 pub fn too_many_storeys(span: Span, limit: u64) -> Diagnostic {

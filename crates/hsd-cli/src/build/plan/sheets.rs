@@ -152,7 +152,7 @@ impl Plan {
                 true => pages.next().unwrap_or(1),
                 false => 1,
             };
-            let opened = drawing::open(&bytes, page);
+            let opened = drawing::open(&bytes, page, self.memory_args.max_memory);
             // What is told of a picture has no place in its bytes.
             let is_text = matches!(opened, Ok(Content::Lines(_)) | Err(Unopened::Drawing(_)));
             let text = if is_text { &bytes[..] } else { b"" };

@@ -8,10 +8,12 @@ use crate::files::terminal::{HOUSE, counted};
 use hsd_base::diagnostic::{Diagnostics, Language};
 use hsd_base::source::{FileId, Source, Span};
 use hsd_base::text;
-use hsd_driver::Read;
+use hsd_driver::{FeatureHouse, Read};
 use hsd_syntax::print;
+use hsd_town::decision::problems;
 use hsd_town::stream::{Ledger, TownStream};
 use hsd_town::{Plan, TownInput};
+use std::collections::HashSet;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -34,27 +36,25 @@ pub(super) fn build(
     let mut town = TownStream::new(input, plan).telling(&advance);
     let mut file = head(input, plan);
     file.push_str(&parts(&read, input.source));
-    let (mut count, mut open, mut unwritten) = (0, 0, vec![]);
-    for house in town.by_ref() {
-        if house.house.fittings.outdoors.is_some() {
-            open += 1;
-            continue;
-        }
-        let text = house.text.as_ref().map_or("", |text| text.text());
-        if text.is_empty() {
-            unwritten.push(house.name);
-            continue;
-        }
-        count += 1;
-        file.push_str(text);
-        file.push('\n');
-    }
+    let mut written = vec![];
+    let lost = town.build(input, read, &mut out, &mut |house| {
+        written.push(WrittenHouse::of(house))
+    });
+    let lost: HashSet<&str> = lost.iter().map(|house| &*house.name).collect();
+    // Those that are lost are reported as skipped.
+    written.retain(|house| !lost.contains(&*house.name));
+    let (count, open, unwritten) = write_houses(written, &mut file);
     file.push_str("</Houses>\n");
     let source = Source::new(FileId(0), path.to_string_lossy(), file.as_bytes());
     let laid_out = print::format(&source, limits, &mut Diagnostics::new());
     let file = laid_out.unwrap_or(file);
+    let corrected = problems(&out);
     let (mut ledger, included) = town.finish(&mut out);
+    ledger.report.corrected.extend(corrected);
     progress.finish()?;
+    if out.has_errors() {
+        return Ok((true, included, out));
+    }
     check_outputs((path, &ledger), Some(path), committer)?;
     committer.write_all(vec![(path.to_owned(), file.into_bytes())])?;
     tables(path, &mut ledger, committer)?;
@@ -70,6 +70,41 @@ pub(super) fn build(
         included,
         out,
     ))
+}
+
+/// Writes houses; returns their number, that of things which are not houses, and the names of those that have no text.
+fn write_houses(houses: Vec<WrittenHouse>, file: &mut String) -> (usize, usize, Vec<String>) {
+    let (mut count, mut open, mut unwritten) = (0, 0, vec![]);
+    for house in houses {
+        if house.is_outdoors {
+            open += 1;
+        } else if house.text.is_empty() {
+            unwritten.push(house.name);
+        } else {
+            count += 1;
+            file.push_str(&house.text);
+            file.push('\n');
+        }
+    }
+    (count, open, unwritten)
+}
+
+/// A house of a town as it is written.
+struct WrittenHouse {
+    name: String,
+    text: String,
+    is_outdoors: bool,
+}
+
+impl WrittenHouse {
+    fn of(house: &FeatureHouse) -> WrittenHouse {
+        let text = house.text.as_ref().map_or("", |text| text.text());
+        WrittenHouse {
+            name: house.name.clone(),
+            text: text.to_owned(),
+            is_outdoors: house.house.fittings.outdoors.is_some(),
+        }
+    }
 }
 
 /// Tells of houses that cannot be written by themselves.

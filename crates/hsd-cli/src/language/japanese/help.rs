@@ -99,7 +99,7 @@ pub(super) static COMMON: &[(&str, &str, &str)] = &[
     ("max_pixels", "N 画素より大きい画像を拒否する", ""),
     (
         "max_memory",
-        "書かれた量を超えておよそ N バイトより大きなメモリに展開される地図を拒否する",
+        "書かれた量を超えておよそ N バイトより大きなメモリに展開される地図と図面を拒否する",
         "",
     ),
     (
@@ -229,7 +229,7 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
     CommandHelp {
         path: "check",
         about: "モデルを作らずに、テキストの誤りを調べる",
-        more: "終了ステータスは、誤りがあれば 1 (`-D warnings` では警告も)、読めないファイルがあれば 3 です。",
+        more: "終了ステータスは、誤りがあるか (`-D warnings` では警告も)、町で作れない地物があれば 1、読めないファイルがあれば 3 です。",
         examples: "\
 例:
   hsd check shop.hsd                        該当する行を添えて指摘を表示する

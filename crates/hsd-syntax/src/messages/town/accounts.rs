@@ -1,7 +1,7 @@
 //! Messages about features and layers that are left out or unused.
 
 use hsd_base::diagnostic::messages::words::{all_of, quote};
-use hsd_base::diagnostic::{Diagnostic, Text};
+use hsd_base::diagnostic::{Diagnostic, Origin, Text};
 use hsd_base::source::Span;
 use hsd_base::text;
 
@@ -16,6 +16,20 @@ pub fn drawn_twice(layer: Span, name: &str, keys: &[&str]) -> Diagnostic {
     Diagnostic::warning(1118, layer, message).help(text!(
         "delete the duplicates in the map",
         "地図から重複を削除してください"
+    ))
+}
+
+/// A house inside of another.
+#[cold]
+pub fn enclosed(origin: Origin, other: &str) -> Diagnostic {
+    let other = quote(other);
+    let message = text!([other]
+        "it is inside the outline of {other} and is left out",
+        "{other} の輪郭の中にあるので省きます"
+    );
+    Diagnostic::warning(1118, origin, message).help(text!(
+        "draw a courtyard into the outer outline, tag the inner one `building:part=yes` with `min_height`, or delete one of them",
+        "外側の輪郭に中庭を描くか、内側に `building:part=yes` と `min_height` を付けるか、一方を削除してください"
     ))
 }
 

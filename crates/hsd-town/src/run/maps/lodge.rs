@@ -47,6 +47,7 @@ impl Passing<'_> {
             }
         }
         self.passed += 1;
+        self.head.check_numbers(&lot);
         if let Some(why) = self.sieve.refuse(&self.head, &lot) {
             self.head.left.push(LeftLot::of(&lot, why));
             return;

@@ -2,6 +2,7 @@
 
 use super::super::grid::{Grid, dark_at, level_at};
 use super::super::sheet::Ink;
+use super::blank::DarkBlocks;
 use super::nib::quantile;
 use glam::DVec2;
 
@@ -16,6 +17,8 @@ pub(super) const END: f64 = 0.14;
 /// How far from the end of a unit leaves may hang, and the shortest leaf that is looked for there, units: they hang at posts.
 const HINGES: [f64; 4] = [0.0, 0.04, 0.08, 0.12];
 const LEAVES: [f64; 4] = [0.82, 0.82, 0.82, 0.7];
+/// Room of leaves beyond the ends of a unit and on each side of it, units.
+const LEAF_ROOM: [f64; 2] = [0.25, 1.2];
 /// Darkness below which a sample is paper, and the least darkness of full ink, both in multiples of the threshold of the sheet.
 const FAINT: f64 = 0.35;
 const FULL: f64 = 2.05;
@@ -53,6 +56,40 @@ pub(super) struct Patch {
     pub(super) profiles: [[f32; ACROSS]; 2],
 }
 
+/// A sheet whose units are sampled.
+pub(super) struct InkSheet<'i> {
+    /// The ink of walls.
+    ink: &'i Ink,
+    /// All ink, with what slants.
+    all: &'i Ink,
+    /// The darkness of full ink, 0 to 255.
+    full: f64,
+    ink_blocks: DarkBlocks,
+    all_blocks: DarkBlocks,
+}
+
+impl<'i> InkSheet<'i> {
+    /// Prepares a sheet from the ink of its walls and all its ink.
+    pub(super) fn new(ink: &'i Ink, all: &'i Ink) -> InkSheet<'i> {
+        InkSheet {
+            ink,
+            all,
+            full: full(ink),
+            ink_blocks: DarkBlocks::of(&ink.dark),
+            all_blocks: DarkBlocks::of(&all.dark),
+        }
+    }
+
+    /// Returns how clearly a post is at a crossing, 0 to 1.
+    pub(super) fn post(&self, grid: &Grid, at: DVec2) -> f64 {
+        let around = [at - DVec2::splat(POST_ROOM), at + DVec2::splat(POST_ROOM)];
+        match self.all_blocks.is_blank(grid, around, self.all.threshold) {
+            true => 0.0,
+            false => post(self.all, grid, at.x, at.y),
+        }
+    }
+}
+
 /// Ink as it was sampled, before strokes that sway are straightened.
 #[derive(Clone)]
 pub(super) struct Raw {
@@ -64,7 +101,7 @@ pub(super) struct Raw {
 }
 
 /// How dark full ink is on a sheet, 0 to 255: walls are as dark as anything on it.
-pub(super) fn full(ink: &Ink) -> f64 {
+fn full(ink: &Ink) -> f64 {
     let mut counts = [0_u32; 256];
     for pixel in ink.dark.pixels().filter(|p| p[0] > ink.threshold) {
         counts[usize::from(pixel[0])] += 1;
@@ -78,24 +115,37 @@ pub(super) fn weight(share: f64) -> f64 {
 }
 
 impl Raw {
-    /// The ink of a unit that begins at a crossing; `all` has what slants too, and `full` is how dark full ink is.
-    pub(super) fn of(
-        (ink, all, full): (&Ink, &Ink, f64),
-        grid: &Grid,
-        from: DVec2,
-        upright: bool,
-    ) -> Raw {
+    /// Samples the ink of a unit that begins at a crossing.
+    pub(super) fn of(sheet: &InkSheet<'_>, grid: &Grid, from: DVec2, upright: bool) -> Raw {
+        let InkSheet { ink, all, .. } = *sheet;
+        let turned = |along: f64, across: f64| match upright {
+            false => from + DVec2::new(along, across),
+            true => from + DVec2::new(across, along),
+        };
+        let around =
+            |[along, across]: [f64; 2]| [turned(-along, -across), turned(1.0 + along, across)];
         let place = |along: f64, across: f64| match upright {
             false => grid.at(from.x + along, from.y + across),
             true => grid.at(from.x + across, from.y + along),
         };
-        let (black, red, tone) = sampled(ink, full, &place);
+        let zeros = || vec![0.0; ALONG * ACROSS];
+        let (black, red, tone) = match sheet.ink_blocks.is_blank(grid, around([0.0, REACH]), 0) {
+            true => (zeros(), zeros(), zeros()),
+            false => sampled(ink, sheet.full, &place),
+        };
+        let has_no_leaf = sheet
+            .all_blocks
+            .is_blank(grid, around(LEAF_ROOM), all.threshold);
+        let (arc, leaf) = match has_no_leaf {
+            true => (0.0, 0.0),
+            false => (arc(all, &place), leaf(all, &place)),
+        };
         Raw {
             black,
             red,
             profiles: profiles(&tone),
-            arc: arc(all, &place),
-            leaf: leaf(all, &place),
+            arc,
+            leaf,
         }
     }
 }
@@ -290,6 +340,10 @@ fn straighten(black: &mut [f32], red: &mut [f32], reach: f64) {
 /// The best share of ink along a quarter circle about one of the ends, on one of the sides.
 fn arc(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> f64 {
     let mut most = 0.0_f64;
+    let directions: [(f64, f64); 18] = std::array::from_fn(|k| {
+        let angle = (14.0 + 62.0 * k as f64 / 17.0_f64).to_radians();
+        (libm::cos(angle), libm::sin(angle))
+    });
     let ways = |k: usize| [(HINGES[k], 1.0), (1.0 - HINGES[k], -1.0)];
     for (k, (hinge, way)) in (0..HINGES.len()).flat_map(|k| ways(k).map(|w| (k, w))) {
         for (side, step) in [-1.0, 1.0]
@@ -297,14 +351,11 @@ fn arc(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> f64 {
             .flat_map(|side| (0..8).map(move |step| (side, step)))
         {
             let radius = LEAVES[k] + 0.025 * f64::from(step);
-            let seen = (0..18).filter(|k| {
-                let angle = (14.0 + 62.0 * f64::from(*k) / 17.0_f64).to_radians();
-                let (along, across) = (libm::cos(angle), libm::sin(angle));
-                let dark = |r: f64| dark_at(ink, place(hinge + way * r * along, side * r * across));
-                dark(radius)
-                    .max(dark(radius - 0.015))
-                    .max(dark(radius + 0.015))
-                    > ink.threshold
+            let seen = directions.iter().filter(|(along, across)| {
+                let is_dark = |r: f64| {
+                    dark_at(ink, place(hinge + way * r * along, side * r * across)) > ink.threshold
+                };
+                is_dark(radius) || is_dark(radius - 0.015) || is_dark(radius + 0.015)
             });
             most = most.max(seen.count() as f64 / 18.0);
         }
@@ -349,9 +400,11 @@ fn leaf(ink: &Ink, place: &dyn Fn(f64, f64) -> DVec2) -> f64 {
 
 /// How far about a crossing its post is looked for, units.
 const POST: f64 = 0.05;
+/// Distance from a crossing on each axis that the outlines of posts reach, units.
+const POST_ROOM: f64 = 0.25;
 
 /// How clearly a post stands at a crossing, 0 to 1: a filled one, or the outline of one.
-pub(super) fn post(ink: &Ink, grid: &Grid, u: f64, v: f64) -> f64 {
+fn post(ink: &Ink, grid: &Grid, u: f64, v: f64) -> f64 {
     let dark = |x: f64, y: f64| dark_at(ink, grid.at(u + x, v + y)) > ink.threshold;
     let disc: Vec<(f64, f64)> = (0..81)
         .map(|k| (f64::from(k % 9) / 4.0 - 1.0, f64::from(k / 9) / 4.0 - 1.0))

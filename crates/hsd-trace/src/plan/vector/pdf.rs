@@ -11,7 +11,7 @@ use hayro_syntax::Pdf;
 use hayro_syntax::content::UntypedIter;
 use hayro_syntax::object::{Array, Dict, Name, Object, Stream};
 use hayro_syntax::page::Resources;
-use hsd_base::budget::{Account, Resource};
+use hsd_base::budget::{Account, Budget, Resource};
 use std::sync::Arc;
 
 /// The largest file, bytes.
@@ -32,12 +32,12 @@ pub enum Page {
     Picture(Picture),
 }
 
-/// Reads a page, counted from 1.
+/// Reads a page, counted from 1, which may expand to about this memory, bytes.
 ///
 /// # Errors
 /// If the file is not a PDF, locked, too large, expands to too much, or has no such page.
-pub fn read(bytes: &[u8], number: usize) -> Result<Page, Refused> {
-    let account = Account::new(Arc::default());
+pub fn read(bytes: &[u8], number: usize, memory: u64) -> Result<Page, Refused> {
+    let account = Account::new(Arc::new(Budget::new(memory)));
     account.read(bytes.len() as u64);
     let account = &*account;
     if bytes.len() > LARGEST {

@@ -175,8 +175,11 @@ impl<'t> Reader<'t, '_> {
     }
 
     fn wires(&mut self, of: &Attributes<'t>) -> Wires {
+        let count = self
+            .whole_number(of, "wires")
+            .map(|count| count.value as u32);
         Wires {
-            count: self.usual(of, "wires") as u32,
+            count: count.unwrap_or_else(|| of.usual("wires") as u32),
             sag: self.usual(of, "sag"),
         }
     }

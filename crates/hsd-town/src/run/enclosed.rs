@@ -1,0 +1,53 @@
+//! Houses inside of others: only the outer one is built.
+
+use super::{TownInput, cache, context};
+use crate::plan::{LotId, Plan};
+use crate::site::LotSite;
+use hsd_base::diagnostic::Diagnostics;
+use hsd_ir::ast::town::Made;
+use hsd_syntax::parse::Values;
+use hsd_syntax::parse::xml::{self, FeatureMade, FeatureOf, Trees};
+use std::collections::BTreeSet;
+
+/// Returns true if the rules make a house on the front of a feature.
+pub(super) fn has_house(made: &FeatureMade) -> bool {
+    let mut made = made.made.iter();
+    made.any(|made| matches!(&made.made, Made::Houses { unit: None, .. }))
+}
+
+/// Returns for each of some features another one that it is inside of and of which the rules make a house too.
+pub(super) fn enclosing(
+    (plan, input): (&Plan, TownInput<'_>),
+    lots: &[LotId],
+    made: &[FeatureMade],
+) -> Vec<Option<LotId>> {
+    let found = lots.iter().zip(made).map(|(id, made)| {
+        let is_house = has_house(made);
+        is_house.then(|| plan.enclosing(*id)).flatten()
+    });
+    let found: Vec<Option<LotId>> = found.collect();
+    let outer: BTreeSet<LotId> = found.iter().copied().flatten().collect();
+    if outer.is_empty() {
+        return found;
+    }
+    let built = with_house((plan, input), &outer.into_iter().collect::<Vec<LotId>>());
+    let is_built = |id: &LotId| built.contains(id);
+    found.into_iter().map(|id| id.filter(is_built)).collect()
+}
+
+/// Returns those features of which the rules make a house.
+fn with_house((plan, input): (&Plan, TownInput<'_>), lots: &[LotId]) -> BTreeSet<LotId> {
+    let (cache, values) = (cache(input), Values::default());
+    let sites: Vec<LotSite<'_>> = lots.iter().map(|id| LotSite::new(plan, *id)).collect();
+    let features = sites.iter().zip(lots).map(|(site, (layer, _))| FeatureOf {
+        layer: &plan.layers[*layer].layer.name.value,
+        site,
+    });
+    let features: Vec<FeatureOf<'_>> = features.collect();
+    let (mut trees, mut unsaid) = (Trees::default(), Diagnostics::new());
+    let context = context(input, &cache, &values);
+    let wanted = (&*features, false);
+    let (made, _) = xml::features(input.source, context, &mut trees, wanted, &mut unsaid);
+    let built = lots.iter().zip(&made).filter(|(_, made)| has_house(made));
+    built.map(|(id, _)| *id).collect()
+}
