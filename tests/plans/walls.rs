@@ -21,7 +21,7 @@ fn wall(sheet: &mut RgbImage, a: DVec2, b: DVec2, thickness: f64) {
     }
 }
 
-/// A house of three rooms off every grid: 613 by 437 pixels, with two doors and a cut corner.
+/// A house of six rooms off every grid: 613 by 437 pixels, with five doors and a cut corner.
 fn sheet(at: DVec2) -> RgbImage {
     let mut sheet = RgbImage::from_pixel(1000, 700, Rgb([250; 3]));
     let (w, h) = (613.0, 437.0);
@@ -36,11 +36,17 @@ fn sheet(at: DVec2) -> RgbImage {
     for k in 0..round.len() {
         wall(&mut sheet, round[k], round[(k + 1) % round.len()], 14.0);
     }
-    // Two walls inside, each with a door of 50 pixels.
+    // Walls inside, each with a door of 50 pixels.
     wall(&mut sheet, p(251.0, 0.0), p(251.0, 150.0), 9.0);
     wall(&mut sheet, p(251.0, 200.0), p(251.0, h), 9.0);
     wall(&mut sheet, p(251.0, 263.0), p(400.0, 263.0), 9.0);
     wall(&mut sheet, p(450.0, 263.0), p(w, 263.0), 9.0);
+    wall(&mut sheet, p(0.0, 331.0), p(97.0, 331.0), 9.0);
+    wall(&mut sheet, p(147.0, 331.0), p(251.0, 331.0), 9.0);
+    wall(&mut sheet, p(341.0, 0.0), p(341.0, 119.0), 9.0);
+    wall(&mut sheet, p(341.0, 169.0), p(341.0, 263.0), 9.0);
+    wall(&mut sheet, p(489.0, 263.0), p(489.0, 287.0), 9.0);
+    wall(&mut sheet, p(489.0, 337.0), p(489.0, h), 9.0);
     sheet
 }
 
@@ -67,7 +73,7 @@ fn written(found: &Found) -> Traced {
 #[test]
 fn walls_keep_their_lengths_and_directions() {
     let found = read(sheet(dvec2(150.0, 120.0)), Some(50.0));
-    assert_eq!(found.reading.rooms(), 3);
+    assert_eq!(found.reading.rooms(), 6);
     assert_eq!(found.scale.evidence, Evidence::Given);
     let size = found.size(&written(&found));
     let metres = walls::writing::UNIT / 50.0;
@@ -75,7 +81,12 @@ fn walls_keep_their_lengths_and_directions() {
     assert!(off.abs().max_element() < 0.06, "{size}");
     // The cut corner is a wall of its own.
     let outline = written(&found).outline;
-    assert_eq!(outline.len(), 5, "{outline:?}");
+    let turns = (0..outline.len()).filter(|k| {
+        let at = |step: usize| outline[(k + step) % outline.len()];
+        let (before, after) = (at(1) - at(0), at(2) - at(1));
+        before.normalize().perp_dot(after.normalize()).abs() > 0.02
+    });
+    assert_eq!(turns.count(), 5, "{outline:?}");
     let explained = found.reading.explained;
     assert!(explained > 0.97, "{explained}");
 }
@@ -84,9 +95,9 @@ fn walls_keep_their_lengths_and_directions() {
 fn what_is_read_builds_and_says_where_its_size_is_from() {
     let found = read(sheet(dvec2(150.0, 120.0)), None);
     assert_eq!(found.scale.evidence, Evidence::Openings);
-    // Both openings of 50 pixels are taken for doors.
+    // The openings, of 41 pixels between the ends of walls, are taken for doors.
     assert!(
-        (found.scale.metres * 50.0 - 0.85).abs() < 0.05,
+        (found.scale.metres * 41.0 - 0.85).abs() < 0.05,
         "{:?}",
         found.scale
     );
@@ -101,13 +112,13 @@ fn what_is_read_builds_and_says_where_its_size_is_from() {
     );
     let told = out.into_sorted();
     assert!(told.is_empty(), "{told:?}\n{text}");
-    assert_eq!(made.building.houses[0].rooms.len(), 3, "{text}");
+    assert_eq!(made.building.houses[0].rooms.len(), 6, "{text}");
 }
 
 #[test]
 fn another_house_on_the_sheet_is_counted() {
     let mut two = sheet(dvec2(40.0, 40.0));
-    let p = |x: f64, y: f64| dvec2(700.0, 300.0) + dvec2(x, y);
+    let p = |x: f64, y: f64| dvec2(725.0, 300.0) + dvec2(x, y);
     let round = [p(0.0, 0.0), p(240.0, 0.0), p(240.0, 330.0), p(0.0, 330.0)];
     for k in 0..4 {
         wall(&mut two, round[k], round[(k + 1) % 4], 14.0);

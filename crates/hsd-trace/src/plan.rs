@@ -15,6 +15,7 @@
 //! | the source file is written | [`house`], [`text`] | [`house::House`] |
 //! | the sheet is drawn for the review | [`underlay`] | a picture, and a map to the house |
 //! | over an edited one | [`again`] | [`again::Merged`] |
+//! | plans that keep to no grid are read wall by wall | [`walls`] | [`walls::Found`] |
 //!
 //! Each step is a function from one typed thing to the next; [`marks`] draws what each has found. The same picture gives the
 //! same bytes. Lengths are pixels of the sheet or units of the grid (half a ken), places run to the right and down.
@@ -98,9 +99,13 @@ const THIN_PANE: f64 = 0.44;
 const SURE_FIT: f64 = 0.7;
 /// Half a ken where something else says how large a plan is, metres: edo-ma to kyo-ma.
 const HALF_KEN: std::ops::RangeInclusive<f64> = 0.86..=1.03;
-/// How much more of the ink of walls a reading wall by wall has to explain below that, or how much of all.
+/// How much more of the ink of walls a reading wall by wall has to explain beyond and below that, or how much of all.
+const MUCH_MORE: f64 = 0.25;
 const MORE: f64 = 0.1;
 const NEARLY_ALL: f64 = 0.9;
+const ALL: f64 = 0.97;
+/// The least share of the ink of walls that a house on a grid explains: streets reach 0.28, plans of the drawn conventions 0.53.
+const LEAST_EXPLAINED: f64 = 0.4;
 /// The fewest cells of a house.
 const LEAST_CELLS: usize = 4;
 
@@ -220,13 +225,37 @@ pub fn read(
     });
     let better = reading.filter(|(reading, scale)| is_better(reading, scale, &grid));
     let Some((reading, scale)) = better else {
-        return grid.map(|found| Plan::Grid(Box::new(found)));
+        let found = grid?;
+        // What hardly any of the walls of a sheet belong to is no house on it.
+        if explained(&found) < LEAST_EXPLAINED {
+            let (flat, ink, grid) = (found.flat, found.ink, Some(found.grid));
+            let (units, shape) = (Some(found.units), Some(found.shape));
+            let why = Refused::NoHouse;
+            return Err(Box::new(Stopped {
+                why,
+                flat,
+                ink,
+                grid,
+                units,
+                shape,
+            }));
+        }
+        return Ok(Plan::Grid(Box::new(found)));
     };
     Ok(Plan::Walls(Box::new(walls::Found {
         flat: flat.clone(),
         reading,
         scale,
     })))
+}
+
+/// Returns the share of the ink of walls that belongs to a wall of a house on a grid.
+fn explained(found: &Found) -> f64 {
+    let mut strokes = walls::mask::Strokes::of(&found.ink);
+    walls::letters::remove(&mut strokes);
+    let at = |(u, v): (i32, i32)| found.grid.at(f64::from(u), f64::from(v));
+    let walls = found.shape.outer.iter().chain(&found.shape.inner);
+    strokes.explained(walls.map(|w| [at(w.from), at(w.to)]))
 }
 
 /// Whether a reading wall by wall explains more of a sheet than one on a grid, or the grid contradicts what is printed.
@@ -243,16 +272,11 @@ fn is_better(
         let half_ken = found.grid.unit * scale.metres;
         return !HALF_KEN.contains(&half_ken);
     }
-    if found.grid.fit >= SURE_FIT {
-        return false;
+    let more = reading.explained - explained(found);
+    match found.grid.fit >= SURE_FIT {
+        true => more > MUCH_MORE || more > MORE && reading.explained >= ALL,
+        false => more > MORE || more > 0.0 && reading.explained >= NEARLY_ALL,
     }
-    let at = |(u, v): (i32, i32)| found.grid.at(f64::from(u), f64::from(v));
-    let walls = found.shape.outer.iter().chain(&found.shape.inner);
-    let explained = reading
-        .divided
-        .explained(walls.map(|w| [at(w.from), at(w.to)]));
-    let more = reading.explained - explained;
-    more > MORE || more > 0.0 && reading.explained >= NEARLY_ALL
 }
 
 /// Finds the house in a picture, by the legend that agrees best.

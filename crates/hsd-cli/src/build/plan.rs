@@ -35,7 +35,7 @@ const EDO_MA: f64 = 3.0;
 /// Turn pictures and drawings of floor plans into a house file.
 ///
 /// Reads survey drawings, Edo sashizu and carpenters' board plans that were photographed or scanned, and drawings in SVG, DXF or
-/// PDF: one file a storey, from the ground up. What is not certain is named in the text at its wall, ringed in OUT.review.png and reported. OUT.plan.json and
+/// PDF: one file a storey, from the ground up. A plan that keeps to no grid of half ken is read wall by wall. What is not certain is named in the text at its wall, ringed in OUT.review.png and reported. OUT.plan.json and
 /// OUT.sheet-1.jpg beside it are for `hsd view`, which shows the plan under the house. An OUT that was read before and changed
 /// by hand keeps its changes.
 #[derive(Debug, Args)]

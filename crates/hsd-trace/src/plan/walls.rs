@@ -1,4 +1,20 @@
-//! Walls wherever they stand: the reading of plans that keep to no grid.
+//! Walls wherever they stand: the reading of plans that keep to no grid (plans.md 2).
+//!
+//! | step | file | result |
+//! |---|---|---|
+//! | strokes are measured; the thick ones are walls | [`mask`] | [`mask::Strokes`] |
+//! | letters are removed, dashes joined | [`letters`] | the strokes without them |
+//! | lines that run from wall to wall are walls too | [`thin`] | [`bars::Bar`]s |
+//! | gaps between walls in one line are openings | [`bars`] | [`bars::Gap`]s |
+//! | what a wide disc reaches is outside | [`outside`] | chords that close the outline |
+//! | what walls and openings enclose are rooms | [`faces`] | [`faces::Faces`] |
+//! | the lines between rooms become straight walls | [`chains`], [`graph`] | [`graph::Graph`] |
+//! | printed dimensions or doors give the size | [`digits`], [`scale`] | [`scale::Scale`] |
+//! | pieces of walls get their roles | [`openings`] | [`openings::Piece`]s |
+//! | the source file is written | [`writing`] | [`writing::Traced`] |
+//!
+//! Places are pixels of the flat sheet, to the right and down. No length is a number of pixels but the least ones: all others are
+//! shares of the thickness of walls or of the diagonal of the plan.
 
 pub mod bars;
 pub mod chains;
@@ -20,7 +36,6 @@ use super::sheet::Ink;
 use bars::{Bar, Gap};
 use faces::Faces;
 use field::Field;
-use glam::DVec2;
 use graph::Graph;
 use mask::Strokes;
 use scale::Scale;
@@ -28,10 +43,7 @@ use scale::Scale;
 /// Radii of the discs by which the outside is found, as shares of the plan's diagonal.
 const RADII: [f64; 4] = [0.04, 0.055, 0.075, 0.1];
 /// The share of the largest area that a smaller radius has to enclose.
-const ENCLOSED: f64 = 0.97;
-
-/// How far from the middle of a wall its ink may lie, in thicknesses of walls.
-const REACH: f64 = 1.5;
+const ENCLOSED: f64 = 0.95;
 
 /// What parts two rooms, or a room and the outside, at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,39 +105,12 @@ pub fn read(ink: &Ink) -> Option<Reading> {
         .lines
         .iter()
         .map(|line| line.ends.map(|k| graph.corners[k]));
-    let explained = divided.explained(lines);
+    let explained = divided.strokes.explained(lines);
     (explained >= EXPLAINED).then_some(Reading {
         divided,
         graph,
         explained,
     })
-}
-
-impl Divided {
-    /// Returns the share of the ink of walls that lies on one of some lines.
-    pub fn explained(&self, lines: impl Iterator<Item = [DVec2; 2]>) -> f64 {
-        let walls = self.strokes.walls();
-        let mut near = walls.map(|_| false);
-        let reach = (REACH * self.strokes.usual).max(2.0).ceil() as isize;
-        for [a, b] in lines {
-            let steps = a.distance(b).ceil().max(1.0) as usize;
-            for k in 0..=steps {
-                let at = a.lerp(b, k as f64 / steps as f64);
-                for (dx, dy) in
-                    (-reach..=reach).flat_map(|dx| (-reach..=reach).map(move |dy| (dx, dy)))
-                {
-                    let (x, y) = (at.x as isize + dx, at.y as isize + dy);
-                    if near.get(x, y).is_some() {
-                        near[(x as usize, y as usize)] = true;
-                    }
-                }
-            }
-        }
-        let places = || (0..walls.height).flat_map(|y| (0..walls.width).map(move |x| (x, y)));
-        let all = places().filter(|p| walls[*p]).count();
-        let on = places().filter(|p| walls[*p] && near[*p]).count();
-        on as f64 / all.max(1) as f64
-    }
 }
 
 /// A plan divided into rooms.

@@ -14,12 +14,14 @@ const PIXELS: f64 = 1.5;
 const ALONG: f64 = 0.174;
 
 /// A straight wall between two corners.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     /// The corners at its ends.
     pub ends: [usize; 2],
     /// The rooms to its left and right; 0 is outside.
     pub rooms: [u32; 2],
+    /// The place of most of it across each axis: at its ends other walls draw it aside.
+    pub most: DVec2,
 }
 
 /// Walls between rooms.
@@ -54,6 +56,16 @@ impl Sets {
     }
 }
 
+/// Returns the middle of places along each axis.
+fn median(places: &[DVec2]) -> DVec2 {
+    let middle = |axis: usize| {
+        let mut all: Vec<f64> = places.iter().map(|p| p[axis]).collect();
+        all.sort_by(f64::total_cmp);
+        all[all.len() / 2]
+    };
+    dvec2(middle(0), middle(1))
+}
+
 impl Graph {
     /// Finds the walls between rooms; `usual` is the thickness of walls, pixels.
     pub fn of(faces: &Faces, usual: f64) -> Graph {
@@ -74,10 +86,20 @@ impl Graph {
                         })
                 })
                 .collect();
-            graph.lines.extend(corners.windows(2).map(|w| Line {
-                ends: [w[0], w[1]],
-                rooms: chain.rooms,
-            }));
+            let mut from = 0;
+            for (ends, to) in corners.windows(2).zip(&points[1..]) {
+                let rest = chain.points[from + 1..].iter();
+                let end = rest
+                    .clone()
+                    .position(|p| p == to)
+                    .map_or(from + 1, |k| from + 1 + k);
+                graph.lines.push(Line {
+                    ends: [ends[0], ends[1]],
+                    rooms: chain.rooms,
+                    most: median(&chain.points[from..=end]),
+                });
+                from = end;
+            }
         }
         let near = (NEAR * usual).max(PIXELS);
         graph.contract(near);
@@ -118,20 +140,23 @@ impl Graph {
         for axis in 0..2 {
             let mut sets = Sets::new(self.corners.len());
             let mut weights = vec![0.0; self.corners.len()];
+            let mut sums = vec![0.0; self.corners.len()];
             for line in &self.lines {
                 let [a, b] = line.ends;
                 let ahead = self.corners[b] - self.corners[a];
                 // Along the other axis, so that both ends have the same place on this one.
                 if ahead[axis].abs() <= ALONG * ahead.length() {
                     sets.join(a, b);
-                    weights[a] += ahead.length();
-                    weights[b] += ahead.length();
+                    for end in [a, b] {
+                        weights[end] += ahead.length();
+                        sums[end] += ahead.length() * line.most[axis];
+                    }
                 }
             }
             let mut groups: BTreeMap<usize, (f64, f64)> = BTreeMap::new();
             for (k, weight) in weights.iter().enumerate().filter(|w| *w.1 > 0.0) {
                 let group = groups.entry(sets.root(k)).or_default();
-                *group = (group.0 + weight * self.corners[k][axis], group.1 + weight);
+                *group = (group.0 + sums[k], group.1 + weight);
             }
             let mut places: Vec<(f64, f64, Vec<usize>)> = groups
                 .into_iter()
@@ -200,7 +225,7 @@ impl Graph {
             };
             let line = Line {
                 ends: if ahead { [p, q] } else { [q, p] },
-                rooms: self.lines[a].rooms,
+                ..self.lines[a]
             };
             self.lines[a] = line;
             self.lines.swap_remove(b);

@@ -2,9 +2,14 @@
 
 use super::field::Field;
 use crate::plan::sheet::Ink;
+use glam::DVec2;
 
 /// The classes of thickness in a doubling.
 const CLASSES: f64 = 8.0;
+/// Less than any stroke, pixels.
+const THINNEST: f64 = 0.01;
+/// How far from the middle of a wall its ink may lie, in thicknesses of walls.
+const REACH: f64 = 1.5;
 /// The least ratio between the mean thickness of walls and that of other strokes where walls differ by their thickness.
 const APART: f64 = 1.7;
 
@@ -52,6 +57,33 @@ impl Strokes {
     /// Returns the pixels of all strokes.
     pub fn all(&self) -> Field<bool> {
         self.thickness.map(|t| t > 0.0)
+    }
+}
+
+impl Strokes {
+    /// Returns the share of the ink of walls that lies on one of some lines.
+    pub fn explained(&self, lines: impl Iterator<Item = [DVec2; 2]>) -> f64 {
+        let walls = self.walls();
+        let mut near = walls.map(|_| false);
+        let reach = (REACH * self.usual).max(2.0).ceil() as isize;
+        for [a, b] in lines {
+            let steps = a.distance(b).ceil().max(1.0) as usize;
+            for k in 0..=steps {
+                let at = a.lerp(b, k as f64 / steps as f64);
+                for (dx, dy) in
+                    (-reach..=reach).flat_map(|dx| (-reach..=reach).map(move |dy| (dx, dy)))
+                {
+                    let (x, y) = (at.x as isize + dx, at.y as isize + dy);
+                    if near.get(x, y).is_some() {
+                        near[(x as usize, y as usize)] = true;
+                    }
+                }
+            }
+        }
+        let places = || (0..walls.height).flat_map(|y| (0..walls.width).map(move |x| (x, y)));
+        let all = places().filter(|p| walls[*p]).count();
+        let on = places().filter(|p| walls[*p] && near[*p]).count();
+        on as f64 / all.max(1) as f64
     }
 }
 
@@ -133,7 +165,8 @@ fn parted(thickness: &Field<f32>) -> (f64, f64) {
     }
     let apart = (best.2 / CLASSES).exp2();
     if apart < APART {
-        return (0.0, apart);
+        // One pen for all: every stroke may be a wall.
+        return (THINNEST, apart);
     }
     ((best.1 as f64 / CLASSES).exp2() / 4.0, apart)
 }

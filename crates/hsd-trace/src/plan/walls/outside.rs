@@ -6,7 +6,7 @@ use std::collections::VecDeque;
 /// Lengths of a step to the side and aslant, for distances.
 const STEPS: [u32; 2] = [5, 7];
 /// The most of the rim of a recess that may be open to the outside if it is a room.
-const OPEN: f64 = 0.3;
+const OPEN: f64 = 0.22;
 
 /// Returns the distance of each pixel from the nearest that is set, pixels.
 pub fn distances(set: &Field<bool>) -> Field<f32> {
