@@ -9,7 +9,7 @@ use hsd::plan::{self, Picture, Plan};
 use serde_json::Value;
 use std::path::Path;
 
-/// What was read of a plan, beside its label.
+/// A reading beside the label of its plan.
 #[derive(Debug)]
 struct Judged {
     name: String,

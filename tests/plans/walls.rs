@@ -79,7 +79,7 @@ fn walls_keep_their_lengths_and_directions() {
     let metres = walls::writing::UNIT / 50.0;
     let off = size - dvec2(613.0, 437.0) * metres;
     assert!(off.abs().max_element() < 0.06, "{size}");
-    // The cut corner is a wall of its own.
+    // The cut corner is a separate wall.
     let outline = written(&found).outline;
     let turns = (0..outline.len()).filter(|k| {
         let at = |step: usize| outline[(k + step) % outline.len()];

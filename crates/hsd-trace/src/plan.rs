@@ -94,12 +94,12 @@ const THIN: f64 = 0.58;
 /// The same for windows and lattices between rooms: on scans of survey drawings most such edges have less, and hardly any true
 /// one, but board plans draw whole walls with little more.
 const THIN_PANE: f64 = 0.44;
-/// The agreement of strokes with a grid beyond which a plan is read on it: plans of the drawn conventions reach 0.51 to 0.95, real
+/// The agreement of strokes with a grid beyond which a plan is read on it. Plans of the drawn conventions reach 0.51 to 0.95. Real
 /// plans off the grid 0.44 to 0.68, and 0.75 where walls stand at quarters of a ken.
 const SURE_FIT: f64 = 0.7;
 /// Half a ken where something else says how large a plan is, metres: edo-ma to kyo-ma.
 const HALF_KEN: std::ops::RangeInclusive<f64> = 0.86..=1.03;
-/// How much more of the ink of walls a reading wall by wall has to explain beyond and below that, or how much of all.
+/// The further share of the ink of walls that a reading wall by wall has to explain beyond and below that, or of all.
 const MUCH_MORE: f64 = 0.25;
 const MORE: f64 = 0.1;
 const NEARLY_ALL: f64 = 0.9;
@@ -203,8 +203,9 @@ pub enum Plan {
     Walls(Box<walls::Found>),
 }
 
-/// Reads the plan on a picture: on a grid of half ken as the drawn conventions have it, or wall by wall where that explains more of
-/// what is drawn.
+/// Reads the plan on an image: on a grid of half ken, as the drawn conventions have it, or wall by wall.
+///
+/// The reading is kept that explains more of what is drawn.
 ///
 /// # Errors
 /// If there is no plan; with what the steps had found.
@@ -226,7 +227,7 @@ pub fn read(
     let better = reading.filter(|(reading, scale)| is_better(reading, scale, &grid));
     let Some((reading, scale)) = better else {
         let found = grid?;
-        // What hardly any of the walls of a sheet belong to is no house on it.
+        // A house is missing if hardly any of the walls of a sheet belong to it.
         if explained(&found) < LEAST_EXPLAINED {
             let (flat, ink, grid) = (found.flat, found.ink, Some(found.grid));
             let (units, shape) = (Some(found.units), Some(found.shape));
@@ -258,7 +259,7 @@ fn explained(found: &Found) -> f64 {
     strokes.explained(walls.map(|w| [at(w.from), at(w.to)]))
 }
 
-/// Whether a reading wall by wall explains more of a sheet than one on a grid, or the grid contradicts what is printed.
+/// Returns true if a reading wall by wall explains more of a sheet than one on a grid, or the grid contradicts printed dimensions.
 fn is_better(
     reading: &walls::Reading,
     scale: &walls::scale::Scale,

@@ -336,7 +336,7 @@ pub fn assumed_size(span: Span, by: Text, [width, depth]: [f64; 2]) -> Diagnosti
     ))
 }
 
-/// Houses on a sheet beside the one that was read: so many square metres.
+/// Houses on a sheet beside the one that was read, with their area in square metres.
 #[cold]
 pub fn left_out(span: Span, area: f64) -> Diagnostic {
     let area = area.round();
@@ -345,7 +345,7 @@ pub fn left_out(span: Span, area: f64) -> Diagnostic {
         "紙に平面図が二つ以上あります。最も大きいもののほかの {area} m2 は読んでいません"
     );
     Diagnostic::error(1208, span, message).help(text!(
-        "crop the picture to one plan, and read each by itself; give the storeys of one house together, from the ground up",
+        "crop the image to one plan, and read each by itself; give the storeys of one house together, from the ground up",
         "画像を平面図ごとに切り抜き、一つずつ読んでください。同じ家の階は、下の階から順に一緒に指定してください"
     ))
 }

@@ -11,7 +11,7 @@ use glam::{DMat3, DVec2, dvec2};
 /// Bytes at the start of a file that tell what it is.
 const HEAD: usize = 4096;
 
-/// The directions of lines that are told apart in a quarter of a turn, and the least turn that is taken back, radians.
+/// The directions of lines that are distinguished in a quarter of a turn, and the least turn that is taken back, radians.
 const DIRECTIONS: usize = 180;
 const LEAST_SKEW: f64 = 0.002;
 

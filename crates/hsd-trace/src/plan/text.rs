@@ -58,7 +58,7 @@ impl Era {
         ERAS.into_iter().find(|era| era.name == name)
     }
 
-    /// The part for a role on a wall of so many units, and how many units it usually takes.
+    /// Returns the part for a role on a wall of a length in units, and the units that it usually takes.
     pub(super) fn part(&self, role: Role, units: f64, is_inner: bool) -> (&'static str, f64) {
         let side = usize::from(is_inner);
         match role {

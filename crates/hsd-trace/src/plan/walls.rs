@@ -13,7 +13,7 @@
 //! | pieces of walls get their roles | [`openings`] | [`openings::Piece`]s |
 //! | the source file is written | [`writing`] | [`writing::Traced`] |
 //!
-//! Places are pixels of the flat sheet, to the right and down. No length is a number of pixels but the least ones: all others are
+//! Places are pixels of the flat sheet, to the right and down. Only the least lengths are numbers of pixels. All others are
 //! shares of the thickness of walls or of the diagonal of the plan.
 
 pub mod bars;
@@ -45,7 +45,7 @@ const RADII: [f64; 4] = [0.04, 0.055, 0.075, 0.1];
 /// The share of the largest area that a smaller radius has to enclose.
 const ENCLOSED: f64 = 0.95;
 
-/// What parts two rooms, or a room and the outside, at a pixel.
+/// The part of a wall at a pixel, between two rooms or a room and the outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stuff {
     /// Nothing.
@@ -56,7 +56,7 @@ pub enum Stuff {
     Thin,
     /// An opening.
     Gap,
-    /// The end of what can be told from the outside.
+    /// A line that closes the outline where nothing is drawn.
     Chord,
 }
 
@@ -118,7 +118,7 @@ pub fn read(ink: &Ink) -> Option<Reading> {
 pub struct Divided {
     /// The strokes, without letters.
     pub strokes: Strokes,
-    /// What is at each pixel.
+    /// The walls and openings, pixel by pixel.
     pub stuff: Field<Stuff>,
     /// The rooms.
     pub faces: Faces,

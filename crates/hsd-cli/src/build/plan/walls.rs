@@ -29,12 +29,12 @@ pub(super) struct WallSheet {
     pub(super) file: String,
     /// The plan.
     pub(super) found: Found,
-    /// Pixels of the file in one of the picture that was read.
+    /// Pixels of the file in one of the image that was read.
     pub(super) shrink: f64,
 }
 
 impl WallSheet {
-    /// Returns a place of the sheet in the picture, pixels.
+    /// Returns a place of the sheet in the original image, pixels.
     fn in_picture(&self, at: DVec2) -> (i64, i64) {
         let at = self.found.in_picture(at) * self.shrink;
         (at.x.round() as i64, at.y.round() as i64)

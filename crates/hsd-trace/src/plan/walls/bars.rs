@@ -16,14 +16,14 @@ const DRAWN: f64 = 0.75;
 /// The longest doors without anything drawn in them, least and most, and the shortest doors, as shares of the plan's diagonal.
 const DOOR_SHARES: [f64; 2] = [0.07, 0.14];
 const LEAST_DOOR: f64 = 0.03;
-/// How much doors of one plan differ in width, and how much wider than the usual ones one may be.
+/// The ratio of the widths of doors of one plan, and of the widest door to the usual ones.
 const ALIKE: f64 = 1.2;
 const WIDER: f64 = 1.15;
 
 /// A straight wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bar {
-    /// Whether it runs down the sheet.
+    /// True if it runs down the sheet.
     pub upright: bool,
     /// First and last pixel along it.
     pub along: [usize; 2],
@@ -41,7 +41,7 @@ impl Bar {
 /// An opening between two walls of one line, or between a wall and one across it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap {
-    /// Where it is, as if it were a wall.
+    /// The opening, as if it were a wall.
     pub bar: Bar,
     /// The share of it along which something is drawn.
     pub drawn: f64,
@@ -107,7 +107,9 @@ pub fn bars(walls: &Field<bool>, usual: f64, upright: bool) -> Vec<Bar> {
     all.filter(is_straight).map(|(b, _)| b).collect()
 }
 
-/// Finds the gaps of a plan that are openings: from walls on to what is closed, up to the length of a door or as far as something is drawn.
+/// Finds the gaps of a plan that are openings: from walls on to what is closed.
+///
+/// They are as long as a door, or as far as something is drawn.
 pub fn gaps(
     (strokes, walls): (&Strokes, &Field<bool>),
     closed: &Field<bool>,
@@ -118,8 +120,9 @@ pub fn gaps(
         .collect()
 }
 
-/// Returns the length of the longest opening in which nothing is drawn: doors of a plan are about equally wide, and the commonest gap
-/// is a door.
+/// Returns the length of the longest opening in which nothing is drawn.
+///
+/// Doors of a plan are about equally wide, and the commonest gap is a door.
 pub fn door(strokes: &Strokes, walls: &Field<bool>, diagonal: f64) -> f64 {
     let [least, most] = DOOR_SHARES.map(|share| share * diagonal);
     let widest = usual_opening(strokes, walls, diagonal);

@@ -10,7 +10,7 @@ type Corner = (usize, usize);
 /// A line between two rooms.
 #[derive(Clone, Debug)]
 pub struct Chain {
-    /// Its corners; the first and last are junctions, or the same point of a closed line.
+    /// The corners; the first and last are junctions, or the same point of a closed line.
     pub points: Vec<DVec2>,
     /// The rooms to its left and right.
     pub rooms: [u32; 2],

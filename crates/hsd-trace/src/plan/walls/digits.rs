@@ -14,15 +14,15 @@ const TYPEFACES: &str = include_str!("digits.txt");
 const CELLS: [usize; 2] = [8, 12];
 /// The greatest difference from a digit, mean of all cells.
 const UNLIKE: f64 = 0.22;
-/// What the difference of widths counts.
+/// The weight of the difference of widths.
 const WIDTH: f64 = 0.35;
 /// The least and most height of a digit: pixels, and as a share of the diagonal of the plan.
 const HEIGHT: (usize, f64) = (6, 0.03);
 /// The widest space between digits of a number, in their height.
 const SPACE: f64 = 0.45;
-/// How far from the middle of two walls the number between them stands, in its height.
+/// The greatest distance of a number from the middle of the two walls that it measures, in its height.
 const MIDDLE: f64 = 2.0;
-/// How far lengths and numbers of one scale differ.
+/// The greatest difference of lengths and numbers of one scale.
 const ALIKE: f64 = 0.012;
 /// The fewest dimensions that agree.
 const FEWEST: usize = 3;
@@ -56,9 +56,9 @@ static DIGITS: LazyLock<Vec<Digit>> = LazyLock::new(|| {
 /// A printed number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Number {
-    /// Its value.
+    /// The value.
     pub value: f64,
-    /// Its middle, pixels.
+    /// The middle, pixels.
     pub middle: DVec2,
     /// The height of its digits, pixels.
     pub height: f64,
@@ -118,7 +118,7 @@ fn glyphs(dark: &GrayImage, threshold: u8, diagonal: f64) -> Vec<Glyph> {
     small.map(glyph).collect()
 }
 
-/// Returns the digit in a box; `None` if it is none.
+/// Returns the digit in a box; `None` for anything else.
 fn recognised(dark: &GrayImage, [x0, y0, x1, y1]: [usize; 4]) -> Option<u32> {
     let (w, h) = ((x1 - x0 + 1) as f64, (y1 - y0 + 1) as f64);
     let darkest = (y0..=y1).flat_map(|y| (x0..=x1).map(move |x| (x, y)));

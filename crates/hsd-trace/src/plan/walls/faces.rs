@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, VecDeque};
 const LEAST: f64 = 0.0008;
 /// The least diagonal of a large wall, as a share of that of all ink.
 const LARGE: f64 = 0.12;
-/// A network of walls counts if so many of its size are as large as the largest.
+/// The largest network of walls may be that many times as large as another that counts.
 const NETWORK: usize = 8;
 /// The narrowest room between walls, and between thin ones, as shares of the plan's diagonal.
 const NARROW: [f64; 2] = [0.025, 0.05];

@@ -5,7 +5,7 @@ use super::faces::Faces;
 use glam::{DVec2, dvec2};
 use std::collections::BTreeMap;
 
-/// How far from a straight line pixels may lie, and how near walls are to be one, in thicknesses of walls.
+/// The greatest distance of pixels from their straight line, and of walls that become one, in thicknesses of walls.
 const ROUGH: f64 = 0.6;
 const NEAR: f64 = 0.7;
 /// The least of both, pixels.

@@ -1,4 +1,4 @@
-//! What stands alone and is small: letters, specks, arrows; and the dashes of lines, which are joined.
+//! Small parts that stand alone: letters, specks, arrows. Dashes of lines are joined.
 
 use super::mask::Strokes;
 use crate::plan::raster::Parts;
@@ -28,7 +28,7 @@ impl Part {
         [self.x[1] - self.x[0] + 1, self.y[1] - self.y[0] + 1]
     }
 
-    /// Whether it is a dash along the sheet, or down.
+    /// Returns the direction of a dash: true down the sheet.
     fn dash(&self) -> Option<bool> {
         let [w, h] = self.size().map(|s| s as f64);
         let long = w.max(h) >= LONG * w.min(h);
@@ -127,7 +127,7 @@ fn dashes(parts: &[Part], is_small: &[bool]) -> Vec<(Part, f32)> {
     out
 }
 
-/// Whether a dash goes on where another ends.
+/// Returns true if a dash continues where another ends.
 fn follows(a: &Part, b: &Part) -> bool {
     let longest = a.size()[0].max(b.size()[0]) as f64;
     let between = b.x[0] as f64 - a.x[1] as f64;

@@ -1,4 +1,4 @@
-//! How thick the strokes of a sheet are, and which of them are walls.
+//! The thickness of the strokes of a sheet, and the walls among them.
 
 use super::field::Field;
 use crate::plan::sheet::Ink;
@@ -8,7 +8,7 @@ use glam::DVec2;
 const CLASSES: f64 = 8.0;
 /// Less than any stroke, pixels.
 const THINNEST: f64 = 0.01;
-/// How far from the middle of a wall its ink may lie, in thicknesses of walls.
+/// The greatest distance of ink from the middle of its wall, in thicknesses of walls.
 const REACH: f64 = 1.5;
 /// The least ratio between the mean thickness of walls and that of other strokes where walls differ by their thickness.
 const APART: f64 = 1.7;
@@ -20,7 +20,7 @@ pub struct Strokes {
     pub thickness: Field<f32>,
     /// Strokes at least as thick are walls.
     pub wall: f64,
-    /// How much thicker walls are than other strokes.
+    /// The ratio of the thickness of walls to that of other strokes.
     pub apart: f64,
     /// Thickness of walls in the middle of all, pixels.
     pub usual: f64,

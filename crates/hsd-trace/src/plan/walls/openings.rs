@@ -1,4 +1,4 @@
-//! What stands along each wall: walls, doors, windows, open ways.
+//! The pieces of each wall: plain walls, doors, windows, open ways.
 
 use super::bars::Gap;
 use super::graph::{Graph, Line};
@@ -24,11 +24,11 @@ const SHARES: [f64; 2] = [0.03, 0.14];
 /// A piece of a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// Where it ends along the wall, pixels from its first end.
+    /// The end along the wall, pixels from the first end of the wall.
     pub to: f64,
-    /// What it is.
+    /// The role.
     pub role: Role,
-    /// Whether nothing that was drawn says so.
+    /// True if nothing that is drawn shows it.
     pub is_doubtful: bool,
 }
 
@@ -143,7 +143,7 @@ fn opening(divided: &Divided, at: DVec2, is_outer: bool) -> (Role, bool) {
     }
 }
 
-/// Whether an arc is drawn round one of the ends of an opening.
+/// Returns true if an arc is drawn round one of the ends of an opening.
 fn swings(divided: &Divided, gap: &Gap) -> bool {
     let width = gap.length();
     let [least, most] = SHARES.map(|share| share * divided.diagonal);

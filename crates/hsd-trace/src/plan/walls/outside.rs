@@ -1,4 +1,4 @@
-//! What is outside: all that a disc wider than an opening reaches from the edges of the sheet.
+//! The outside: all that a disc wider than an opening reaches from the edges of the sheet.
 
 use super::field::Field;
 use std::collections::VecDeque;

@@ -88,7 +88,7 @@ pub fn steps(found: &Found) -> Vec<(&'static str, RgbImage)> {
 }
 
 impl Found {
-    /// Returns the pixel of the picture at a pixel of the sheet.
+    /// Returns the pixel of the original image at a pixel of the sheet.
     pub fn in_picture(&self, at: DVec2) -> DVec2 {
         crate::plan::raster::project(self.flat.to_picture, at)
     }

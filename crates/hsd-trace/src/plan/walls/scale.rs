@@ -1,4 +1,4 @@
-//! How large the plan is, and what says so.
+//! The size of a plan, and its evidence.
 
 use super::{Divided, Reading, bars, digits, openings};
 use crate::plan::sheet::Ink;
@@ -8,14 +8,14 @@ const DOOR: f64 = 0.85;
 /// The fewest doors that say how large a plan is.
 const FEWEST: usize = 2;
 
-/// What says how large a plan is.
+/// The evidence for the size of a plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Evidence {
     /// The author.
     Given,
-    /// So many printed dimensions.
+    /// Printed dimensions, by their number.
     Printed(usize),
-    /// So many swinging doors, taken for usual ones.
+    /// Swinging doors, by their number, taken for usual ones.
     Doors(usize),
     /// The commonest opening, taken for a door.
     Openings,
@@ -26,7 +26,7 @@ pub enum Evidence {
 pub struct Scale {
     /// Metres of a pixel.
     pub metres: f64,
-    /// What says so.
+    /// The evidence.
     pub evidence: Evidence,
 }
 

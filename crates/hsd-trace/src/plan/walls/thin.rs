@@ -8,7 +8,7 @@ use super::mask::Strokes;
 const LEAST: f64 = 0.05;
 /// The thickest wall of lines, in thicknesses of walls.
 const THICK: f64 = 1.6;
-/// How far from a wall a thin wall may end, in thicknesses of walls.
+/// The greatest distance of the end of a thin wall from a wall, in thicknesses of walls.
 const NEAR: f64 = 0.8;
 
 /// Finds lines, single or in pairs, that run from wall to wall.
@@ -82,7 +82,7 @@ fn widened(all: &Field<bool>, half: usize, upright: bool) -> Field<bool> {
     })
 }
 
-/// Whether a wall stands at an end of a thin one.
+/// Returns true if a wall stands at an end of a thin one.
 fn held(bar: &Bar, last: bool, reach: usize, known: &Field<bool>) -> bool {
     let (lines, length) = match bar.upright {
         true => (known.width, known.height),

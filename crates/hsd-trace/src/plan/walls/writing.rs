@@ -15,9 +15,9 @@ pub const UNIT: f64 = 10.0 / 11.0;
 /// A house as it is written.
 #[derive(Clone, Debug)]
 pub struct Traced {
-    /// Its text.
+    /// The text.
     pub text: String,
-    /// Where its front ends to the right, pixels of the sheet.
+    /// The right end of the front, pixels of the sheet.
     pub origin: DVec2,
     /// The middles of pieces in doubt, pixels of the sheet, each with the bytes of its text.
     pub doubts: Vec<(DVec2, std::ops::Range<usize>)>,
@@ -33,7 +33,7 @@ pub struct Traced {
 #[derive(Clone, Copy)]
 struct Step {
     line: usize,
-    /// Whether it is walked from its first end to its second.
+    /// True from its first end to its second.
     forward: bool,
 }
 
@@ -137,7 +137,7 @@ impl Writer<'_> {
         let _ = writeln!(self.text, "  <Storey height=\"{height}\">");
     }
 
-    /// Writes a walk of its own: a courtyard (`hole`) or walls inside (`inner`).
+    /// Writes a separate walk: a courtyard (`hole`) or walls inside (`inner`).
     fn apart(&mut self, kind: &str, walk: &[Step]) {
         let at = self.place(corners(self.graph, walk)[0]);
         let (a, b) = (short(at.x), short(at.y));
@@ -366,7 +366,9 @@ fn loops(graph: &Graph) -> Vec<Vec<Step>> {
     out
 }
 
-/// Where the walk round a house begins: with the wall nearest to the street of those that run to the left, at its right end.
+/// Returns the step with which the walk round a house begins.
+///
+/// It runs to the left, as near to the street as any, and begins at the right end.
 fn start(graph: &Graph, walk: &[Step]) -> usize {
     let front = |k: &usize| {
         let [a, b] = ends(graph, walk[*k]);
