@@ -142,7 +142,9 @@ pub fn usual_opening(strokes: &Strokes, walls: &Field<bool>, diagonal: f64) -> O
             .filter(move |l| **l >= from && **l <= ALIKE * from)
     };
     let commonest = lengths.iter().max_by_key(|from| within(**from).count());
-    commonest.and_then(|from| within(*from).last()).copied()
+    commonest
+        .and_then(|from| within(*from).next_back())
+        .copied()
 }
 
 /// Returns all gaps from the ends of walls to the next wall in their line.

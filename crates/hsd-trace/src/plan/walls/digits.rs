@@ -240,7 +240,7 @@ pub fn metres(numbers: &[Number], graph: &Graph) -> Option<(f64, usize)> {
     let ratio = ratios[ratios.len() / 2];
     let fits = |unit: &&f64| {
         let metres = extent * ratio * **unit;
-        metres >= EXTENT[0] && metres <= EXTENT[1]
+        (EXTENT[0]..=EXTENT[1]).contains(&metres)
     };
     let unit = UNITS.iter().find(fits)?;
     Some((ratio * unit, best.len()))

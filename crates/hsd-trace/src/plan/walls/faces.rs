@@ -19,6 +19,9 @@ const NARROW: [f64; 2] = [0.025, 0.05];
 /// The share of thin walls round a room between thin ones.
 const LIGHT: f64 = 0.3;
 
+/// The lines between each two rooms: the length of light strokes, and all.
+type Edges = BTreeMap<(u32, u32), (f64, f64)>;
+
 /// A sheet divided into rooms, without walls between: 0 is outside.
 #[derive(Clone, Debug)]
 pub struct Faces {
@@ -187,11 +190,11 @@ impl Faces {
     }
 
     /// Returns the inner width of each room, and what parts each two: the length of light strokes, and all.
-    fn measured(&self, stuff: &Field<Stuff>) -> (Vec<f64>, BTreeMap<(u32, u32), (f64, f64)>) {
+    fn measured(&self, stuff: &Field<Stuff>) -> (Vec<f64>, Edges) {
         let rim = self.of.rims();
         let inner = distances(&rim);
         let mut widths = vec![0.0_f64; self.count + 1];
-        let mut beside: BTreeMap<(u32, u32), (f64, f64)> = BTreeMap::new();
+        let mut beside = Edges::new();
         for y in 0..self.of.height {
             for x in 0..self.of.width {
                 let face = self.of[(x, y)];

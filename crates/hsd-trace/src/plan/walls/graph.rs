@@ -179,10 +179,9 @@ impl Graph {
                 .iter()
                 .flat_map(|(place, _, roots)| roots.iter().map(|r| (*r, *place)))
                 .collect();
-            for k in 0..self.corners.len() {
-                if let Some(place) = place_of.get(&sets.root(k)).filter(|_| weights[k] > 0.0) {
-                    self.corners[k][axis] = *place;
-                }
+            for (k, corner) in self.corners.iter_mut().enumerate() {
+                let place = place_of.get(&sets.root(k)).filter(|_| weights[k] > 0.0);
+                corner[axis] = place.copied().unwrap_or(corner[axis]);
             }
         }
     }

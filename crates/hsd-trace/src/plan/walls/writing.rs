@@ -232,7 +232,6 @@ impl Writer<'_> {
     }
 
     /// The parts along a step: code, width in metres and how often, and the middle of what is in doubt.
-    #[expect(clippy::type_complexity, reason = "used once")]
     fn parts(
         &self,
         step: Step,
@@ -332,10 +331,7 @@ fn loops(graph: &Graph) -> Vec<Vec<Step>> {
         let begin = graph.lines[first.line].ends[usize::from(!first.forward)];
         let mut walk: Vec<Step> = vec![];
         let mut at = begin;
-        loop {
-            let Some(all) = starting.get_mut(&at) else {
-                break;
-            };
+        while let Some(all) = starting.get_mut(&at) {
             // Where two corners of the house touch, the sharper turn to the right stays on one side.
             let sharpest = (0..all.len()).max_by(|a, b| {
                 let bend = |k: &usize| {
