@@ -58,7 +58,7 @@ impl WallSheet {
             ),
             String::new(),
             "A plan does not say these; they are usual and may be changed:".to_owned(),
-            format!("  height of the storey: {height} shaku; roof: kirizuma of tiles, 4.5 sun"),
+            format!("  height of the storey: {height} shaku; roof: tiles, 4.5 sun"),
         ];
         lines.extend(era.lines().into_iter().map(|line| format!("  {line}")));
         lines.push("Walls that were read with doubt are named in a comment before their row: correct the row, then delete the comment.".to_owned());

@@ -11,6 +11,8 @@ use std::fmt::Write as _;
 
 /// Metres in a unit of the house.
 pub const UNIT: f64 = 10.0 / 11.0;
+/// Steps of a unit on which corners lie.
+const STEPS: f64 = 100.0;
 
 /// A house as it is written.
 #[derive(Clone, Debug)]
@@ -53,6 +55,7 @@ pub fn write(
     metres: f64,
     (name, lines, height, era): (&str, &[String], f64, Era),
 ) -> Option<Traced> {
+    let graph = &stepped(graph, metres);
     let Walks {
         outline,
         holes,
@@ -82,8 +85,12 @@ pub fn write(
         w.apart("inner", &run);
     }
     w.rooms(&middles(divided, &indoors));
-    w.text
-        .push_str("  </Storey>\n  <Roofs kind=\"K\" shape=\"KIR\" pitch=\"4.5\"/>\n</House>\n");
+    // A gable roof needs walls at right angles.
+    let shape = if is_square(&around) { "KIR" } else { "YOS" };
+    let _ = writeln!(
+        w.text,
+        "  </Storey>\n  <Roofs kind=\"K\" shape=\"{shape}\" pitch=\"4.5\"/>\n</House>"
+    );
     Some(Traced {
         text: w.text,
         origin,
@@ -92,6 +99,16 @@ pub fn write(
         apart: apart * metres * metres,
         outline: around,
     })
+}
+
+/// Puts all corners onto steps of a hundredth of a unit, so that walls that meet on the sheet meet in the text.
+fn stepped(graph: &Graph, metres: f64) -> Graph {
+    let step = UNIT / STEPS / metres;
+    let corners = graph.corners.iter().map(|p| (*p / step).round() * step);
+    Graph {
+        corners: corners.collect(),
+        lines: graph.lines.clone(),
+    }
 }
 
 /// The walks of the largest house on a sheet.
@@ -211,17 +228,13 @@ impl Writer<'_> {
             let _ = write!(self.text, "{pad}<Row{turn}>");
             for (code, widths, at) in parts {
                 let start = self.text.len();
-                let [width, count] = [widths.0, widths.1 as f64];
-                let part = format!(
-                    "<Part code=\"{}\" width=\"{} m\"/>",
-                    code.trim_end(),
-                    short(width)
-                );
-                match count as usize {
-                    1 => self.text.push_str(&part),
-                    n => {
-                        let _ = write!(self.text, "<repeat num=\"{n}\">{part}</repeat>");
-                    }
+                for alike in widths.chunk_by(|a, b| (a - b).abs() < 1e-6) {
+                    let (code, width) = (code.trim_end(), short(alike[0]));
+                    let part = format!("<Part code=\"{code}\" width=\"{width}\"/>");
+                    let _ = match alike.len() {
+                        1 => write!(self.text, "{part}"),
+                        n => write!(self.text, "<repeat num=\"{n}\">{part}</repeat>"),
+                    };
                 }
                 if let Some(at) = at {
                     self.doubts.push((at, start..self.text.len()));
@@ -231,12 +244,8 @@ impl Writer<'_> {
         }
     }
 
-    /// The parts along a step: code, width in metres and how often, and the middle of what is in doubt.
-    fn parts(
-        &self,
-        step: Step,
-        is_inner: bool,
-    ) -> Vec<(&'static str, (f64, usize), Option<DVec2>)> {
+    /// Returns the parts along a step: code, widths in units, and the middle of what is in doubt.
+    fn parts(&self, step: Step, is_inner: bool) -> Vec<(&'static str, Vec<f64>, Option<DVec2>)> {
         let line = &self.graph.lines[step.line];
         let [a, b] = line.ends.map(|k| self.graph.corners[k]);
         let length = a.distance(b);
@@ -248,14 +257,23 @@ impl Writer<'_> {
         }
         if !step.forward {
             all.reverse();
+            all.iter_mut()
+                .for_each(|p| (p.0, p.1) = (length - p.1, length - p.0));
         }
+        let unit = UNIT / self.metres;
+        let stepped = |pixels: f64| match pixels >= length - 1e-9 {
+            true => length / unit,
+            false => (pixels / unit * STEPS).round() / STEPS,
+        };
+        let [a, b] = ends(self.graph, step);
         let part = |(from, to, piece): (f64, f64, Piece)| {
-            let metres = (to - from) * self.metres;
-            let (code, usual) = self.era.part(piece.role, metres / UNIT, is_inner);
-            let count = (metres / (usual * UNIT)).round().max(1.0);
+            let (code, usual) = self.era.part(piece.role, (to - from) / unit, is_inner);
+            let count = ((to - from) / unit / usual).round().max(1.0);
+            let cut = |k: f64| stepped(from + (to - from) * k / count);
+            let widths = (0..count as usize).map(|k| cut(k as f64 + 1.0) - cut(k as f64));
             let middle = a.lerp(b, (from + to) / 2.0 / length);
             let doubt = piece.is_doubtful.then_some(middle);
-            (code, (metres / count, count as usize), doubt)
+            (code, widths.filter(|w| *w > 1e-6).collect(), doubt)
         };
         all.into_iter().map(part).collect()
     }
@@ -300,6 +318,13 @@ fn enclosed(corners: &[DVec2]) -> f64 {
     let next = corners.iter().cycle().skip(1);
     let sum: f64 = corners.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum();
     sum / 2.0
+}
+
+/// Returns true if all sides run along the axes.
+fn is_square(around: &[DVec2]) -> bool {
+    let next = around.iter().cycle().skip(1);
+    let mut sides = around.iter().zip(next).map(|(a, b)| (*b - *a).abs());
+    sides.all(|side| side.min_element() < 1e-3)
 }
 
 fn inside(around: &[DVec2], at: DVec2) -> bool {
