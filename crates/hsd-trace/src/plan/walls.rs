@@ -29,6 +29,7 @@ pub mod outside;
 pub mod pictures;
 pub mod scale;
 pub mod thin;
+mod walks;
 pub mod writing;
 
 use super::flatten::Flat;

@@ -3,6 +3,7 @@
 use super::Divided;
 use super::graph::Graph;
 use super::openings::{Piece, pieces};
+use super::walks::{Step, Walks, corners, enclosed, ends, inner, rooms_of, start};
 use crate::plan::text::Era;
 use glam::{DVec2, dvec2};
 use quick_xml::escape::escape;
@@ -29,14 +30,6 @@ pub struct Traced {
     pub area: f64,
     /// The area of what is drawn apart from the house, square metres.
     pub apart: f64,
-}
-
-/// A wall that is walked along.
-#[derive(Clone, Copy)]
-struct Step {
-    line: usize,
-    /// True from its first end to its second.
-    forward: bool,
 }
 
 struct Writer<'a> {
@@ -108,37 +101,6 @@ fn stepped(graph: &Graph, metres: f64) -> Graph {
     Graph {
         corners: corners.collect(),
         lines: graph.lines.clone(),
-    }
-}
-
-/// The walks of the largest house on a sheet.
-struct Walks {
-    outline: Vec<Step>,
-    holes: Vec<Vec<Step>>,
-    /// The area of other houses, square pixels.
-    apart: f64,
-}
-
-impl Walks {
-    /// Returns `None` if nothing is enclosed.
-    fn of(graph: &Graph) -> Option<Walks> {
-        let mut loops = loops(graph);
-        let area = |walk: &Vec<Step>| enclosed(&corners(graph, walk));
-        loops.sort_by(|a, b| area(b).abs().total_cmp(&area(a).abs()));
-        let others = loops.split_off(1.min(loops.len()));
-        let outline = loops.pop().filter(|walk| area(walk).abs() > 0.0)?;
-        let around = corners(graph, &outline);
-        let (houses, courts): (Vec<_>, Vec<_>) = others
-            .into_iter()
-            .partition(|walk| area(walk) * area(&outline) > 0.0);
-        let holes = courts.into_iter();
-        Some(Walks {
-            apart: houses.iter().map(|walk| area(walk).abs()).sum(),
-            holes: holes
-                .filter(|walk| inside(&around, corners(graph, walk)[0]))
-                .collect(),
-            outline,
-        })
     }
 }
 
@@ -304,190 +266,11 @@ fn tenth(value: f64) -> String {
     format!("{}", (value * 10.0).round() / 10.0 + 0.0)
 }
 
-fn ends(graph: &Graph, step: Step) -> [DVec2; 2] {
-    let [a, b] = graph.lines[step.line].ends.map(|k| graph.corners[k]);
-    if step.forward { [a, b] } else { [b, a] }
-}
-
-fn corners(graph: &Graph, walk: &[Step]) -> Vec<DVec2> {
-    walk.iter().map(|step| ends(graph, *step)[0]).collect()
-}
-
-/// Twice-signed area of a polygon, halved: positive if its inside is to the right on a sheet whose places run down.
-fn enclosed(corners: &[DVec2]) -> f64 {
-    let next = corners.iter().cycle().skip(1);
-    let sum: f64 = corners.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum();
-    sum / 2.0
-}
-
 /// Returns true if all sides run along the axes.
 fn is_square(around: &[DVec2]) -> bool {
     let next = around.iter().cycle().skip(1);
     let mut sides = around.iter().zip(next).map(|(a, b)| (*b - *a).abs());
     sides.all(|side| side.min_element() < 1e-3)
-}
-
-fn inside(around: &[DVec2], at: DVec2) -> bool {
-    let next = around.iter().cycle().skip(1);
-    let crossed = around.iter().zip(next).filter(|(a, b)| {
-        (a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)
-    });
-    crossed.count() % 2 == 1
-}
-
-/// The walks along outer walls, each with the house on its right.
-fn loops(graph: &Graph) -> Vec<Vec<Step>> {
-    let mut starting: BTreeMap<usize, Vec<Step>> = BTreeMap::new();
-    for (n, line) in graph.lines.iter().enumerate() {
-        let forward = match line.rooms {
-            [0, r] if r != 0 => true,
-            [l, 0] if l != 0 => false,
-            _ => continue,
-        };
-        let from = line.ends[usize::from(!forward)];
-        starting
-            .entry(from)
-            .or_default()
-            .push(Step { line: n, forward });
-    }
-    let end = |step: &Step| graph.lines[step.line].ends[usize::from(step.forward)];
-    let mut out = vec![];
-    while let Some(first) = starting.values().flatten().next().copied() {
-        let begin = graph.lines[first.line].ends[usize::from(!first.forward)];
-        let mut walk: Vec<Step> = vec![];
-        let mut at = begin;
-        while let Some(all) = starting.get_mut(&at) {
-            // Where two corners of the house touch, the sharper turn to the right stays on one side.
-            let sharpest = (0..all.len()).max_by(|a, b| {
-                let bend = |k: &usize| {
-                    let [p, q] = ends(graph, all[*k]);
-                    let before = walk.last().map_or(DVec2::X, |s| {
-                        let [a, b] = ends(graph, *s);
-                        b - a
-                    });
-                    libm::atan2(before.perp_dot(q - p), before.dot(q - p))
-                };
-                bend(a).total_cmp(&bend(b))
-            });
-            let Some(k) = sharpest else { break };
-            let step = all.swap_remove(k);
-            if all.is_empty() {
-                starting.remove(&at);
-            }
-            walk.push(step);
-            at = end(&step);
-            if at == begin {
-                break;
-            }
-        }
-        if at == begin && walk.len() > 2 {
-            out.push(walk);
-        }
-    }
-    out
-}
-
-/// Returns the step with which the walk round a house begins.
-///
-/// It runs to the left, as near to the street as any, and begins at the right end.
-fn start(graph: &Graph, walk: &[Step]) -> usize {
-    let front = |k: &usize| {
-        let [a, b] = ends(graph, walk[*k]);
-        let ahead = b - a;
-        let level = -ahead.x > 0.98 * ahead.length();
-        let before = walk[(*k + walk.len() - 1) % walk.len()];
-        let [p, q] = ends(graph, before);
-        let turns = (q - p)
-            .normalize_or_zero()
-            .perp_dot(ahead.normalize_or_zero())
-            .abs()
-            > 0.02;
-        (level && turns).then_some(a)
-    };
-    let all = (0..walk.len()).filter_map(|k| Some((k, front(&k)?)));
-    all.max_by(|(_, a), (_, b)| {
-        (a.y, a.x)
-            .partial_cmp(&(b.y, b.x))
-            .unwrap_or(std::cmp::Ordering::Equal)
-    })
-    .map_or(0, |(k, _)| k)
-}
-
-/// The rooms within an outline.
-fn rooms_of(graph: &Graph, around: &[DVec2]) -> BTreeSet<u32> {
-    let mut out = BTreeSet::new();
-    for line in &graph.lines {
-        let [a, b] = line.ends.map(|k| graph.corners[k]);
-        let side = (b - a).perp().normalize_or_zero();
-        let middle = graph.middle(line);
-        // On a sheet whose places run down, what is to the right of a line lies towards its perpendicular.
-        for (room, at) in [
-            (line.rooms[0], middle - side),
-            (line.rooms[1], middle + side),
-        ] {
-            if room != 0 && inside(around, at) {
-                out.insert(room);
-            }
-        }
-    }
-    out
-}
-
-/// The walls between rooms of a house, those in one line together.
-fn inner(graph: &Graph, rooms: &BTreeSet<u32>) -> Vec<Vec<Step>> {
-    let mut left: Vec<usize> = (0..graph.lines.len())
-        .filter(|n| {
-            graph.lines[*n]
-                .rooms
-                .iter()
-                .all(|r| *r != 0 && rooms.contains(r))
-        })
-        .collect();
-    let ahead = |step: Step| {
-        let [a, b] = ends(graph, step);
-        (b - a).normalize_or_zero()
-    };
-    // To the left or up on the sheet.
-    let along = |n: usize| {
-        let forward = ahead(Step {
-            line: n,
-            forward: true,
-        });
-        Step {
-            line: n,
-            forward: (forward.x + forward.y * 1.01) < 0.0,
-        }
-    };
-    let mut out = vec![];
-    while let Some(first) = left.pop() {
-        let mut run = vec![along(first)];
-        loop {
-            let (head, tail) = (run[0], run[run.len() - 1]);
-            let [from, _] = ends(graph, head);
-            let [_, to] = ends(graph, tail);
-            let fits = |n: &usize| {
-                let step = along(*n);
-                let [a, b] = ends(graph, step);
-                let straight = ahead(step).dot(ahead(head)) > 0.9998;
-                straight && (a.distance(to) < 1e-6 || b.distance(from) < 1e-6)
-            };
-            let Some(k) = left.iter().position(fits) else {
-                break;
-            };
-            let step = along(left.swap_remove(k));
-            match ends(graph, step)[0].distance(to) < 1e-6 {
-                true => run.push(step),
-                false => run.insert(0, step),
-            }
-        }
-        out.push(run);
-    }
-    out.sort_by(|a, b| {
-        let of = |run: &Vec<Step>| ends(graph, run[0])[0];
-        let (a, b) = (of(a), of(b));
-        b.y.total_cmp(&a.y).then(b.x.total_cmp(&a.x))
-    });
-    out
 }
 
 /// The place in each room that is farthest from its walls, pixels.
