@@ -97,7 +97,7 @@ fn real_plans_are_read_wall_by_wall() {
         Vec::<String>::new()
     });
     let judged = judged.into_inner().unwrap();
-    assert!(judged.len() >= 8, "{judged:#?}");
+    assert!(judged.len() >= 7, "{judged:#?}");
     for plan in &judged {
         let is_silent = plan.outline < 0.7 || plan.scale.is_some_and(|s| (s - 1.0).abs() > 0.3);
         assert!(!is_silent, "a wrong house without an error: {plan:?}");
