@@ -1,7 +1,7 @@
 //! The sheets of `hsd plan`: legends and plans, as they are opened and read.
 
 use super::walls::WallSheet;
-use super::{Plan, SHAKU, name_of};
+use super::{EDO_MA, Plan, SHAKU, name_of};
 use crate::Failure;
 use crate::files::output::Committer;
 use glam::DVec2;
@@ -13,6 +13,7 @@ use hsd_trace::plan::drawing::{self, Content, DrawnPlan, Unopened};
 use hsd_trace::plan::flatten::{Given, project};
 use hsd_trace::plan::legend::Legend;
 use hsd_trace::plan::vector::{self, lines::Lines, roles::Roles};
+use hsd_trace::plan::walls::scale::Evidence;
 use hsd_trace::plan::{self, Found, LEGENDS, Options, Picture, Stopped, said};
 
 /// Names in the comment of a house, the most.
@@ -217,11 +218,17 @@ impl Plan {
                 shaku: None,
                 unknown: vec![],
             }]),
-            plan::Plan::Walls(found) => Read::Walls(Box::new(WallSheet {
-                found: *found,
-                file,
-                shrink,
-            })),
+            plan::Plan::Walls(mut found) => {
+                // `--unit-px` and `--ken` count half ken, whose length `--unit` sets.
+                if found.scale.evidence == Evidence::Given {
+                    found.scale.metres *= self.unit.unwrap_or(EDO_MA) / EDO_MA;
+                }
+                Read::Walls(Box::new(WallSheet {
+                    found: *found,
+                    file,
+                    shrink,
+                }))
+            }
         })
     }
 

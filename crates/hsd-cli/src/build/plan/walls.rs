@@ -86,7 +86,7 @@ impl Plan {
         out: &mut Diagnostics,
     ) -> Result<Option<Text>, Failure> {
         let picture = sources.last().map(|source| source.span(0..0));
-        let Some((traced, file)) = self.traced(sheet) else {
+        let Some((traced, file)) = self.traced(sheet)? else {
             picture
                 .into_iter()
                 .for_each(|at| out.push(say::no_house(at)));
@@ -127,8 +127,13 @@ impl Plan {
 
     /// Writes the text of a house, and the files beside it.
     #[expect(clippy::type_complexity, reason = "files as the committer takes them")]
-    fn traced(&self, sheet: &WallSheet) -> Option<(Traced, Vec<(PathBuf, Vec<u8>)>)> {
-        let era = Era::named(self.era.name())?;
+    fn traced(
+        &self,
+        sheet: &WallSheet,
+    ) -> Result<Option<(Traced, Vec<(PathBuf, Vec<u8>)>)>, Failure> {
+        let Some(era) = Era::named(self.era.name()) else {
+            return Ok(None);
+        };
         let wanted = Wanted {
             name: String::new(),
             era,
@@ -151,8 +156,10 @@ impl Plan {
         let write = |lines: &[String]| {
             writing::write((divided, graph), metres, (&name, lines, height, era))
         };
-        let first = write(&[])?;
-        let traced = write(&sheet.told(&first, height, era))?;
+        let first = write(&[]);
+        let Some(traced) = first.and_then(|first| write(&sheet.told(&first, height, era))) else {
+            return Ok(None);
+        };
         let (under, to_house) = pictures::underlay(found, &traced);
         let path = self.sheet_path(1);
         let kept = PlanSheet {
@@ -162,21 +169,21 @@ impl Plan {
         };
         let doubts: Vec<DVec2> = traced.doubts.iter().map(|doubt| doubt.0).collect();
         let mut files = vec![
-            (path, bytes(&under, ImageFormat::Jpeg).ok()?),
+            (path, bytes(&under, ImageFormat::Jpeg)?),
             (
                 self.review_path(1),
-                bytes(&pictures::review(found, &doubts), ImageFormat::Png).ok()?,
+                bytes(&pictures::review(found, &doubts), ImageFormat::Png)?,
             ),
         ];
         if let Some(folder) = &self.steps {
-            std::fs::create_dir_all(folder).ok()?;
+            std::fs::create_dir_all(folder).map_err(|e| Failure::at(folder.display(), e))?;
             for (name, picture) in pictures::steps(found) {
-                files.push((folder.join(name), bytes(&picture, ImageFormat::Png).ok()?));
+                files.push((folder.join(name), bytes(&picture, ImageFormat::Png)?));
             }
         }
         let record = PlanFile::new(vec![kept], traced.text.clone());
         files.push((self.beside("plan.json"), record.json().into_bytes()));
-        Some((traced, files))
+        Ok(Some((traced, files)))
     }
 
     /// Reports a size that was assumed, and houses that were left out.
