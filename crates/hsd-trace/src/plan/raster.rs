@@ -45,8 +45,16 @@ pub(super) struct Parts {
 impl Parts {
     /// Finds the parts of the pixels that are not 0. Pixels that meet at a corner hang together if `diagonal`.
     pub(super) fn of(picture: &GrayImage, diagonal: bool) -> Parts {
-        let (width, height) = picture.dimensions();
         let set = |x: u32, y: u32| picture.get_pixel(x, y)[0] > 0;
+        Parts::of_set(picture.dimensions(), set, diagonal)
+    }
+
+    /// Finds the parts of the pixels of a set.
+    pub(super) fn of_set(
+        (width, height): (u32, u32),
+        set: impl Fn(u32, u32) -> bool,
+        diagonal: bool,
+    ) -> Parts {
         let place = |x: u32, y: u32| y as usize * width as usize + x as usize;
         let mut of = vec![0_u32; width as usize * height as usize];
         // Provisional labels, each with a label of its part that is not larger: a forest of disjoint sets.
@@ -97,11 +105,75 @@ impl Parts {
         }
     }
 
+    /// Returns the part of a pixel.
+    pub(super) fn at(&self, (x, y): (usize, usize)) -> usize {
+        self.of[y * self.width as usize + x] as usize
+    }
+
+    /// Returns the extent of each part; the first is that of the background, without any pixel.
+    pub(super) fn extents(&self) -> Vec<Extent> {
+        let mut out = vec![Extent::default(); self.count + 1];
+        for (x, y, part) in self.pixels() {
+            out[part as usize].add(x as usize, y as usize);
+        }
+        out
+    }
+
     /// Returns the pixels of all parts: column, row and part.
     pub(super) fn pixels(&self) -> impl Iterator<Item = (u32, u32, u32)> {
         let width = self.width as usize;
         let all = self.of.iter().enumerate().filter(|(_, part)| **part > 0);
         all.map(move |(k, part)| ((k % width) as u32, (k / width) as u32, *part))
+    }
+}
+
+/// Where a connected part lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Extent {
+    /// First and last column.
+    pub(super) x: [usize; 2],
+    /// First and last row.
+    pub(super) y: [usize; 2],
+    /// Its pixels.
+    pub(super) area: usize,
+}
+
+impl Default for Extent {
+    fn default() -> Extent {
+        let none = [usize::MAX, 0];
+        Extent {
+            x: none,
+            y: none,
+            area: 0,
+        }
+    }
+}
+
+impl Extent {
+    fn add(&mut self, x: usize, y: usize) {
+        self.x = [self.x[0].min(x), self.x[1].max(x)];
+        self.y = [self.y[0].min(y), self.y[1].max(y)];
+        self.area += 1;
+    }
+
+    /// Returns the extent of both.
+    pub(super) fn with(self, other: Extent) -> Extent {
+        Extent {
+            x: [self.x[0].min(other.x[0]), self.x[1].max(other.x[1])],
+            y: [self.y[0].min(other.y[0]), self.y[1].max(other.y[1])],
+            area: self.area + other.area,
+        }
+    }
+
+    /// Returns width and height, pixels; 0 without any.
+    pub(super) fn size(&self) -> [usize; 2] {
+        [self.x, self.y].map(|[a, b]| (b + 1).saturating_sub(a))
+    }
+
+    /// Returns the length of the diagonal, pixels.
+    pub(super) fn diagonal(&self) -> f64 {
+        let [w, h] = self.size().map(|s| s as f64);
+        w.hypot(h)
     }
 }
 

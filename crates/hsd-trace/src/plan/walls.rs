@@ -4,8 +4,9 @@
 //! |---|---|---|
 //! | strokes are measured; the thick ones are walls | [`mask`] | [`mask::Strokes`] |
 //! | letters are removed, dashes joined | [`letters`] | the strokes without them |
+//! | lines of floors and stairs are removed | [`hatching`] | the strokes without them |
 //! | lines that run from wall to wall are walls too | [`thin`] | [`bars::Bar`]s |
-//! | gaps between walls in one line are openings | [`bars`] | [`bars::Gap`]s |
+//! | gaps between walls in one line are openings | [`gaps`] | [`gaps::Gap`]s |
 //! | what a wide disc reaches is outside | [`outside`] | chords that close the outline |
 //! | what walls and openings enclose are rooms | [`faces`] | [`faces::Faces`] |
 //! | the lines between rooms become straight walls | [`chains`], [`graph`] | [`graph::Graph`] |
@@ -21,22 +22,26 @@ pub mod chains;
 pub mod digits;
 pub mod faces;
 pub mod field;
+pub mod gaps;
 pub mod graph;
+pub mod hatching;
 pub mod letters;
 pub mod mask;
 pub mod openings;
 pub mod outside;
 pub mod pictures;
 pub mod scale;
+mod swing;
 pub mod thin;
 mod walks;
 pub mod writing;
 
 use super::flatten::Flat;
 use super::sheet::Ink;
-use bars::{Bar, Gap};
+use bars::Bar;
 use faces::Faces;
 use field::Field;
+use gaps::Gap;
 use graph::Graph;
 use mask::Strokes;
 use scale::Scale;
@@ -137,19 +142,23 @@ pub struct Divided {
 pub fn divide(ink: &Ink) -> Divided {
     let mut strokes = Strokes::of(ink);
     let drawn = letters::remove(&mut strokes);
+    hatching::remove(&mut strokes, drawn);
+    // Letters that hung together with it stand alone now.
+    letters::remove(&mut strokes);
     let solid = faces::within_walls(&strokes.walls(), drawn);
+    let solid = strokes.joined(&solid);
     let (_, bounds) = faces::largest(&solid);
-    let diagonal = diagonal_of(bounds);
+    let diagonal = bounds.diagonal();
     let thin = thin::thin(&strokes, &solid, (bounds, diagonal));
     let mut walls = solid.clone();
     thin.iter().for_each(|bar| thin::draw(&mut walls, bar));
-    let door = bars::door(&strokes, &solid, diagonal);
-    let mut gaps = bars::gaps((&strokes, &walls), &walls, door);
+    let door = gaps::door(&strokes, &solid, diagonal);
+    let mut gaps = gaps::gaps((&strokes, &walls), &walls, (door, diagonal));
     let closed = faces::closed(&walls, &gaps);
-    gaps.extend(bars::gaps((&strokes, &walls), &closed, door));
+    gaps.extend(gaps::gaps((&strokes, &walls), &closed, (door, diagonal)));
     let closed = faces::closed(&closed, &gaps);
     let (network, bounds) = faces::largest(&closed);
-    let diagonal = diagonal_of(bounds);
+    let diagonal = bounds.diagonal();
     let (faces, network) = enclosed(&network, diagonal);
     let stuff = Field::new(network.width, network.height, |x, y| {
         let p = (x, y);
@@ -188,9 +197,4 @@ fn enclosed(network: &Field<bool>, diagonal: f64) -> (Faces, Field<bool>) {
     tried
         .find(|t| area(&t.0) >= ENCLOSED * most)
         .expect("the largest is one of them")
-}
-
-fn diagonal_of([x0, y0, x1, y1]: [usize; 4]) -> f64 {
-    let (w, h) = (x1.saturating_sub(x0) as f64, y1.saturating_sub(y0) as f64);
-    w.hypot(h)
 }

@@ -1,10 +1,10 @@
 //! Numbers that are printed on a sheet: dimensions between walls say how large a plan is.
 
 use super::graph::Graph;
-use crate::plan::raster::Parts;
+use crate::plan::raster::{Extent, Parts};
 use crate::plan::sheet::Ink;
 use glam::{DVec2, dvec2};
-use image::{GrayImage, Luma};
+use image::GrayImage;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
@@ -94,33 +94,25 @@ pub fn numbers(ink: &Ink, diagonal: f64) -> Vec<Number> {
 
 /// Finds what may be digits.
 fn glyphs(dark: &GrayImage, threshold: u8, diagonal: f64) -> Vec<Glyph> {
-    let (width, height) = dark.dimensions();
-    let black = GrayImage::from_fn(width, height, |x, y| {
-        Luma([u8::from(dark.get_pixel(x, y)[0] > threshold)])
-    });
-    let parts = Parts::of(&black, true);
-    let mut boxes = vec![[usize::MAX, usize::MAX, 0, 0]; parts.count];
-    for (x, y, part) in parts.pixels() {
-        let b = &mut boxes[part as usize - 1];
-        let (x, y) = (x as usize, y as usize);
-        *b = [b[0].min(x), b[1].min(y), b[2].max(x), b[3].max(y)];
-    }
+    let black = |x: u32, y: u32| dark.get_pixel(x, y)[0] > threshold;
+    let extents = Parts::of_set(dark.dimensions(), black, true).extents();
     let most = (HEIGHT.1 * diagonal) as usize;
-    let small = boxes.into_iter().filter(|b| {
-        let (w, h) = (b[2] - b[0] + 1, b[3] - b[1] + 1);
+    let small = extents.iter().skip(1).filter(|extent| {
+        let [w, h] = extent.size();
         h >= HEIGHT.0 && h <= most && w <= h
     });
-    let glyph = |b: [usize; 4]| Glyph {
-        x: [b[0], b[2]],
-        y: [b[1], b[3]],
-        value: recognised(dark, b),
+    let glyph = |extent: &Extent| Glyph {
+        x: extent.x,
+        y: extent.y,
+        value: recognised(dark, extent),
     };
     small.map(glyph).collect()
 }
 
 /// Returns the digit in a box; `None` for anything else.
-fn recognised(dark: &GrayImage, [x0, y0, x1, y1]: [usize; 4]) -> Option<u32> {
-    let (w, h) = ((x1 - x0 + 1) as f64, (y1 - y0 + 1) as f64);
+fn recognised(dark: &GrayImage, extent: &Extent) -> Option<u32> {
+    let [w, h] = extent.size().map(|s| s as f64);
+    let ([x0, x1], [y0, y1]) = (extent.x, extent.y);
     let darkest = (y0..=y1).flat_map(|y| (x0..=x1).map(move |x| (x, y)));
     let tone = |x: usize, y: usize| f64::from(dark.get_pixel(x as u32, y as u32)[0]);
     let full = darkest.map(|(x, y)| tone(x, y)).fold(1.0, f64::max);

@@ -1,11 +1,10 @@
 //! Rooms: what walls and openings enclose.
 
 use super::Stuff;
-use super::bars::Gap;
 use super::field::Field;
+use super::gaps::Gap;
 use super::outside::distances;
-use crate::plan::raster::Parts;
-use image::{GrayImage, Luma};
+use crate::plan::raster::Extent;
 use std::collections::{BTreeMap, VecDeque};
 
 /// The least room, in the square of the plan's diagonal.
@@ -51,21 +50,14 @@ pub fn closed(walls: &Field<bool>, gaps: &[Gap]) -> Field<bool> {
 }
 
 /// Keeps the largest of the networks of walls, and those nearly as large; returns the bounds of the largest.
-pub fn largest(walls: &Field<bool>) -> (Field<bool>, [usize; 4]) {
-    let parts = Parts::of(&gray(walls), true);
-    let mut boxes = vec![[usize::MAX, usize::MAX, 0, 0]; parts.count + 1];
-    for (x, y, part) in parts.pixels() {
-        let b = &mut boxes[part as usize];
-        let (x, y) = (x as usize, y as usize);
-        *b = [b[0].min(x), b[1].min(y), b[2].max(x), b[3].max(y)];
-    }
-    let size = |b: &[usize; 4]| match b[0] == usize::MAX {
-        true => 0,
-        false => (b[2] - b[0] + 1) * (b[3] - b[1] + 1),
-    };
-    let best = (0..boxes.len()).max_by_key(|k| (size(&boxes[*k]), std::cmp::Reverse(*k)));
-    let bounds = boxes[best.unwrap_or(0)];
-    let stays = |part: u32| size(&boxes[part as usize]) * NETWORK >= size(&bounds);
+pub(super) fn largest(walls: &Field<bool>) -> (Field<bool>, Extent) {
+    let parts = walls.parts(true);
+    let extents = parts.extents();
+    let size = |extent: &Extent| extent.size().iter().product::<usize>();
+    let sizes: Vec<usize> = extents.iter().map(size).collect();
+    let best = (0..sizes.len()).max_by_key(|k| (sizes[*k], std::cmp::Reverse(*k)));
+    let bounds = extents[best.unwrap_or(0)];
+    let stays = |part: u32| sizes[part as usize] * NETWORK >= size(&bounds);
     let mut out = walls.map(|_| false);
     for (x, y, _) in parts.pixels().filter(|(_, _, part)| stays(*part)) {
         out[(x as usize, y as usize)] = true;
@@ -73,16 +65,10 @@ pub fn largest(walls: &Field<bool>) -> (Field<bool>, [usize; 4]) {
     (out, bounds)
 }
 
-fn gray(field: &Field<bool>) -> GrayImage {
-    GrayImage::from_fn(field.width as u32, field.height as u32, |x, y| {
-        Luma([u8::from(field[(x as usize, y as usize)]) * 255])
-    })
-}
-
 impl Faces {
     /// Divides a sheet by closed walls: rooms and the outside grow into the walls until they meet.
     pub fn of(walls: &Field<bool>, diagonal: f64) -> Faces {
-        let parts = Parts::of(&gray(&walls.map(|w| !w)), false);
+        let parts = walls.map(|w| !w).parts(false);
         let mut areas = vec![0_usize; parts.count + 1];
         let mut is_outside = vec![false; parts.count + 1];
         for (x, y, part) in parts.pixels() {
@@ -125,33 +111,15 @@ impl Faces {
 
 /// Keeps walls within the bounds of the large ones: small ones beyond are dimensions and legends. `drawn` is the diagonal of all ink.
 pub fn within_walls(walls: &Field<bool>, drawn: f64) -> Field<bool> {
-    let parts = Parts::of(&gray(walls), true);
-    let mut boxes = vec![[usize::MAX, usize::MAX, 0, 0]; parts.count + 1];
-    for (x, y, part) in parts.pixels() {
-        let b = &mut boxes[part as usize];
-        let (x, y) = (x as usize, y as usize);
-        *b = [b[0].min(x), b[1].min(y), b[2].max(x), b[3].max(y)];
-    }
-    let diagonal = |b: &[usize; 4]| {
-        let (w, h) = (
-            b[2].saturating_sub(b[0]) as f64,
-            b[3].saturating_sub(b[1]) as f64,
-        );
-        if b[0] == usize::MAX { 0.0 } else { w.hypot(h) }
-    };
-    let large = boxes.iter().filter(|b| diagonal(b) >= LARGE * drawn);
-    let bounds = large.copied().reduce(|a, b| {
-        [
-            a[0].min(b[0]),
-            a[1].min(b[1]),
-            a[2].max(b[2]),
-            a[3].max(b[3]),
-        ]
-    });
-    let Some([x0, y0, x1, y1]) = bounds else {
+    let extents = walls.parts(true).extents();
+    let large = extents
+        .into_iter()
+        .filter(|e| e.diagonal() >= LARGE * drawn);
+    let Some(bounds) = large.filter(|e| e.area > 0).reduce(Extent::with) else {
         return walls.clone();
     };
-    let inside = |x: usize, y: usize| x >= x0 && x <= x1 && y >= y0 && y <= y1;
+    let within = |k: usize, [a, b]: [usize; 2]| (a..=b).contains(&k);
+    let inside = |x: usize, y: usize| within(x, bounds.x) && within(y, bounds.y);
     Field::new(walls.width, walls.height, |x, y| {
         walls[(x, y)] && inside(x, y)
     })

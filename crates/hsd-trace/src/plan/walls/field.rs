@@ -1,5 +1,6 @@
 //! A value for each pixel of a sheet.
 
+use crate::plan::raster::Parts;
 use std::ops::{Index, IndexMut};
 
 /// Values by rows.
@@ -51,6 +52,14 @@ impl<T: Copy> Field<T> {
             .into_iter()
             .map(move |(dx, dy)| (x.wrapping_add(dx), y.wrapping_add(dy)));
         places.filter(move |(x, y)| *x < width && *y < height)
+    }
+}
+
+impl Field<bool> {
+    /// Finds the connected parts of what is set. Pixels that meet at a corner hang together if `diagonal`.
+    pub(in crate::plan) fn parts(&self, diagonal: bool) -> Parts {
+        let size = (self.width as u32, self.height as u32);
+        Parts::of_set(size, |x, y| self[(x as usize, y as usize)], diagonal)
     }
 }
 

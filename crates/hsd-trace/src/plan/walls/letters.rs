@@ -1,8 +1,7 @@
 //! Small parts that stand alone: letters, specks, arrows. Dashes of lines are joined.
 
 use super::mask::Strokes;
-use crate::plan::raster::Parts;
-use image::{GrayImage, Luma};
+use crate::plan::raster::{Extent, Parts};
 
 /// The largest letter, as a share of the diagonal of what is drawn.
 const LETTER: f64 = 0.03;
@@ -12,59 +11,31 @@ const SOLID: f64 = 0.75;
 const LONG: f64 = 1.2;
 /// The widest space between two dashes, in the length of the longer.
 const SPACE: f64 = 1.6;
+/// The greatest distance of a short wall from the next ones in its line, in its length.
+const LINE: f64 = 8.0;
 /// The fewest dashes of a line.
 const FEWEST: usize = 4;
 
-/// A connected part of the ink.
-#[derive(Clone, Copy, Debug)]
-struct Part {
-    x: [usize; 2],
-    y: [usize; 2],
-    area: usize,
-}
-
-impl Part {
-    fn size(&self) -> [usize; 2] {
-        [self.x[1] - self.x[0] + 1, self.y[1] - self.y[0] + 1]
-    }
-
-    /// Returns the direction of a dash: true down the sheet.
-    fn dash(&self) -> Option<bool> {
-        let [w, h] = self.size().map(|s| s as f64);
-        let long = w.max(h) >= LONG * w.min(h);
-        (long && self.area as f64 >= SOLID * w * h).then_some(h > w)
-    }
+/// Returns the direction of a dash: true down the sheet.
+fn dash(part: &Extent) -> Option<bool> {
+    let [w, h] = part.size().map(|s| s as f64);
+    let long = w.max(h) >= LONG * w.min(h);
+    (long && part.area as f64 >= SOLID * w * h).then_some(h > w)
 }
 
 /// Removes letters and joins dashes. Returns the diagonal of what is drawn, pixels.
 pub fn remove(strokes: &mut Strokes) -> f64 {
-    let field = &strokes.thickness;
-    let ink = GrayImage::from_fn(field.width as u32, field.height as u32, |x, y| {
-        Luma([u8::from(field[(x as usize, y as usize)] > 0.0)])
-    });
-    let labels = Parts::of(&ink, true);
-    let empty = Part {
-        x: [usize::MAX, 0],
-        y: [usize::MAX, 0],
-        area: 0,
-    };
-    let mut parts = vec![empty; labels.count + 1];
-    for (x, y, n) in labels.pixels() {
-        let part = &mut parts[n as usize];
-        let (x, y) = (x as usize, y as usize);
-        part.x = [part.x[0].min(x), part.x[1].max(x)];
-        part.y = [part.y[0].min(y), part.y[1].max(y)];
-        part.area += 1;
-    }
-    let diagonal = |p: &Part| {
-        let [w, h] = p.size().map(|s| s as f64);
-        w.hypot(h)
-    };
-    let drawn = parts.iter().skip(1).map(diagonal).fold(0.0, f64::max);
-    let is_small: Vec<bool> = parts
+    let labels = strokes.all().parts(true);
+    let parts = labels.extents();
+    let drawn = parts.iter().map(Extent::diagonal).fold(0.0, f64::max);
+    let mut is_small: Vec<bool> = parts
         .iter()
-        .map(|p| p.area > 0 && diagonal(p) < LETTER * drawn)
+        .map(|p| p.area > 0 && p.diagonal() < LETTER * drawn)
         .collect();
+    let walls: Vec<usize> = (1..parts.len())
+        .filter(|n| is_small[*n] && stands_between(strokes, &parts[*n], (&labels, &is_small)))
+        .collect();
+    walls.iter().for_each(|n| is_small[*n] = false);
     let dashes = dashes(&parts, &is_small);
     for (x, y, n) in labels.pixels() {
         if is_small[n as usize] {
@@ -81,21 +52,50 @@ pub fn remove(strokes: &mut Strokes) -> f64 {
     drawn
 }
 
+/// Returns true for a short wall between two openings: it is as thick as walls, and in its line others stand on both sides.
+fn stands_between(strokes: &Strokes, part: &Extent, (labels, is_small): (&Parts, &[bool])) -> bool {
+    let Some(upright) = dash(part).filter(|_| !strokes.has_one_pen()) else {
+        return false;
+    };
+    let field = &strokes.thickness;
+    let middle = |[a, b]: [usize; 2]| (a + b) / 2;
+    let place = |k: usize| match upright {
+        true => (middle(part.x), k),
+        false => (k, middle(part.y)),
+    };
+    let ([from, to], length) = match upright {
+        true => (part.y, field.height),
+        false => (part.x, field.width),
+    };
+    if f64::from(field[place((from + to) / 2)]) < strokes.wall {
+        return false;
+    }
+    let reach = (LINE * (to - from + 1) as f64) as usize;
+    let is_wall = |k: usize| {
+        let (x, y) = place(k);
+        let part = labels.at((x, y));
+        part > 0 && !is_small[part] && f64::from(field[(x, y)]) >= strokes.wall
+    };
+    let before = from.saturating_sub(reach)..from;
+    let after = to + 1..(to + 1 + reach).min(length);
+    before.into_iter().any(is_wall) && after.into_iter().any(is_wall)
+}
+
 /// Finds lines of dashes: each with its thickness.
-fn dashes(parts: &[Part], is_small: &[bool]) -> Vec<(Part, f32)> {
+fn dashes(parts: &[Extent], is_small: &[bool]) -> Vec<(Extent, f32)> {
     let mut out = vec![];
     for upright in [false, true] {
         let small = parts.iter().zip(is_small).filter(|(_, small)| **small);
-        let all = small.map(|(p, _)| *p).filter(|p| p.dash() == Some(upright));
-        let turned = |p: Part| match upright {
-            true => Part {
+        let all = small.map(|(p, _)| *p).filter(|p| dash(p) == Some(upright));
+        let turned = |p: Extent| match upright {
+            true => Extent {
                 x: p.y,
                 y: p.x,
                 ..p
             },
             false => p,
         };
-        let mut all: Vec<Part> = all.map(turned).collect();
+        let mut all: Vec<Extent> = all.map(turned).collect();
         all.sort_by_key(|p| (p.y[0] + p.y[1], p.x[0]));
         let mut used = vec![false; all.len()];
         for k in 0..all.len() {
@@ -116,11 +116,7 @@ fn dashes(parts: &[Part], is_small: &[bool]) -> Vec<(Part, f32)> {
             }
             line.iter().for_each(|j| used[*j] = true);
             let of = |j: &usize| all[*j];
-            let whole = line.iter().map(of).reduce(|a, b| Part {
-                x: [a.x[0].min(b.x[0]), a.x[1].max(b.x[1])],
-                y: [a.y[0].min(b.y[0]), a.y[1].max(b.y[1])],
-                area: a.area + b.area,
-            });
+            let whole = line.iter().map(of).reduce(Extent::with);
             out.extend(whole.map(|whole| (turned(whole), whole.size()[1] as f32)));
         }
     }
@@ -128,7 +124,7 @@ fn dashes(parts: &[Part], is_small: &[bool]) -> Vec<(Part, f32)> {
 }
 
 /// Returns true if a dash continues where another ends.
-fn follows(a: &Part, b: &Part) -> bool {
+fn follows(a: &Extent, b: &Extent) -> bool {
     let longest = a.size()[0].max(b.size()[0]) as f64;
     let between = b.x[0] as f64 - a.x[1] as f64;
     let beside = (a.y[0] + a.y[1]).abs_diff(b.y[0] + b.y[1]) as f64 / 2.0;

@@ -10,6 +10,10 @@ const CLASSES: f64 = 8.0;
 const THINNEST: f64 = 0.01;
 /// The greatest distance of ink from the middle of its wall, in thicknesses of walls.
 const REACH: f64 = 1.5;
+/// The longest space between dashes, in thicknesses of walls.
+const JOINT: f64 = 1.5;
+/// The shortest dash, in thicknesses of walls: strokes of letters are as long as wide.
+const DASH: f64 = 1.2;
 /// The least ratio between the mean thickness of walls and that of other strokes where walls differ by their thickness.
 const APART: f64 = 1.7;
 
@@ -52,6 +56,45 @@ impl Strokes {
     /// Returns the pixels of walls.
     pub fn walls(&self) -> Field<bool> {
         self.thickness.map(|t| f64::from(t) >= self.wall)
+    }
+
+    /// Returns true if walls are as thick as other strokes.
+    pub fn has_one_pen(&self) -> bool {
+        self.wall <= THINNEST
+    }
+
+    /// Returns the pixels of strokes that are no walls; with one pen, of all.
+    pub fn light(&self) -> Field<bool> {
+        let most = if self.has_one_pen() {
+            f64::INFINITY
+        } else {
+            self.wall
+        };
+        self.thickness.map(|t| t > 0.0 && f64::from(t) < most)
+    }
+
+    /// Returns walls with the spaces between dashes filled, and those where strokes do not quite meet.
+    pub fn joined(&self, walls: &Field<bool>) -> Field<bool> {
+        let [most, dash] = [JOINT, DASH].map(|share| (share * self.usual).round() as usize);
+        let mut out = walls.clone();
+        for upright in [false, true] {
+            let (lines, length) = match upright {
+                true => (walls.width, walls.height),
+                false => (walls.height, walls.width),
+            };
+            let place = |line: usize, k: usize| if upright { (line, k) } else { (k, line) };
+            for line in 0..lines {
+                let at = |k: usize| walls[place(line, k)];
+                let runs = runs((0..length).map(at));
+                for (a, b) in runs.iter().zip(runs.iter().skip(1)) {
+                    let is_dash = |[from, to]: &[usize; 2]| to - from > dash;
+                    if b[0] - a[1] <= most && is_dash(a) && is_dash(b) {
+                        (a[1]..b[0]).for_each(|k| out[place(line, k)] = true);
+                    }
+                }
+            }
+        }
+        out
     }
 
     /// Returns the pixels of all strokes.
@@ -136,6 +179,18 @@ fn thickness(tone: &Field<f32>) -> Field<f32> {
         let first = if step > 0 { 0 } else { width - 1 };
         (0..width).for_each(|x| run((x, 0), (step, 1), slanting));
         (1..height).for_each(|y| run((first, y), (step, 1), slanting));
+    }
+    out
+}
+
+/// Returns the runs of what is true: first, and one after the last.
+fn runs(values: impl Iterator<Item = bool>) -> Vec<[usize; 2]> {
+    let mut out: Vec<[usize; 2]> = vec![];
+    for (k, _) in values.enumerate().filter(|(_, value)| *value) {
+        match out.last_mut() {
+            Some(run) if run[1] == k => run[1] = k + 1,
+            _ => out.push([k, k + 1]),
+        }
     }
     out
 }

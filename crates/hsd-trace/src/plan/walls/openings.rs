@@ -1,26 +1,14 @@
 //! The pieces of each wall: plain walls, doors, windows, open ways.
 
-use super::bars::Gap;
+use super::gaps::Gap;
 use super::graph::{Graph, Line};
+use super::swing;
 use super::{Divided, Stuff};
 use crate::plan::legend::Role;
 use glam::{DVec2, dvec2};
 
 /// The least length of a piece of a wall, in thicknesses of walls.
 const LEAST: f64 = 1.0;
-/// The share of the bins of a quarter of a circle in which a swinging door is drawn.
-const SWINGS: f64 = 0.7;
-/// The bins of a quarter of a circle, and how much of it is looked at: the ends are at walls.
-const BINS: usize = 9;
-/// The radii of a door's arc, in the width of its opening.
-const ARC: [f64; 2] = [0.82, 1.12];
-
-/// The part of the radius that is looked at within the arc, and the share of it that may be drawn.
-const CLEAR: f64 = 0.75;
-const EMPTY: f64 = 0.3;
-/// The narrowest and widest door, as shares of the plan's diagonal.
-const SHARES: [f64; 2] = [0.03, 0.14];
-
 /// A piece of a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
@@ -143,58 +131,6 @@ fn opening(divided: &Divided, at: DVec2, is_outer: bool) -> (Role, bool) {
     }
 }
 
-/// Returns true if an arc is drawn round one of the ends of an opening.
 fn swings(divided: &Divided, gap: &Gap) -> bool {
-    let width = gap.length();
-    let [least, most] = SHARES.map(|share| share * divided.diagonal);
-    if width < least || width > most {
-        return false;
-    }
-    let line = (gap.bar.across[0] + gap.bar.across[1]) as f64 / 2.0;
-    let place = |along: f64, across: f64| match gap.bar.upright {
-        true => (across, along),
-        false => (along, across),
-    };
-    let inked = |x: f64, y: f64| {
-        let ink = divided
-            .strokes
-            .thickness
-            .get(x.round() as isize, y.round() as isize);
-        ink.is_some_and(|t| t > 0.0 && f64::from(t) < divided.strokes.wall)
-    };
-    // Between the leaf and the arc nothing is drawn.
-    let empty = |hinge: f64, ahead: f64, side: f64| {
-        let cells = (0..BINS * BINS).map(|k| (k / BINS + 1, k % BINS + 1));
-        let unit = width * CLEAR / BINS as f64;
-        let cells = cells.filter(|(a, b)| a * a + b * b < BINS * BINS);
-        let all = cells.clone().count();
-        let drawn = cells.filter(|(a, b)| {
-            let (x, y) = place(
-                hinge + ahead * unit * *a as f64,
-                line + side * unit * *b as f64,
-            );
-            inked(x, y)
-        });
-        (drawn.count() as f64) < EMPTY * all as f64
-    };
-    let ends = [
-        (gap.bar.along[0] as f64, 1.0),
-        (gap.bar.along[1] as f64, -1.0),
-    ];
-    ends.into_iter().any(|(hinge, ahead)| {
-        [-1.0, 1.0].into_iter().any(|side| {
-            let bin = |k: usize| {
-                let angle = (k as f64 + 1.0) / (BINS as f64 + 1.0) * std::f64::consts::FRAC_PI_2;
-                let (s, c) = (libm::sin(angle), libm::cos(angle));
-                let steps = ((ARC[1] - ARC[0]) * width).ceil() as usize;
-                (0..=steps).any(|n| {
-                    let r = width * ARC[0] + n as f64;
-                    let (x, y) = place(hinge + ahead * c * r, line + side * s * r);
-                    inked(x, y)
-                })
-            };
-            let drawn = (0..BINS).filter(|k| bin(*k)).count();
-            drawn as f64 >= SWINGS * BINS as f64 && empty(hinge, ahead, side)
-        })
-    })
+    swing::swings(&divided.strokes, &gap.bar, divided.diagonal)
 }

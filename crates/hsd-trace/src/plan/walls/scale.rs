@@ -1,6 +1,6 @@
 //! The size of a plan, and its evidence.
 
-use super::{Divided, Reading, bars, digits, openings};
+use super::{Divided, Reading, digits, gaps, openings};
 use crate::plan::sheet::Ink;
 
 /// The width of the opening of a door, metres.
@@ -59,7 +59,7 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
 
 /// Returns the scale by the commonest opening, taken for a door.
 fn by_openings(divided: &Divided) -> Option<Scale> {
-    let usual = bars::usual_opening(&divided.strokes, &divided.strokes.walls(), divided.diagonal)?;
+    let usual = gaps::usual_opening(&divided.strokes, &divided.strokes.walls(), divided.diagonal)?;
     Some(Scale {
         metres: DOOR / usual,
         evidence: Evidence::Openings,

@@ -1,8 +1,9 @@
 //! Walls of lines: sliding screens and partitions that are drawn thinner than walls.
 
-use super::bars::{Bar, bars};
+use super::bars::{Bar, bars, widened};
 use super::field::Field;
 use super::mask::Strokes;
+use crate::plan::raster::Extent;
 
 /// The least length of a thin wall, as a share of the plan's diagonal.
 const LEAST: f64 = 0.05;
@@ -12,11 +13,7 @@ const THICK: f64 = 1.6;
 const NEAR: f64 = 0.8;
 
 /// Finds lines, single or in pairs, that run from wall to wall.
-pub fn thin(
-    strokes: &Strokes,
-    walls: &Field<bool>,
-    ([x0, y0, x1, y1], diagonal): ([usize; 4], f64),
-) -> Vec<Bar> {
+pub(super) fn thin(strokes: &Strokes, walls: &Field<bool>, (bounds, diagonal): (Extent, f64)) -> Vec<Bar> {
     let all = strokes.all();
     let half = (strokes.usual / 2.0).ceil().max(1.0) as usize;
     let mut left: Vec<Bar> = vec![];
@@ -30,7 +27,8 @@ pub fn thin(
             }
             let bar = Bar { across, ..bar };
             let thickness = bar.thickness() as f64;
-            let (line, around) = (bar.across[0], if upright { [x0, x1] } else { [y0, y1] });
+            let around = if upright { bounds.x } else { bounds.y };
+            let line = bar.across[0];
             if line < around[0] || line > around[1] {
                 continue;
             }
@@ -69,17 +67,6 @@ pub fn draw(walls: &mut Field<bool>, bar: &Bar) {
             walls[if bar.upright { (line, k) } else { (k, line) }] = true;
         }
     }
-}
-
-/// Returns the strokes, each as wide as if it were drawn with a thicker pen.
-fn widened(all: &Field<bool>, half: usize, upright: bool) -> Field<bool> {
-    Field::new(all.width, all.height, |x, y| {
-        let around = |k: usize, most: usize| k.saturating_sub(half)..=(k + half).min(most - 1);
-        match upright {
-            true => around(x, all.width).any(|x| all[(x, y)]),
-            false => around(y, all.height).any(|y| all[(x, y)]),
-        }
-    })
 }
 
 /// Returns true if a wall stands at an end of a thin one.

@@ -1,0 +1,208 @@
+//! Openings: gaps between walls in one line, or between a wall and one across it.
+
+use super::bars::{Bar, bars};
+use super::field::Field;
+use super::mask::Strokes;
+use super::swing::swings;
+
+/// The share of a band that a wall fills where a gap ends.
+const FILLED: f64 = 0.6;
+/// The share of a gap along which something has to be drawn for it to be wider than a door.
+const DRAWN: f64 = 0.75;
+/// The share of a wall that is drawn; dashed lines have less.
+const WHOLE: f64 = 0.85;
+/// The longest doors without anything drawn in them, least and most, and the shortest doors, as shares of the plan's diagonal.
+const DOOR_SHARES: [f64; 2] = [0.07, 0.14];
+const LEAST_DOOR: f64 = 0.03;
+/// The ratio of the widths of doors of one plan, and of the widest door to the usual ones.
+const ALIKE: f64 = 1.2;
+const WIDER: f64 = 1.15;
+
+/// An opening between two walls of one line, or between a wall and one across it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gap {
+    /// The opening, as if it were a wall.
+    pub bar: Bar,
+    /// The share of it along which something is drawn.
+    pub drawn: f64,
+    /// True if it runs from a corner to a wall across it.
+    pub is_between_corners: bool,
+}
+
+impl Gap {
+    /// Returns its length.
+    pub fn length(&self) -> f64 {
+        (self.bar.along[1] - self.bar.along[0] + 1) as f64
+    }
+}
+
+/// Finds the gaps of a plan that are openings: from walls on to what is closed.
+///
+/// They are as long as a door, or as far as something is drawn. Between two corners, where no wall goes on in their line, only
+/// something drawn shows an opening.
+pub fn gaps(
+    (strokes, walls): (&Strokes, &Field<bool>),
+    closed: &Field<bool>,
+    (door, diagonal): (f64, f64),
+) -> Vec<Gap> {
+    let is_opening = |gap: &Gap| {
+        let is_drawn = gap.drawn >= DRAWN;
+        let joins = !gap.is_between_corners || swings(strokes, &gap.bar, diagonal);
+        is_drawn || gap.length() <= door && joins
+    };
+    let all = between((strokes, walls), closed).into_iter();
+    all.filter_map(|gaps| gaps.into_iter().flatten().find(is_opening))
+        .collect()
+}
+
+/// Returns the length of the longest opening in which nothing is drawn.
+///
+/// Doors of a plan are about equally wide, and the commonest gap is a door.
+pub fn door(strokes: &Strokes, walls: &Field<bool>, diagonal: f64) -> f64 {
+    let [least, most] = DOOR_SHARES.map(|share| share * diagonal);
+    let widest = usual_opening(strokes, walls, diagonal);
+    widest.map_or(least, |w| WIDER * w).clamp(least, most)
+}
+
+/// Returns the length of the widest of the openings of which there are most.
+pub fn usual_opening(strokes: &Strokes, walls: &Field<bool>, diagonal: f64) -> Option<f64> {
+    let most = DOOR_SHARES[1] * diagonal;
+    let all = between((strokes, walls), walls).into_iter();
+    let mut lengths: Vec<f64> = all
+        .filter_map(|gaps| gaps[0])
+        .map(|gap| gap.length())
+        .collect();
+    lengths.retain(|l| *l >= LEAST_DOOR * diagonal && *l <= most);
+    lengths.sort_by(f64::total_cmp);
+    let within = |from: f64| {
+        lengths
+            .iter()
+            .filter(move |l| **l >= from && **l <= ALIKE * from)
+    };
+    let commonest = lengths.iter().max_by_key(|from| within(**from).count());
+    commonest
+        .and_then(|from| within(*from).next_back())
+        .copied()
+}
+
+/// Returns the gaps from each end of a wall: to the next wall in its line, and to one that begins before it.
+fn between(
+    (strokes, walls): (&Strokes, &Field<bool>),
+    closed: &Field<bool>,
+) -> Vec<[Option<Gap>; 2]> {
+    let mut out = vec![];
+    for upright in [false, true] {
+        for bar in bars(walls, strokes.usual, upright) {
+            out.extend([false, true].map(|forward| beyond(&bar, forward, (strokes, closed))));
+        }
+    }
+    out
+}
+
+/// A line of walls, and what stands across it.
+struct Across<'a> {
+    walls: &'a Field<bool>,
+    bar: &'a Bar,
+    /// Pixels along the line, and lines beside each other.
+    size: [usize; 2],
+}
+
+impl<'a> Across<'a> {
+    fn of(walls: &'a Field<bool>, bar: &'a Bar) -> Across<'a> {
+        let (length, lines) = match bar.upright {
+            true => (walls.height, walls.width),
+            false => (walls.width, walls.height),
+        };
+        let size = [length, lines];
+        Across { walls, bar, size }
+    }
+
+    fn is_wall(&self, k: usize, line: usize) -> bool {
+        let inside = k < self.size[0] && line < self.size[1];
+        inside
+            && self.walls[if self.bar.upright {
+                (line, k)
+            } else {
+                (k, line)
+            }]
+    }
+
+    /// Returns true if walls fill most of the line's thickness at a place.
+    fn is_filled(&self, k: usize) -> bool {
+        let quarter = self.bar.thickness() / 4;
+        let band = self.bar.across[0] + quarter..=self.bar.across[1] - quarter;
+        let all = band.clone().count();
+        let set = band.filter(|line| self.is_wall(k, *line)).count();
+        set as f64 >= FILLED * all as f64
+    }
+
+    /// Returns true if a wall across the line begins at a place, or nearly reaches it, on either side.
+    fn begins(&self, k: usize) -> bool {
+        let thick = self.bar.thickness().max(2);
+        let reach = thick + 1;
+        let [first, last] = self.bar.across;
+        let runs = |line: &dyn Fn(usize) -> Option<usize>| {
+            let at = |d: usize, k: usize| line(d).is_some_and(|line| self.is_wall(k, line));
+            let Some(from) = (1..=reach).find(|d| at(*d, k)) else {
+                return false;
+            };
+            // Dashes are walls too.
+            let on = (from..from + 3 * thick).filter(|d| at(*d, k)).count();
+            let on = on as f64 >= FILLED * (3 * thick) as f64;
+            // A wall beside and along the line is as long on both sides.
+            let far = from + 2 * thick;
+            let wide = |k: usize| at(far, k);
+            on && !(wide(k.wrapping_sub(3 * thick)) || wide(k + 3 * thick))
+        };
+        runs(&|d| first.checked_sub(d)) || runs(&|d| Some(last + d))
+    }
+}
+
+/// Returns what lies between the end of a wall and the next wall in its line, and the next that begins beside that.
+fn beyond(
+    bar: &Bar,
+    forward: bool,
+    (strokes, walls): (&Strokes, &Field<bool>),
+) -> [Option<Gap>; 2] {
+    let line = Across::of(walls, bar);
+    let place = |k: usize, line: usize| if bar.upright { (line, k) } else { (k, line) };
+    // Sliding screens stand a little beside each other.
+    let beside = bar.thickness().max(2);
+    let [first, last] = bar.across;
+    let wide = first.saturating_sub(beside)..=(last + beside).min(line.size[1] - 1);
+    let inked = |k: usize| {
+        let mut lines = wide.clone();
+        lines.any(|line| strokes.thickness[place(k, line)] > 0.0)
+    };
+    let end = bar.along[usize::from(forward)];
+    let steps = if forward { line.size[0] - 1 - end } else { end };
+    let at = |step: usize| if forward { end + step } else { end - step };
+    let thick = bar.thickness();
+    let corner = |step: usize| line.begins(if forward { end - step } else { end + step });
+    let starts_at_corner = (0..thick.min(bar.along[1] - bar.along[0])).any(corner);
+    // A line of dashes shows what is above or below; it ends where it ends.
+    let middle = (first + last) / 2;
+    let along = bar.along[0]..=bar.along[1];
+    let full = along.filter(|k| f64::from(strokes.thickness[place(*k, middle)]) >= strokes.wall);
+    let is_dashed = (full.count() as f64) < WHOLE * (bar.along[1] - bar.along[0] + 1) as f64;
+    let gap = |hit: usize| {
+        let drawn = (1..hit).filter(|step| inked(at(*step))).count();
+        let (a, b) = (at(1), at(hit - 1));
+        let mut beyond = hit..=(hit + 2 * thick + 1).min(steps);
+        let goes_on = beyond.all(|step| line.is_filled(at(step)));
+        Gap {
+            bar: Bar {
+                along: [a.min(b), a.max(b)],
+                ..*bar
+            },
+            drawn: drawn as f64 / (hit - 1) as f64,
+            is_between_corners: (starts_at_corner || is_dashed) && !goes_on,
+        }
+    };
+    let Some(hit) = (1..=steps).find(|step| line.is_filled(at(*step))) else {
+        let begins = (2 * thick + 1..=steps).find(|step| line.begins(at(*step)));
+        return [None, begins.map(gap)];
+    };
+    let begins = (2 * thick + 1..hit).find(|step| line.begins(at(*step)));
+    [(hit > 1).then(|| gap(hit)), begins.map(gap)]
+}

@@ -1,0 +1,130 @@
+//! Hatching: lines of floors, stairs and paving, equally far from each other. They are no walls.
+
+use super::bars::{Bar, bars, widened};
+use super::field::Field;
+use super::mask::Strokes;
+
+/// The fewest lines.
+const FEWEST: usize = 4;
+/// The narrowest space between two, in thicknesses of walls, and pixels: windows are lines within a wall.
+const NARROW: (f64, f64) = (0.8, 3.0);
+/// The widest, as a share of the diagonal of what is drawn.
+const WIDE: f64 = 0.045;
+/// The greatest difference of two spaces, as a share of the first, and pixels.
+const EQUAL: (f64, f64) = (0.25, 1.0);
+/// The share of the longer of two lines along which the other runs beside it.
+const BESIDE: f64 = 0.6;
+/// Half of what the pen is widened by, so that lines that are not quite straight are one, pixels.
+const PEN: usize = 1;
+
+/// Lines side by side.
+struct Family {
+    along: [usize; 2],
+    across: [f64; 2],
+}
+
+/// Removes hatching along and across a sheet; `drawn` is the diagonal of what is drawn.
+pub fn remove(strokes: &mut Strokes, drawn: f64) {
+    let light = strokes.light();
+    let length = (WIDE * drawn).ceil().max(8.0) as usize;
+    let lines = [false, true].map(|upright| {
+        // Short pieces of lines are straight, also where the whole is not, and where letters interrupt it.
+        let wide = widened(&light, PEN, upright);
+        let wide = Field::new(wide.width, wide.height, |x, y| {
+            let along = if upright { y } else { x };
+            wide[(x, y)] && along % length > 0
+        });
+        let mut lines = bars(&wide, strokes.usual, upright);
+        lines.sort_by_key(|line| (line.across, line.along));
+        lines
+    });
+    let narrow = (NARROW.0 * strokes.usual).max(NARROW.1);
+    let spaces = [narrow, WIDE * drawn];
+    let is_hatching = [0, 1].map(|k| {
+        let families = families(&lines[k], spaces);
+        let within = |line: &Bar| families.iter().any(|family| family.has(line));
+        lines[k].iter().map(within).collect::<Vec<bool>>()
+    });
+    let chosen = |k: usize, hatching: bool| {
+        let all = lines[k].iter().zip(&is_hatching[k]);
+        all.filter(move |(_, is)| **is == hatching)
+            .map(|(line, _)| line)
+    };
+    for k in [0, 1] {
+        // Lines across that stay are not interrupted.
+        let mut kept = light.map(|_| false);
+        for place in chosen(1 - k, false).flat_map(places) {
+            kept[place] = true;
+        }
+        for place in chosen(k, true).flat_map(places) {
+            if light[place] && !kept[place] {
+                strokes.thickness[place] = 0.0;
+            }
+        }
+    }
+}
+
+impl Family {
+    /// Returns true for a line between others. The outermost may be walls.
+    fn has(&self, line: &Bar) -> bool {
+        let [a, b] = line.along;
+        let within = b.min(self.along[1]) as f64 - a.max(self.along[0]) as f64;
+        let at = middle(line);
+        within >= BESIDE * (b - a) as f64 && at > self.across[0] && at < self.across[1]
+    }
+}
+
+/// Finds lines side by side, at least and at most so far from each other.
+fn families(lines: &[Bar], [narrow, wide]: [f64; 2]) -> Vec<Family> {
+    let next = |from: usize, least: f64, most: f64| {
+        let apart = |k: &usize| middle(&lines[*k]) - middle(&lines[from]);
+        let all = (0..lines.len()).filter(|k| (least..=most).contains(&apart(k)));
+        all.filter(|k| beside(&lines[from], &lines[*k]))
+            .min_by(|a, b| apart(a).total_cmp(&apart(b)))
+    };
+    let mut used = vec![false; lines.len()];
+    let mut out = vec![];
+    for first in 0..lines.len() {
+        if used[first] {
+            continue;
+        }
+        let Some(second) = next(first, narrow, wide) else {
+            continue;
+        };
+        let space = middle(&lines[second]) - middle(&lines[first]);
+        let differs = (EQUAL.0 * space).max(EQUAL.1);
+        let mut all = vec![first, second];
+        while let Some(k) = next(all[all.len() - 1], space - differs, space + differs) {
+            all.push(k);
+        }
+        if all.len() < FEWEST {
+            continue;
+        }
+        all.iter().for_each(|k| used[*k] = true);
+        let along = all.iter().map(|k| lines[*k].along);
+        let along = along.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
+        out.extend(along.map(|along| Family {
+            along,
+            across: [first, all[all.len() - 1]].map(|k| middle(&lines[k])),
+        }));
+    }
+    out
+}
+
+fn beside(a: &Bar, b: &Bar) -> bool {
+    let shared = a.along[1].min(b.along[1]) as f64 - a.along[0].max(b.along[0]) as f64;
+    let longer = (a.along[1] - a.along[0]).max(b.along[1] - b.along[0]);
+    shared >= BESIDE * longer as f64
+}
+
+fn middle(line: &Bar) -> f64 {
+    (line.across[0] + line.across[1]) as f64 / 2.0
+}
+
+fn places(line: &Bar) -> impl Iterator<Item = (usize, usize)> {
+    let line = *line;
+    (line.across[0]..=line.across[1]).flat_map(move |l| {
+        let place = move |k| if line.upright { (l, k) } else { (k, l) };
+        (line.along[0]..=line.along[1]).map(place)
+    })
+}
