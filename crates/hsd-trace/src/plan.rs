@@ -50,6 +50,7 @@ use rayon::prelude::*;
 use shape::Shape;
 use sheet::Ink;
 use strokes::Units;
+use walls::scale::Evidence;
 
 /// Legends of the program: names and texts.
 pub use hsd_grammar::LEGENDS;
@@ -104,6 +105,8 @@ const MUCH_MORE: f64 = 0.25;
 const MORE: f64 = 0.1;
 const NEARLY_ALL: f64 = 0.9;
 const ALL: f64 = 0.97;
+/// The share of walls in doubt beyond which a reading on a grid counts less: plans of the drawn conventions have up to 0.1.
+const DOUBTFUL: f64 = 0.15;
 /// The least share of the ink of walls that a house on a grid explains: streets reach 0.28, plans of the drawn conventions 0.53.
 const LEAST_EXPLAINED: f64 = 0.4;
 /// The fewest cells of a house.
@@ -130,6 +133,8 @@ pub struct Options {
     pub given: Given,
     /// The length of a unit, pixels of the flat sheet.
     pub unit: Option<f64>,
+    /// The length of a pixel, metres, if the file says it.
+    pub metres: Option<f64>,
     /// Where the street is.
     pub front: Front,
 }
@@ -156,6 +161,24 @@ impl Found {
     pub fn in_picture(&self, at: DVec2) -> DVec2 {
         raster::project(self.flat.to_picture, self.grid.at(at.x, at.y))
     }
+
+    /// Returns the share of the walls that were read with doubt.
+    fn doubtful(&self) -> f64 {
+        let walls = || self.shape.outer.iter().chain(&self.shape.inner);
+        let doubtful = walls().filter(|wall| text::is_doubtful(wall)).count();
+        doubtful as f64 / walls().count().max(1) as f64
+    }
+
+    fn stopped(self, why: Refused) -> Box<Stopped> {
+        Box::new(Stopped {
+            why,
+            flat: self.flat,
+            ink: self.ink,
+            grid: Some(self.grid),
+            units: Some(self.units),
+            shape: Some(self.shape),
+        })
+    }
 }
 
 /// Why a picture has no plan: what was looked for, and how much of it was found (a share).
@@ -169,6 +192,8 @@ pub enum Refused {
     NoSymbols(f64),
     /// No walls that close.
     NoHouse,
+    /// Walls that close, and nothing that says how large they are.
+    NoSize,
 }
 
 /// What the steps had found when one of them found too little.
@@ -219,35 +244,34 @@ pub fn read(
         Ok(found) => (&found.flat, &found.ink),
         Err(stopped) => (&stopped.flat, &stopped.ink),
     };
-    let reading = walls::read(ink).and_then(|reading| {
-        let half_ken = options.unit.map(|unit| walls::writing::UNIT / unit);
-        let scale = walls::scale::of(&reading, ink, half_ken)?;
-        Some((reading, scale))
+    let by_unit = options.unit.map(|unit| walls::writing::UNIT / unit);
+    let reading = walls::read(ink).map(|reading| {
+        let by_file = options
+            .metres
+            .filter(|metres| reading.is_as_large_as_a_house(*metres));
+        let scale = walls::scale::of(&reading, ink, by_unit.or(by_file));
+        (reading, scale)
     });
-    let better = reading.filter(|(reading, scale)| is_better(reading, scale, &grid));
-    let Some((reading, scale)) = better else {
-        let found = grid?;
-        // A house is missing if hardly any of the walls of a sheet belong to it.
-        if explained(&found) < LEAST_EXPLAINED {
-            let (flat, ink, grid) = (found.flat, found.ink, Some(found.grid));
-            let (units, shape) = (Some(found.units), Some(found.shape));
-            let why = Refused::NoHouse;
-            return Err(Box::new(Stopped {
-                why,
-                flat,
-                ink,
-                grid,
-                units,
-                shape,
-            }));
+    let better = reading.filter(|(reading, scale)| is_better(reading, *scale, &grid));
+    match better {
+        Some((reading, Some(scale))) => Ok(Plan::Walls(Box::new(walls::Found {
+            flat: flat.clone(),
+            reading,
+            scale,
+        }))),
+        Some((_, None)) => Err(match grid {
+            Ok(found) => found.stopped(Refused::NoSize),
+            Err(stopped) => stopped.at(Refused::NoSize),
+        }),
+        None => {
+            let found = grid?;
+            // A house is missing if hardly any of the walls of a sheet belong to it.
+            match explained(&found) < LEAST_EXPLAINED {
+                true => Err(found.stopped(Refused::NoHouse)),
+                false => Ok(Plan::Grid(Box::new(found))),
+            }
         }
-        return Ok(Plan::Grid(Box::new(found)));
-    };
-    Ok(Plan::Walls(Box::new(walls::Found {
-        flat: flat.clone(),
-        reading,
-        scale,
-    })))
+    }
 }
 
 /// Returns the share of the ink of walls that belongs to a wall of a house on a grid.
@@ -262,20 +286,29 @@ fn explained(found: &Found) -> f64 {
 /// Returns true if a reading wall by wall explains more of a sheet than one on a grid, or the grid contradicts printed dimensions.
 fn is_better(
     reading: &walls::Reading,
-    scale: &walls::scale::Scale,
+    scale: Option<walls::scale::Scale>,
     grid: &Result<Found, Box<Stopped>>,
 ) -> bool {
     let found = match grid {
         Ok(found) => found,
         Err(stopped) => return !matches!(stopped.why, Refused::Blank(_)),
     };
-    if scale.is_printed() {
+    if let Some(scale) = scale.filter(walls::scale::Scale::is_sure) {
         let half_ken = found.grid.unit * scale.metres;
-        return !HALF_KEN.contains(&half_ken);
+        if !HALF_KEN.contains(&half_ken) {
+            return true;
+        }
+        if scale.evidence != Evidence::Given {
+            return false;
+        }
     }
     let more = reading.explained - explained(found);
     match found.grid.fit >= SURE_FIT {
-        true => more > MUCH_MORE || more > MORE && reading.explained >= ALL,
+        true => {
+            let is_doubtful = found.doubtful() > DOUBTFUL && reading.explained >= NEARLY_ALL;
+            let least = if is_doubtful { 0.0 } else { MORE };
+            more > MUCH_MORE || more > least && (is_doubtful || reading.explained >= ALL)
+        }
         false => more > MORE || more > 0.0 && reading.explained >= NEARLY_ALL,
     }
 }

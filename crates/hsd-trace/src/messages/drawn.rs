@@ -86,6 +86,19 @@ pub fn no_house(span: Span) -> Diagnostic {
     )
 }
 
+/// A plan of any size.
+#[cold]
+pub fn no_size(span: Span) -> Diagnostic {
+    let message = text!(
+        "nothing on this plan says how large the house is: no dimensions, doors or grid of half ken were found",
+        "この図面には大きさの手がかりがありません（寸法、戸、半間の格子のどれも見つかりません）"
+    );
+    Diagnostic::error(1203, span, message).help(text!(
+        "measure two points whose distance is known and give them as --ken \"X,Y X,Y N\", N in ken of 1.818 m",
+        "距離のわかる二点を測り、--ken \"X,Y X,Y 間数\" で指定してください（1間は1.818 m）"
+    ))
+}
+
 /// A file that is no picture, or one that cannot be read, for a reason.
 #[cold]
 fn unreadable(span: Span, message: Text) -> Diagnostic {

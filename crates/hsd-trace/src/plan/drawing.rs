@@ -1,11 +1,10 @@
 //! What a file of a plan holds, told by its content and not by its name: a picture, or a drawing in lines; and the house in such
 //! a drawing, so that it is written and reviewed like one in a picture.
 
-use super::flatten::{self, Given};
 use super::legend::Legend;
 use super::text::is_doubtful;
 use super::vector::{self, dxf, lines::Lines, own, paint, pdf, roles::Roles, svg};
-use super::{Flat, Found, Front, Grid, Ink, Options, Picture, Unreadable, walls};
+use super::{Flat, Found, Front, Grid, Ink, Options, Picture, Plan, Unreadable, walls};
 use glam::{DMat3, DVec2, dvec2};
 
 /// Bytes at the start of a file that tell what it is.
@@ -118,6 +117,17 @@ pub struct Drawn {
     pub unknown: Vec<String>,
 }
 
+impl Drawn {
+    /// Returns what was found in a drawing whose layers say nothing.
+    fn mute(found: Found) -> Drawn {
+        Drawn {
+            found,
+            shaku: None,
+            unknown: vec![],
+        }
+    }
+}
+
 /// Finds the plan in the lines of a drawing, as [`find`] does, otherwise wall by wall.
 ///
 /// # Errors
@@ -129,7 +139,7 @@ pub fn read(
     legends: &[Legend],
     front: Front,
 ) -> Result<DrawnPlan, vector::Refused> {
-    let refused = match find(lines.clone(), roles, unit_mm, legends, front) {
+    let refused = match by_roles(lines.clone(), roles, unit_mm, front) {
         Ok(drawn) => return Ok(DrawnPlan::Grid(Box::new(drawn))),
         Err(refused) => refused,
     };
@@ -140,7 +150,7 @@ pub fn read(
         let upright = turned_back.inverse();
         let points = lines.strokes.iter_mut().flat_map(|s| &mut s.points);
         points.for_each(|p| *p = upright.transform_point2(*p));
-        if let Ok(mut drawn) = find(lines.clone(), roles, unit_mm, legends, front) {
+        if let Ok(mut drawn) = by_roles(lines.clone(), roles, unit_mm, front) {
             drawn.found.flat.to_picture = turned_back * drawn.found.flat.to_picture;
             return Ok(DrawnPlan::Grid(Box::new(drawn)));
         }
@@ -149,23 +159,29 @@ pub fn read(
     let Some(painted) = paint::paint(&lines) else {
         return Err(refused);
     };
-    let mut flat = flatten::flatten(&painted.picture.pixels, &Given::default());
-    let ink = Ink::of(&flat.sheet);
     let drawing = painted.to_drawing.transform_vector2(DVec2::X).length();
-    let metres = lines.unit_mm.map(|mm| mm / 1000.0 * drawing);
-    let reading = walls::read(&ink).and_then(|reading| {
-        let scale = walls::scale::of(&reading, &ink, metres)?;
-        Some((reading, scale))
-    });
-    let Some((reading, scale)) = reading else {
-        return Err(refused);
+    let options = Options {
+        metres: lines.unit_mm.map(|mm| mm / 1000.0 * drawing),
+        ..Options::default()
     };
-    flat.to_picture = turned_back * back * painted.to_drawing * flat.to_picture;
-    Ok(DrawnPlan::Walls(Box::new(walls::Found {
-        flat,
-        reading,
-        scale,
-    })))
+    let plan = match super::read(&painted.picture, legends, &options) {
+        Ok(Plan::Grid(found)) if !is_clear(&found) => {
+            let walls = walls::found(&found.flat, &found.ink, options.metres);
+            walls.map(|walls| Plan::Walls(Box::new(walls)))
+        }
+        plan => plan.ok(),
+    };
+    let to_drawing = turned_back * back * painted.to_drawing;
+    match plan.ok_or(refused)? {
+        Plan::Walls(mut found) => {
+            found.flat.to_picture = to_drawing * found.flat.to_picture;
+            Ok(DrawnPlan::Walls(found))
+        }
+        Plan::Grid(mut found) => {
+            found.flat.to_picture = to_drawing * found.flat.to_picture;
+            Ok(DrawnPlan::Grid(Box::new(Drawn::mute(*found))))
+        }
+    }
 }
 
 /// Returns how far most of the lines of a drawing are turned from its axes, radians; 0 if hardly.
@@ -207,8 +223,9 @@ fn skew(lines: &Lines) -> f64 {
     }
 }
 
-/// Finds the house in the lines of a drawing: by what its layers, blocks and colours stand for, otherwise as in a picture, by the
-/// legend that agrees best. `unit_mm` are the millimetres of half a ken, if known.
+/// Finds the house in the lines of a drawing on a grid of half ken: by what its layers stand for, otherwise as in a picture.
+///
+/// `unit_mm` are the millimetres of half a ken, if known.
 ///
 /// # Errors
 /// If there is none.
@@ -219,31 +236,42 @@ pub fn find(
     legends: &[Legend],
     front: Front,
 ) -> Result<Drawn, vector::Refused> {
+    let names = match by_roles(lines.clone(), roles, unit_mm, front) {
+        Err(vector::Refused::NoRoles(names)) => names,
+        found => return found,
+    };
+    let back = turn(&mut lines, front);
+    let painted = paint::paint(&lines);
+    let found = painted.and_then(|painted| {
+        let mut found = super::find(&painted.picture, legends, &Options::default()).ok()?;
+        found.flat.to_picture = back * painted.to_drawing * found.flat.to_picture;
+        Some(found)
+    });
+    let found = found
+        .filter(is_clear)
+        .ok_or(vector::Refused::NoRoles(names))?;
+    Ok(Drawn::mute(found))
+}
+
+/// Finds the house in the lines of a drawing by what its layers, blocks and colours stand for. `unit_mm` are the millimetres of half
+/// a ken, if known.
+fn by_roles(
+    mut lines: Lines,
+    roles: &Roles,
+    unit_mm: Option<f64>,
+    front: Front,
+) -> Result<Drawn, vector::Refused> {
     let back = turn(&mut lines, front);
     let Some(painted) = paint::paint(&lines) else {
         return Err(vector::Refused::Blank);
     };
     let to_drawing = back * painted.to_drawing;
-    match vector::find(lines, roles, unit_mm) {
-        Ok(found) => Ok(Drawn {
-            shaku: found.shaku(),
-            unknown: unknown(&found),
-            found: as_picture(found, &painted, to_drawing),
-        }),
-        Err(vector::Refused::NoRoles(names)) => {
-            let found = super::find(&painted.picture, legends, &Options::default());
-            let Some(mut found) = found.ok().filter(is_clear) else {
-                return Err(vector::Refused::NoRoles(names));
-            };
-            found.flat.to_picture = to_drawing * found.flat.to_picture;
-            Ok(Drawn {
-                found,
-                shaku: None,
-                unknown: vec![],
-            })
-        }
-        Err(refused) => Err(refused),
-    }
+    let found = vector::find(lines, roles, unit_mm)?;
+    Ok(Drawn {
+        shaku: found.shaku(),
+        unknown: unknown(&found),
+        found: as_picture(found, &painted, to_drawing),
+    })
 }
 
 /// Whether the walls round a house are clear: a clean drawing has few in doubt, and other drawings that close by chance many.

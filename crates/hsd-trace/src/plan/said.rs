@@ -17,6 +17,7 @@ pub fn refused(span: Span, refused: Refused) -> Diagnostic {
         Refused::NoGrid(share) => say::no_grid(span, share),
         Refused::NoSymbols(share) => say::no_symbols(span, share),
         Refused::NoHouse => say::no_house(span),
+        Refused::NoSize => say::no_size(span),
     }
 }
 

@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | strokes are measured; the thick ones are walls | [`mask`] | [`mask::Strokes`] |
 //! | letters are removed, dashes joined | [`letters`] | the strokes without them |
+//! | walls of two lines are filled | [`hollow`] | the strokes with them |
 //! | lines of floors and stairs are removed | [`hatching`] | the strokes without them |
 //! | lines that run from wall to wall are walls too | [`thin`] | [`bars::Bar`]s |
 //! | gaps between walls in one line are openings | [`gaps`] | [`gaps::Gap`]s |
@@ -25,6 +26,7 @@ pub mod field;
 pub mod gaps;
 pub mod graph;
 pub mod hatching;
+pub mod hollow;
 pub mod letters;
 pub mod mask;
 pub mod openings;
@@ -66,8 +68,10 @@ pub enum Stuff {
     Chord,
 }
 
+/// The diagonals of houses, metres.
+const HOUSES: std::ops::RangeInclusive<f64> = 2.5..=300.0;
 /// The least share of walls that a reading explains.
-const EXPLAINED: f64 = 0.65;
+const EXPLAINED: f64 = 0.77;
 
 /// A plan, its sheet and its size.
 #[derive(Clone, Debug)]
@@ -98,6 +102,11 @@ impl Reading {
         let rooms: std::collections::BTreeSet<u32> = rooms.filter(|room| *room != 0).collect();
         rooms.len()
     }
+
+    /// Returns true for a length of pixels, metres, at which a plan may be a house: files name metres and count millimetres.
+    pub fn is_as_large_as_a_house(&self, metres: f64) -> bool {
+        HOUSES.contains(&(self.divided.diagonal * metres))
+    }
 }
 
 /// Reads the plan on a sheet; `None` if its walls enclose nothing, or hardly any of them a room.
@@ -116,6 +125,19 @@ pub fn read(ink: &Ink) -> Option<Reading> {
         divided,
         graph,
         explained,
+    })
+}
+
+/// Reads the plan on a sheet with its size; `given` are metres of a pixel by its file. `None` if one of both is missing.
+pub fn found(flat: &Flat, ink: &Ink, given: Option<f64>) -> Option<Found> {
+    let reading = read(ink)?;
+    let given = given.filter(|metres| reading.is_as_large_as_a_house(*metres));
+    let scale = scale::of(&reading, ink, given)?;
+    let flat = flat.clone();
+    Some(Found {
+        flat,
+        reading,
+        scale,
     })
 }
 
@@ -142,18 +164,21 @@ pub struct Divided {
 pub fn divide(ink: &Ink) -> Divided {
     let mut strokes = Strokes::of(ink);
     let drawn = letters::remove(&mut strokes);
+    hollow::fill(&mut strokes, drawn);
     hatching::remove(&mut strokes, drawn);
     // Letters that hung together with it stand alone now.
     letters::remove(&mut strokes);
     let solid = faces::within_walls(&strokes.walls(), drawn);
     let solid = strokes.joined(&solid);
-    let (_, bounds) = faces::largest(&solid);
+    let bounds = faces::bounds(&solid);
     let diagonal = bounds.diagonal();
     let thin = thin::thin(&strokes, &solid, (bounds, diagonal));
     let mut walls = solid.clone();
     thin.iter().for_each(|bar| thin::draw(&mut walls, bar));
     let door = gaps::door(&strokes, &solid, diagonal);
     let mut gaps = gaps::gaps((&strokes, &walls), &walls, (door, diagonal));
+    let clean = letters::without_specks(&strokes, &walls);
+    gaps.extend(gaps::gaps((&strokes, &walls), &clean, (door, diagonal)));
     let closed = faces::closed(&walls, &gaps);
     gaps.extend(gaps::gaps((&strokes, &walls), &closed, (door, diagonal)));
     let closed = faces::closed(&closed, &gaps);
@@ -184,17 +209,18 @@ pub fn divide(ink: &Ink) -> Divided {
 
 /// Closes the network of walls against the outside by the smallest disc that leaves nothing out, and divides it.
 fn enclosed(network: &Field<bool>, diagonal: f64) -> (Faces, Field<bool>) {
-    let tried = RADII.map(|share| {
+    let closed = |share: f64| {
         let mut network = network.clone();
         for chord in outside::chords(&network, share * diagonal) {
             outside::draw(&mut network, chord);
         }
         (Faces::of(&network, diagonal), network)
-    });
+    };
     let area = |faces: &Faces| faces.of.iter().filter(|f| *f != 0).count() as f64;
-    let most = tried.iter().map(|t| area(&t.0)).fold(0.0, f64::max);
-    let mut tried = tried.into_iter();
-    tried
-        .find(|t| area(&t.0) >= ENCLOSED * most)
-        .expect("the largest is one of them")
+    let [smaller @ .., largest] = RADII;
+    let most = closed(largest);
+    let least = ENCLOSED * area(&most.0);
+    let tried = smaller.into_iter().map(closed);
+    let best = tried.into_iter().find(|t| area(&t.0) >= least);
+    best.unwrap_or(most)
 }

@@ -291,6 +291,7 @@ impl Plan {
                 turn: self.turn,
             },
             unit: unit.map(|u| u / shrink),
+            metres: None,
             front: self.front.into(),
         }
     }

@@ -73,6 +73,7 @@ fn evidence(of: Evidence) -> String {
         Evidence::Printed(count) => format!("from {count} printed dimensions"),
         Evidence::Doors(count) => format!("if its {count} swinging doors are 0.85 m wide"),
         Evidence::Openings => "if its usual opening is 0.85 m wide".to_owned(),
+        Evidence::HalfKen => "if its walls stand at quarters of a ken of 1.818 m".to_owned(),
     }
 }
 
@@ -203,6 +204,10 @@ impl Plan {
             Evidence::Openings => Some(text!(
                 "its usual openings, if they are 0.85 m wide,",
                 "よくある開口の幅を 0.85 m と見て、そこ"
+            )),
+            Evidence::HalfKen => Some(text!(
+                "its walls, if they stand at quarters of a ken of 1.818 m,",
+                "壁が1間 1.818 m の四分の一ごとに立つと見て、そこ"
             )),
         };
         if let Some(by) = by {

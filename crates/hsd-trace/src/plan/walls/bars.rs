@@ -7,6 +7,8 @@ use std::collections::BTreeMap;
 const LEAST: f64 = 1.5;
 /// The share of its box that a straight wall fills.
 const SOLID: f64 = 0.7;
+/// The least length of a wall that sways, in the least length of a straight one: letters are shorter.
+const SPLIT: usize = 6;
 /// The least share of its longest line of pixels that another line of a wall has.
 const LONG: f64 = 0.5;
 
@@ -50,14 +52,47 @@ pub fn bars(walls: &Field<bool>, usual: f64, upright: bool) -> Vec<Bar> {
         }
     }
     let parts = opened.parts(false);
-    let mut lines: Vec<BTreeMap<usize, Line>> = vec![BTreeMap::new(); parts.count + 1];
+    let mut pixels: Vec<Vec<(usize, usize)>> = vec![vec![]; parts.count + 1];
     for (x, y, part) in parts.pixels() {
         let (x, y) = (x as usize, y as usize);
-        let (k, line) = if upright { (y, x) } else { (x, y) };
-        lines[part as usize].entry(line).or_default().add(k);
+        pixels[part as usize].push(if upright { (x, y) } else { (y, x) });
     }
-    let bars = lines.iter().filter_map(|lines| Bar::of(lines, upright));
-    bars.collect()
+    let mut out = vec![];
+    for part in pixels.iter().skip(1) {
+        straight(part, (upright, least), &mut out);
+    }
+    out
+}
+
+/// Finds the straight walls in a part: what sways, or stands aside in the middle, is a row of walls. Pixels are across and along.
+fn straight(part: &[(usize, usize)], (upright, least): (bool, usize), out: &mut Vec<Bar>) {
+    let mut lines: BTreeMap<usize, Line> = BTreeMap::new();
+    for (line, k) in part {
+        lines.entry(*line).or_default().add(*k);
+    }
+    if let Some(bar) = Bar::of(&lines, upright) {
+        out.push(bar);
+        return;
+    }
+    // Beside each other are separate walls.
+    let keys: Vec<usize> = lines.keys().copied().collect();
+    if let Some(gap) = keys.windows(2).find(|pair| pair[1] > pair[0] + 1) {
+        let (before, after): (Vec<_>, Vec<_>) = part.iter().partition(|(line, _)| *line <= gap[0]);
+        straight(&before, (upright, least), out);
+        straight(&after, (upright, least), out);
+        return;
+    }
+    let ends = lines.values().map(|line| line.along);
+    let Some([from, to]) = ends.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]) else {
+        return;
+    };
+    if to - from < SPLIT * least {
+        return;
+    }
+    let middle = (from + to) / 2;
+    let (before, after): (Vec<_>, Vec<_>) = part.iter().partition(|(_, k)| *k <= middle);
+    straight(&before, (upright, least), out);
+    straight(&after, (upright, least), out);
 }
 
 /// The pixels of a part in one line along it.
@@ -97,7 +132,9 @@ impl Bar {
         };
         let length = (along[1] - along[0] + 1) as f64;
         let thickness = bar.thickness() as f64;
-        let filled = lines.range(across[0]..=across[1]).map(|(_, line)| line.count);
+        let filled = lines
+            .range(across[0]..=across[1])
+            .map(|(_, line)| line.count);
         let filled = filled.sum::<usize>() as f64;
         (length > thickness && filled > SOLID * length * thickness).then_some(bar)
     }

@@ -49,6 +49,12 @@ pub fn closed(walls: &Field<bool>, gaps: &[Gap]) -> Field<bool> {
     out
 }
 
+/// Returns the extent of all walls.
+pub(super) fn bounds(walls: &Field<bool>) -> Extent {
+    let extents = walls.parts(true).extents();
+    extents.into_iter().reduce(Extent::with).unwrap_or_default()
+}
+
 /// Keeps the largest of the networks of walls, and those nearly as large; returns the bounds of the largest.
 pub(super) fn largest(walls: &Field<bool>) -> (Field<bool>, Extent) {
     let parts = walls.parts(true);

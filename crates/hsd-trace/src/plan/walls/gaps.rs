@@ -4,6 +4,7 @@ use super::bars::{Bar, bars};
 use super::field::Field;
 use super::mask::Strokes;
 use super::swing::swings;
+use std::collections::BTreeSet;
 
 /// The share of a band that a wall fills where a gap ends.
 const FILLED: f64 = 0.6;
@@ -38,17 +39,16 @@ impl Gap {
 
 /// Finds the gaps of a plan that are openings: from walls on to what is closed.
 ///
-/// They are as long as a door, or as far as something is drawn. Between two corners, where no wall goes on in their line, only
-/// something drawn shows an opening.
+/// They are as long as a door, or as far as something is drawn. Between two corners, where no wall goes on in their line, only a
+/// swinging door shows an opening.
 pub fn gaps(
     (strokes, walls): (&Strokes, &Field<bool>),
     closed: &Field<bool>,
     (door, diagonal): (f64, f64),
 ) -> Vec<Gap> {
-    let is_opening = |gap: &Gap| {
-        let is_drawn = gap.drawn >= DRAWN;
-        let joins = !gap.is_between_corners || swings(strokes, &gap.bar, diagonal);
-        is_drawn || gap.length() <= door && joins
+    let is_opening = |gap: &Gap| match gap.is_between_corners {
+        true => gap.length() <= door && swings(strokes, &gap.bar, diagonal),
+        false => gap.length() <= door || gap.drawn >= DRAWN,
     };
     let all = between((strokes, walls), closed).into_iter();
     all.filter_map(|gaps| gaps.into_iter().flatten().find(is_opening))
@@ -61,28 +61,30 @@ pub fn gaps(
 pub fn door(strokes: &Strokes, walls: &Field<bool>, diagonal: f64) -> f64 {
     let [least, most] = DOOR_SHARES.map(|share| share * diagonal);
     let widest = usual_opening(strokes, walls, diagonal);
-    widest.map_or(least, |w| WIDER * w).clamp(least, most)
+    widest.map_or(least, |(w, _)| WIDER * w).clamp(least, most)
 }
 
-/// Returns the length of the widest of the openings of which there are most.
-pub fn usual_opening(strokes: &Strokes, walls: &Field<bool>, diagonal: f64) -> Option<f64> {
+/// Returns the length of the widest of the openings of which there are most, and their number.
+pub fn usual_opening(
+    strokes: &Strokes,
+    walls: &Field<bool>,
+    diagonal: f64,
+) -> Option<(f64, usize)> {
     let most = DOOR_SHARES[1] * diagonal;
     let all = between((strokes, walls), walls).into_iter();
-    let mut lengths: Vec<f64> = all
-        .filter_map(|gaps| gaps[0])
-        .map(|gap| gap.length())
-        .collect();
-    lengths.retain(|l| *l >= LEAST_DOOR * diagonal && *l <= most);
-    lengths.sort_by(f64::total_cmp);
+    let mut all: Vec<Gap> = all.filter_map(|gaps| gaps[0]).collect();
+    all.retain(|gap| gap.length() >= LEAST_DOOR * diagonal && gap.length() <= most);
+    all.sort_by(|a, b| a.length().total_cmp(&b.length()));
     let within = |from: f64| {
-        lengths
-            .iter()
-            .filter(move |l| **l >= from && **l <= ALIKE * from)
+        let range = from..=ALIKE * from;
+        all.iter().filter(move |gap| range.contains(&gap.length()))
     };
-    let commonest = lengths.iter().max_by_key(|from| within(**from).count());
-    commonest
-        .and_then(|from| within(*from).next_back())
-        .copied()
+    // An opening in a wall is found from both sides, and counts twice.
+    let commonest = all.iter().max_by_key(|gap| within(gap.length()).count())?;
+    let alike = || within(commonest.length());
+    let place = |gap: &Gap| (gap.bar.upright, gap.bar.along);
+    let count = alike().map(place).collect::<BTreeSet<_>>().len();
+    Some((alike().next_back()?.length(), count))
 }
 
 /// Returns the gaps from each end of a wall: to the next wall in its line, and to one that begins before it.

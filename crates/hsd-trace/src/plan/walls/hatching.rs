@@ -9,7 +9,7 @@ const FEWEST: usize = 4;
 /// The narrowest space between two, in thicknesses of walls, and pixels: windows are lines within a wall.
 const NARROW: (f64, f64) = (0.8, 3.0);
 /// The widest, as a share of the diagonal of what is drawn.
-const WIDE: f64 = 0.045;
+const WIDE: f64 = 0.06;
 /// The greatest difference of two spaces, as a share of the first, and pixels.
 const EQUAL: (f64, f64) = (0.25, 1.0);
 /// The share of the longer of two lines along which the other runs beside it.

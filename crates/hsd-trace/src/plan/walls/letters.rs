@@ -1,5 +1,6 @@
 //! Small parts that stand alone: letters, specks, arrows. Dashes of lines are joined.
 
+use super::field::Field;
 use super::mask::Strokes;
 use crate::plan::raster::{Extent, Parts};
 
@@ -7,6 +8,8 @@ use crate::plan::raster::{Extent, Parts};
 const LETTER: f64 = 0.03;
 /// The least share of its box that a dash fills.
 const SOLID: f64 = 0.75;
+/// The least diagonal of a wall, in thicknesses of walls.
+const SPECK: f64 = 2.0;
 /// The least length of a dash, in its thickness.
 const LONG: f64 = 1.2;
 /// The widest space between two dashes, in the length of the longer.
@@ -52,6 +55,16 @@ pub fn remove(strokes: &mut Strokes) -> f64 {
     drawn
 }
 
+/// Returns walls without specks.
+pub fn without_specks(strokes: &Strokes, walls: &Field<bool>) -> Field<bool> {
+    let parts = walls.parts(true);
+    let extents = parts.extents();
+    let least = SPECK * strokes.usual;
+    Field::new(walls.width, walls.height, |x, y| {
+        walls[(x, y)] && extents[parts.at((x, y))].diagonal() >= least
+    })
+}
+
 /// Returns true for a short wall between two openings: it is as thick as walls, and in its line others stand on both sides.
 fn stands_between(strokes: &Strokes, part: &Extent, (labels, is_small): (&Parts, &[bool])) -> bool {
     let Some(upright) = dash(part).filter(|_| !strokes.has_one_pen()) else {
@@ -76,9 +89,18 @@ fn stands_between(strokes: &Strokes, part: &Extent, (labels, is_small): (&Parts,
         let part = labels.at((x, y));
         part > 0 && !is_small[part] && f64::from(field[(x, y)]) >= strokes.wall
     };
-    let before = from.saturating_sub(reach)..from;
+    let own = to - from + 1;
+    // What runs on for less is a wall across.
+    let runs = |mut line: Box<dyn Iterator<Item = usize>>| {
+        let mut run = 0;
+        line.any(|k| {
+            run = if is_wall(k) { run + 1 } else { 0 };
+            run >= own
+        })
+    };
+    let before = (from.saturating_sub(reach)..from).rev();
     let after = to + 1..(to + 1 + reach).min(length);
-    before.into_iter().any(is_wall) && after.into_iter().any(is_wall)
+    runs(Box::new(before)) && runs(Box::new(after))
 }
 
 /// Finds lines of dashes: each with its thickness.

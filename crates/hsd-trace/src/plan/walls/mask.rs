@@ -63,6 +63,12 @@ impl Strokes {
         self.wall <= THINNEST
     }
 
+    /// Parts walls from other strokes by a thickness; `usual` is that of most walls.
+    pub fn set_walls(&mut self, least: f64, usual: f64) {
+        (self.wall, self.usual) = (least, usual);
+        self.apart = usual;
+    }
+
     /// Returns the pixels of strokes that are no walls; with one pen, of all.
     pub fn light(&self) -> Field<bool> {
         let most = if self.has_one_pen() {

@@ -1,12 +1,24 @@
 //! The size of a plan, and its evidence.
 
+use super::graph::Graph;
+use super::writing::UNIT;
 use super::{Divided, Reading, digits, gaps, openings};
 use crate::plan::sheet::Ink;
+use glam::{DVec2, dvec2};
 
 /// The width of the opening of a door, metres.
 const DOOR: f64 = 0.85;
-/// The fewest doors that say how large a plan is.
+/// The fewest doors, and the fewest openings of one width, that say how large a plan is.
 const FEWEST: usize = 2;
+const FEWEST_OPENINGS: usize = 3;
+/// A quarter of a ken, metres, and the least and most that doors may make of it.
+const QUARTER_KEN: f64 = UNIT / 2.0;
+const NEAR: [f64; 2] = [0.8, 1.25];
+/// The factor between two lengths that are tried.
+const STEP: f64 = 1.002;
+/// The fewest walls across both axes together, and the least agreement of their places with a grid.
+const FEWEST_WALLS: usize = 8;
+const AGREE: f64 = 0.85;
 
 /// The evidence for the size of a plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +31,8 @@ pub enum Evidence {
     Doors(usize),
     /// The commonest opening, taken for a door.
     Openings,
+    /// Walls that stand at quarters of a ken; doors say which.
+    HalfKen,
 }
 
 /// The size of a pixel.
@@ -31,9 +45,9 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// Returns true if printed dimensions say it.
-    pub fn is_printed(&self) -> bool {
-        matches!(self.evidence, Evidence::Printed(_))
+    /// Returns true if the author, the file or printed dimensions say it.
+    pub fn is_sure(&self) -> bool {
+        matches!(self.evidence, Evidence::Given | Evidence::Printed(_))
     }
 }
 
@@ -51,19 +65,65 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
             evidence: Evidence::Printed(count),
         })
     };
-    given
-        .or_else(printed)
-        .or_else(|| by_doors(&reading.divided))
-        .or_else(|| by_openings(&reading.divided))
+    let by_doors = || {
+        let divided = &reading.divided;
+        let about = by_doors(divided).or_else(|| by_openings(divided))?;
+        Some(by_half_ken(&reading.graph, about.metres).unwrap_or(about))
+    };
+    given.or_else(printed).or_else(by_doors)
 }
 
 /// Returns the scale by the commonest opening, taken for a door.
 fn by_openings(divided: &Divided) -> Option<Scale> {
-    let usual = gaps::usual_opening(&divided.strokes, &divided.strokes.walls(), divided.diagonal)?;
-    Some(Scale {
+    let (usual, count) =
+        gaps::usual_opening(&divided.strokes, &divided.strokes.walls(), divided.diagonal)?;
+    (count >= FEWEST_OPENINGS).then_some(Scale {
         metres: DOOR / usual,
         evidence: Evidence::Openings,
     })
+}
+
+/// Returns the scale at which walls stand at quarters of a ken, if one near to that by doors does it.
+fn by_half_ken(graph: &Graph, about: f64) -> Option<Scale> {
+    let walls = [0, 1].map(|axis| walls(graph, axis));
+    if walls.iter().map(Vec::len).sum::<usize>() < FEWEST_WALLS {
+        return None;
+    }
+    let all = walls.iter().flatten().map(|wall| wall.1).sum::<f64>();
+    let agreement = |quarter: f64| {
+        let axis = |walls: &Vec<(f64, f64)>| {
+            let turn = |(at, length): &(f64, f64)| {
+                let angle = std::f64::consts::TAU * at / quarter;
+                *length * dvec2(libm::cos(angle), libm::sin(angle))
+            };
+            walls.iter().map(turn).sum::<DVec2>().length()
+        };
+        walls.iter().map(axis).sum::<f64>() / all
+    };
+    let steps = (libm::log(NEAR[1] / NEAR[0]) / libm::log(STEP)) as i32;
+    let tried = (0..=steps).map(|k| NEAR[0] * libm::pow(STEP, f64::from(k)) * QUARTER_KEN / about);
+    let tried = tried.map(|quarter| (agreement(quarter), quarter));
+    let (agrees, quarter) = tried.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (agrees >= AGREE).then_some(Scale {
+        metres: QUARTER_KEN / quarter,
+        evidence: Evidence::HalfKen,
+    })
+}
+
+/// Returns the places of the walls across an axis, each with the length of all walls there.
+fn walls(graph: &Graph, axis: usize) -> Vec<(f64, f64)> {
+    let mut out: Vec<(f64, f64)> = vec![];
+    let ends = graph
+        .lines
+        .iter()
+        .map(|line| line.ends.map(|k| graph.corners[k]));
+    for [a, b] in ends.filter(|[a, b]| (a[axis] - b[axis]).abs() < 1e-6) {
+        match out.iter_mut().find(|wall| (wall.0 - a[axis]).abs() < 1.0) {
+            Some(wall) => wall.1 += a.distance(b),
+            None => out.push((a[axis], a.distance(b))),
+        }
+    }
+    out
 }
 
 /// Returns the scale by swinging doors.

@@ -10,6 +10,8 @@ const SWINGS: f64 = 0.7;
 const BINS: usize = 9;
 /// The radii of a door's arc, in the width of its opening.
 const ARC: [f64; 2] = [0.82, 1.12];
+/// How far an arc sways from its radius, in the width of its opening.
+const SWAYS: f64 = 0.03;
 /// The part of the radius that is looked at within the arc, and the share of it that may be drawn.
 const CLEAR: f64 = 0.75;
 const EMPTY: f64 = 0.3;
@@ -78,14 +80,19 @@ impl Quarter<'_> {
         ink.is_some_and(|t| t > 0.0 && f64::from(t) < self.strokes.wall)
     }
 
+    /// Returns true if a stroke keeps to one distance from the hinge.
     fn has_arc(&self) -> bool {
-        let bin = |k: usize| {
-            let angle = (k as f64 + 1.0) / (BINS as f64 + 1.0) * FRAC_PI_2;
-            let steps = ((ARC[1] - ARC[0]) * self.width).ceil() as usize;
-            (0..=steps).any(|n| self.is_inked(angle, self.width * ARC[0] + n as f64))
+        let angles = || (0..BINS).map(|k| (k as f64 + 1.0) / (BINS as f64 + 1.0) * FRAC_PI_2);
+        let sways = (SWAYS * self.width).max(1.5) as i32;
+        let drawn = |radius: f64| {
+            let near = |angle: f64| {
+                let mut around = -sways..=sways;
+                around.any(|off| self.is_inked(angle, radius + f64::from(off)))
+            };
+            angles().filter(|angle| near(*angle)).count() as f64 >= SWINGS * BINS as f64
         };
-        let drawn = (0..BINS).filter(|k| bin(*k)).count();
-        drawn as f64 >= SWINGS * BINS as f64
+        let steps = ((ARC[1] - ARC[0]) * self.width).ceil() as usize;
+        (0..=steps).any(|n| drawn(self.width * ARC[0] + n as f64))
     }
 
     /// Returns true if a line runs aslant from the hinge, about as long as the opening is wide.

@@ -13,7 +13,11 @@ const THICK: f64 = 1.6;
 const NEAR: f64 = 0.8;
 
 /// Finds lines, single or in pairs, that run from wall to wall.
-pub(super) fn thin(strokes: &Strokes, walls: &Field<bool>, (bounds, diagonal): (Extent, f64)) -> Vec<Bar> {
+pub(super) fn thin(
+    strokes: &Strokes,
+    walls: &Field<bool>,
+    (bounds, diagonal): (Extent, f64),
+) -> Vec<Bar> {
     let all = strokes.all();
     let half = (strokes.usual / 2.0).ceil().max(1.0) as usize;
     let mut left: Vec<Bar> = vec![];
@@ -76,12 +80,7 @@ fn held(bar: &Bar, last: bool, reach: usize, known: &Field<bool>) -> bool {
         false => (known.height, known.width),
     };
     let end = bar.along[usize::from(last)];
-    let from = if last {
-        end.saturating_sub(2)
-    } else {
-        end.saturating_sub(reach)
-    };
-    let to = if last { end + reach } else { end + 2 }.min(length - 1);
+    let (from, to) = (end.saturating_sub(reach), (end + reach).min(length - 1));
     let across = bar.across[0].saturating_sub(1)..=(bar.across[1] + 1).min(lines - 1);
     let place = |k: usize, line: usize| if bar.upright { (line, k) } else { (k, line) };
     (from..=to).any(|k| across.clone().any(|line| known[place(k, line)]))
