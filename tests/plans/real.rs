@@ -4,9 +4,10 @@ use super::legends;
 use crate::support::on_all_processors;
 use glam::{DVec2, dvec2};
 use hsd::plan::text::Era;
-use hsd::plan::walls::writing;
+use hsd::plan::walls::{Found, writing};
 use hsd::plan::{self, Picture, Plan};
 use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// A reading beside the label of its plan.
@@ -18,6 +19,8 @@ struct Judged {
     /// Metres that were read for metres that are true, if that is known.
     scale: Option<f64>,
     rooms: usize,
+    /// The share of rooms that are labelled ones and of labelled ones that were found, as one figure (F1).
+    f1: f64,
 }
 
 fn points(of: &Value) -> Vec<DVec2> {
@@ -47,6 +50,45 @@ fn shared_area(a: &[DVec2], b: &[DVec2], (width, height): (f64, f64)) -> f64 {
     both as f64 / either.max(1) as f64
 }
 
+/// Compares the rooms of a reading with those of a label, by places every three pixels. Two are one room if they share half of both.
+fn rooms(found: &Found, label: &Value) -> f64 {
+    let labelled = label["rooms"].as_array().unwrap();
+    let around: Vec<_> = labelled
+        .iter()
+        .map(|room| points(&room["polygon"]))
+        .collect();
+    let (mut of_read, mut of_label) = (BTreeMap::new(), vec![0; around.len()]);
+    let mut shared: BTreeMap<(u32, usize), usize> = BTreeMap::new();
+    let faces = &found.reading.divided.faces.of;
+    for y in (0..faces.height).step_by(3) {
+        for x in (0..faces.width).step_by(3) {
+            let face = faces[(x, y)];
+            let at = found.in_picture(dvec2(x as f64, y as f64));
+            *of_read.entry(face).or_insert(0) += 1;
+            for k in (0..around.len()).filter(|k| inside(&around[*k], at)) {
+                of_label[k] += 1;
+                *shared.entry((face, k)).or_default() += 1;
+            }
+        }
+    }
+    let is_one = |((face, k), both): (&(u32, usize), &usize)| {
+        let either = of_read[face] + of_label[*k] - both;
+        (*face != 0 && 2 * both >= either).then_some((*face, *k))
+    };
+    let pairs: BTreeSet<(u32, usize)> = shared.iter().filter_map(is_one).collect();
+    let is_optional = |k: usize| labelled[k]["optional"] == true;
+    let hit = (0..around.len()).filter(|k| !is_optional(*k) && pairs.iter().any(|p| p.1 == *k));
+    let hit = hit.count() as f64;
+    let asked = (0..around.len()).filter(|k| !is_optional(*k)).count() as f64;
+    let optional = pairs
+        .iter()
+        .filter(|p| is_optional(p.1))
+        .map(|p| p.0)
+        .collect::<BTreeSet<u32>>();
+    let read = found.reading.rooms() as f64 - optional.len() as f64;
+    2.0 * hit / (asked + read)
+}
+
 /// Reads a plan wall by wall; `None` if it was refused, or read on a grid.
 fn judge(label: &Value, folder: &Path) -> Option<Judged> {
     let bytes = std::fs::read(folder.join("inputs").join(label["input"].as_str()?)).ok()?;
@@ -73,6 +115,7 @@ fn judge(label: &Value, folder: &Path) -> Option<Judged> {
         outline: best.fold(0.0, f64::max),
         scale: metres.map(|m| found.scale.metres / m),
         rooms: found.reading.rooms(),
+        f1: rooms(&found, label),
     })
 }
 
@@ -104,6 +147,8 @@ fn real_plans_are_read_wall_by_wall() {
     }
     let sharp = judged.iter().filter(|plan| plan.outline >= 0.95).count();
     assert!(sharp >= 6, "{judged:#?}");
+    let f1 = judged.iter().map(|plan| plan.f1).sum::<f64>() / judged.len() as f64;
+    assert!(f1 >= 0.8, "{f1}: {judged:#?}");
     // Its four printed dimensions say how large it is, and all its rooms are found.
     let printed = judged.iter().find(|plan| plan.name == "own_h2_quarter");
     let printed = printed.expect("the plan is read");

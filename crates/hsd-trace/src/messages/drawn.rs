@@ -86,7 +86,7 @@ pub fn no_house(span: Span) -> Diagnostic {
     )
 }
 
-/// A plan of any size.
+/// A plan without anything that says how large it is.
 #[cold]
 pub fn no_size(span: Span) -> Diagnostic {
     let message = text!(

@@ -40,7 +40,6 @@ pub mod writing;
 
 use super::flatten::Flat;
 use super::sheet::Ink;
-use bars::Bar;
 use faces::Faces;
 use field::Field;
 use gaps::Gap;
@@ -152,12 +151,8 @@ pub struct Divided {
     pub faces: Faces,
     /// Openings.
     pub gaps: Vec<Gap>,
-    /// Walls of lines.
-    pub thin: Vec<Bar>,
     /// The diagonal of the plan.
     pub diagonal: f64,
-    /// The longest door.
-    pub door: f64,
 }
 
 /// Divides the plan on a sheet into rooms.
@@ -176,11 +171,11 @@ pub fn divide(ink: &Ink) -> Divided {
     let mut walls = solid.clone();
     thin.iter().for_each(|bar| thin::draw(&mut walls, bar));
     let door = gaps::door(&strokes, &solid, diagonal);
-    let mut gaps = gaps::gaps((&strokes, &walls), &walls, (door, diagonal));
+    let mut gaps = gaps::gaps((&strokes, &walls), &walls, (&door, diagonal));
     let clean = letters::without_specks(&strokes, &walls);
-    gaps.extend(gaps::gaps((&strokes, &walls), &clean, (door, diagonal)));
+    gaps.extend(gaps::gaps((&strokes, &walls), &clean, (&door, diagonal)));
     let closed = faces::closed(&walls, &gaps);
-    gaps.extend(gaps::gaps((&strokes, &walls), &closed, (door, diagonal)));
+    gaps.extend(gaps::gaps((&strokes, &walls), &closed, (&door, diagonal)));
     let closed = faces::closed(&closed, &gaps);
     let (network, bounds) = faces::largest(&closed);
     let diagonal = bounds.diagonal();
@@ -201,26 +196,23 @@ pub fn divide(ink: &Ink) -> Divided {
         stuff,
         faces,
         gaps,
-        thin,
         diagonal,
-        door,
     }
 }
 
 /// Closes the network of walls against the outside by the smallest disc that leaves nothing out, and divides it.
 fn enclosed(network: &Field<bool>, diagonal: f64) -> (Faces, Field<bool>) {
-    let closed = |share: f64| {
+    let tried = RADII.map(|share| {
         let mut network = network.clone();
         for chord in outside::chords(&network, share * diagonal) {
             outside::draw(&mut network, chord);
         }
         (Faces::of(&network, diagonal), network)
-    };
+    });
     let area = |faces: &Faces| faces.of.iter().filter(|f| *f != 0).count() as f64;
-    let [smaller @ .., largest] = RADII;
-    let most = closed(largest);
-    let least = ENCLOSED * area(&most.0);
-    let tried = smaller.into_iter().map(closed);
-    let best = tried.into_iter().find(|t| area(&t.0) >= least);
-    best.unwrap_or(most)
+    let most = tried.iter().map(|t| area(&t.0)).fold(0.0, f64::max);
+    let mut tried = tried.into_iter();
+    tried
+        .find(|t| area(&t.0) >= ENCLOSED * most)
+        .expect("the largest is one of them")
 }

@@ -26,8 +26,19 @@ pub struct Gap {
     pub bar: Bar,
     /// The share of it along which something is drawn.
     pub drawn: f64,
-    /// True if it runs from a corner to a wall across it.
-    pub is_between_corners: bool,
+    /// The places of its ends: at corners or not.
+    pub ends: Ends,
+}
+
+/// Where the ends of a gap are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ends {
+    /// A wall ends, and another begins in its line or runs across it.
+    Walls,
+    /// A wall meets one across it, and goes on in its line beyond the gap.
+    Corner,
+    /// A wall meets one across it, or is dashed, and the gap ends at a wall across.
+    Corners,
 }
 
 impl Gap {
@@ -44,24 +55,38 @@ impl Gap {
 pub fn gaps(
     (strokes, walls): (&Strokes, &Field<bool>),
     closed: &Field<bool>,
-    (door, diagonal): (f64, f64),
+    (door, diagonal): (&Door, f64),
 ) -> Vec<Gap> {
-    let is_opening = |gap: &Gap| match gap.is_between_corners {
-        true => gap.length() <= door && swings(strokes, &gap.bar, diagonal),
-        false => gap.length() <= door || gap.drawn >= DRAWN,
+    let is_opening = |gap: &Gap| match gap.ends {
+        Ends::Walls => gap.length() <= door.widest || gap.drawn >= DRAWN,
+        Ends::Corner => gap.length() <= door.usual || gap.drawn >= DRAWN,
+        Ends::Corners => gap.length() <= door.widest && swings(strokes, &gap.bar, diagonal),
     };
     let all = between((strokes, walls), closed).into_iter();
     all.filter_map(|gaps| gaps.into_iter().flatten().find(is_opening))
         .collect()
 }
 
-/// Returns the length of the longest opening in which nothing is drawn.
+/// The lengths of the longest openings in which nothing is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Door {
+    /// By the commonest opening.
+    pub usual: f64,
+    /// The same within what doors of any plan have.
+    pub widest: f64,
+}
+
+/// Returns how long openings are in which nothing is drawn.
 ///
 /// Doors of a plan are about equally wide, and the commonest gap is a door.
-pub fn door(strokes: &Strokes, walls: &Field<bool>, diagonal: f64) -> f64 {
+pub fn door(strokes: &Strokes, walls: &Field<bool>, diagonal: f64) -> Door {
     let [least, most] = DOOR_SHARES.map(|share| share * diagonal);
-    let widest = usual_opening(strokes, walls, diagonal);
-    widest.map_or(least, |(w, _)| WIDER * w).clamp(least, most)
+    let usual = usual_opening(strokes, walls, diagonal);
+    let usual = usual.map_or(least, |(width, _)| WIDER * width);
+    Door {
+        usual,
+        widest: usual.clamp(least, most),
+    }
 }
 
 /// Returns the length of the widest of the openings of which there are most, and their number.
@@ -198,7 +223,12 @@ fn beyond(
                 ..*bar
             },
             drawn: drawn as f64 / (hit - 1) as f64,
-            is_between_corners: (starts_at_corner || is_dashed) && !goes_on,
+            ends: match (starts_at_corner, goes_on) {
+                (true, true) => Ends::Corner,
+                (true, false) => Ends::Corners,
+                (false, false) if is_dashed => Ends::Corners,
+                (false, _) => Ends::Walls,
+            },
         }
     };
     let Some(hit) = (1..=steps).find(|step| line.is_filled(at(*step))) else {
