@@ -127,14 +127,14 @@ impl Parts {
     }
 }
 
-/// Where a connected part lies.
+/// The place and size of a connected part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Extent {
     /// First and last column.
     pub(super) x: [usize; 2],
     /// First and last row.
     pub(super) y: [usize; 2],
-    /// Its pixels.
+    /// Number of pixels.
     pub(super) area: usize,
 }
 

@@ -30,12 +30,12 @@ pub struct Gap {
     pub ends: Ends,
 }
 
-/// Where the ends of a gap are.
+/// Ends of a gap: at corners or not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ends {
     /// A wall ends, and another begins in its line or runs across it.
     Walls,
-    /// A wall meets one across it, and goes on in its line beyond the gap.
+    /// A wall meets one across it, and continues beyond the gap.
     Corner,
     /// A wall meets one across it, or is dashed, and the gap ends at a wall across.
     Corners,
@@ -50,7 +50,7 @@ impl Gap {
 
 /// Finds the gaps of a plan that are openings: from walls on to what is closed.
 ///
-/// They are as long as a door, or as far as something is drawn. Between two corners, where no wall goes on in their line, only a
+/// They are as long as a door, or as far as something is drawn. Between two corners, where no wall continues in their line, only a
 /// swinging door shows an opening.
 pub fn gaps(
     (strokes, walls): (&Strokes, &Field<bool>),
@@ -72,7 +72,7 @@ pub fn gaps(
 pub struct Door {
     /// By the commonest opening.
     pub usual: f64,
-    /// The same within what doors of any plan have.
+    /// That, within the widths of doors of any plan.
     pub widest: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Hatching: lines of floors, stairs and paving, equally far from each other. They are no walls.
+//! Hatching: lines of floors, stairs and paving, equally far from each other.
 
 use super::bars::{Bar, bars, widened};
 use super::field::Field;

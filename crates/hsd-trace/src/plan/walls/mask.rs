@@ -69,7 +69,7 @@ impl Strokes {
         self.apart = usual;
     }
 
-    /// Returns the pixels of strokes that are no walls; with one pen, of all.
+    /// Returns the pixels of strokes thinner than walls; with one pen, of all.
     pub fn light(&self) -> Field<bool> {
         let most = if self.has_one_pen() {
             f64::INFINITY

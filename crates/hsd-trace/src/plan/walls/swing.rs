@@ -10,7 +10,7 @@ const SWINGS: f64 = 0.7;
 const BINS: usize = 9;
 /// The radii of a door's arc, in the width of its opening.
 const ARC: [f64; 2] = [0.82, 1.12];
-/// How far an arc sways from its radius, in the width of its opening.
+/// The greatest distance of an arc from its radius, in the width of its opening.
 const SWAYS: f64 = 0.03;
 /// The part of the radius that is looked at within the arc, and the share of it that may be drawn.
 const CLEAR: f64 = 0.75;
