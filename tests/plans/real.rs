@@ -140,15 +140,15 @@ fn real_plans_are_read_wall_by_wall() {
         Vec::<String>::new()
     });
     let judged = judged.into_inner().unwrap();
-    assert!(judged.len() >= 7, "{judged:#?}");
+    assert!(judged.len() >= 8, "{judged:#?}");
     for plan in &judged {
         let is_silent = plan.outline < 0.7 || plan.scale.is_some_and(|s| (s - 1.0).abs() > 0.3);
         assert!(!is_silent, "a wrong house without an error: {plan:?}");
     }
     let sharp = judged.iter().filter(|plan| plan.outline >= 0.95).count();
-    assert!(sharp >= 6, "{judged:#?}");
+    assert!(sharp >= 7, "{judged:#?}");
     let f1 = judged.iter().map(|plan| plan.f1).sum::<f64>() / judged.len() as f64;
-    assert!(f1 >= 0.8, "{f1}: {judged:#?}");
+    assert!(f1 >= 0.85, "{f1}: {judged:#?}");
     // Its four printed dimensions say how large it is, and all its rooms are found.
     let printed = judged.iter().find(|plan| plan.name == "own_h2_quarter");
     let printed = printed.expect("the plan is read");

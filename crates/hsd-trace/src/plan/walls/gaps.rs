@@ -226,7 +226,7 @@ fn beyond(
             ends: match (starts_at_corner, goes_on) {
                 (true, true) => Ends::Corner,
                 (true, false) => Ends::Corners,
-                (false, false) if is_dashed => Ends::Corners,
+                (false, false) if is_dashed && hit > 3 * thick => Ends::Corners,
                 (false, _) => Ends::Walls,
             },
         }

@@ -8,8 +8,11 @@ use super::mask::Strokes;
 const FEWEST: usize = 4;
 /// The narrowest space between two, in thicknesses of walls, and pixels: windows are lines within a wall.
 const NARROW: (f64, f64) = (0.8, 3.0);
-/// The widest, as a share of the diagonal of what is drawn.
+/// The widest, as a share of the diagonal of what is drawn; with one pen walls are lines too.
 const WIDE: f64 = 0.06;
+const WIDE_ONE_PEN: f64 = 0.03;
+/// The length of the pieces into which lines are cut, as the same share.
+const PIECE: f64 = 0.03;
 /// The greatest difference of two spaces, as a share of the first, and pixels.
 const EQUAL: (f64, f64) = (0.25, 1.0);
 /// The share of the longer of two lines along which the other runs beside it.
@@ -26,7 +29,7 @@ struct Family {
 /// Removes hatching along and across a sheet; `drawn` is the diagonal of what is drawn.
 pub fn remove(strokes: &mut Strokes, drawn: f64) {
     let light = strokes.light();
-    let length = (WIDE * drawn).ceil().max(8.0) as usize;
+    let length = (PIECE * drawn).ceil().max(8.0) as usize;
     let lines = [false, true].map(|upright| {
         // Short pieces of lines are straight, also where the whole is not, and where letters interrupt it.
         let wide = widened(&light, PEN, upright);
@@ -35,13 +38,19 @@ pub fn remove(strokes: &mut Strokes, drawn: f64) {
             wide[(x, y)] && along % length > 0
         });
         let mut lines = bars(&wide, strokes.usual, upright);
-        lines.sort_by_key(|line| (line.across, line.along));
+        lines.sort_by(|a, b| middle(a).total_cmp(&middle(b)).then(a.along.cmp(&b.along)));
         lines
     });
     let narrow = (NARROW.0 * strokes.usual).max(NARROW.1);
-    let spaces = [narrow, WIDE * drawn];
+    let wide = if strokes.has_one_pen() {
+        WIDE_ONE_PEN
+    } else {
+        WIDE
+    };
+    let spaces = [narrow, wide * drawn];
+    let families = [0, 1].map(|k| families(&lines[k], spaces));
     let is_hatching = [0, 1].map(|k| {
-        let families = families(&lines[k], spaces);
+        let families = &families[k];
         let within = |line: &Bar| families.iter().any(|family| family.has(line));
         lines[k].iter().map(within).collect::<Vec<bool>>()
     });
@@ -62,6 +71,64 @@ pub fn remove(strokes: &mut Strokes, drawn: f64) {
             }
         }
     }
+    if !strokes.has_one_pen() {
+        let regions = families.map(|families| regions(families, length));
+        clear(strokes, &regions, length);
+    }
+}
+
+/// Removes what stands among hatching: writing that hangs together with its lines. Walls stay.
+fn clear(strokes: &mut Strokes, regions: &[Vec<Family>; 2], length: usize) {
+    let walls = strokes.joined(&strokes.walls());
+    let mut kept = walls.map(|_| false);
+    for upright in [false, true] {
+        let bars = bars(&walls, strokes.usual, upright).into_iter();
+        let long = bars.filter(|bar| bar.along[1] - bar.along[0] >= length);
+        long.collect::<Vec<_>>()
+            .iter()
+            .flat_map(places)
+            .for_each(|place| kept[place] = true);
+    }
+    for (k, regions) in regions.iter().enumerate() {
+        for region in regions {
+            // The outermost lines may be walls.
+            let [first, last] = region.across.map(|place| place as usize);
+            let across = [first + 2, last.saturating_sub(2)];
+            let region = Bar {
+                upright: k == 1,
+                along: region.along,
+                across,
+            };
+            for place in places(&region).filter(|place| !kept[*place]) {
+                strokes.thickness[place] = 0.0;
+            }
+        }
+    }
+}
+
+/// Joins families of pieces of the same lines, also where letters lie between.
+fn regions(mut families: Vec<Family>, length: usize) -> Vec<Family> {
+    families.sort_by_key(|family| family.along);
+    let mut out: Vec<Family> = vec![];
+    for family in families {
+        let is_same = |other: &&mut Family| {
+            let near = |k: usize| (other.across[k] - family.across[k]).abs() <= length as f64 / 2.0;
+            near(0) && near(1) && family.along[0] <= other.along[1] + 2 * length
+        };
+        match out.iter_mut().find(is_same) {
+            Some(other) => {
+                other.along[1] = other.along[1].max(family.along[1]);
+                for (k, place) in family.across.iter().enumerate() {
+                    other.across[k] = match k {
+                        0 => other.across[k].min(*place),
+                        _ => other.across[k].max(*place),
+                    };
+                }
+            }
+            None => out.push(family),
+        }
+    }
+    out
 }
 
 impl Family {
@@ -78,7 +145,8 @@ impl Family {
 fn families(lines: &[Bar], [narrow, wide]: [f64; 2]) -> Vec<Family> {
     let next = |from: usize, least: f64, most: f64| {
         let apart = |k: &usize| middle(&lines[*k]) - middle(&lines[from]);
-        let all = (0..lines.len()).filter(|k| (least..=most).contains(&apart(k)));
+        let first = lines.partition_point(|line| middle(line) < middle(&lines[from]) + least);
+        let all = (first..lines.len()).take_while(|k| apart(k) <= most);
         all.filter(|k| beside(&lines[from], &lines[*k]))
             .min_by(|a, b| apart(a).total_cmp(&apart(b)))
     };
