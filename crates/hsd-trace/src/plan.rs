@@ -254,6 +254,11 @@ pub fn read(
     });
     let better = reading.filter(|(reading, scale)| is_better(reading, *scale, &grid));
     match better {
+        // Neither way leads to a house of which no part is missing.
+        Some((reading, _)) if !reading.is_whole() => Err(match grid {
+            Ok(found) => found.stopped(Refused::NoHouse),
+            Err(stopped) => stopped,
+        }),
         Some((reading, Some(scale))) => Ok(Plan::Walls(Box::new(walls::Found {
             flat: flat.clone(),
             reading,
@@ -293,7 +298,8 @@ fn is_better(
         Ok(found) => found,
         Err(stopped) => return !matches!(stopped.why, Refused::Blank(_)),
     };
-    if let Some(scale) = scale.filter(walls::scale::Scale::is_sure) {
+    let sure = scale.filter(|scale| scale.is_sure() && reading.is_whole());
+    if let Some(scale) = sure {
         let half_ken = found.grid.unit * scale.metres;
         if !HALF_KEN.contains(&half_ken) {
             return true;

@@ -102,13 +102,18 @@ impl Reading {
         rooms.len()
     }
 
+    /// Returns true if most walls belong to the house.
+    pub fn is_whole(&self) -> bool {
+        self.explained >= EXPLAINED
+    }
+
     /// Returns true for a length of pixels, metres, at which a plan may be a house: files name metres and count millimetres.
     pub fn is_as_large_as_a_house(&self, metres: f64) -> bool {
         HOUSES.contains(&(self.divided.diagonal * metres))
     }
 }
 
-/// Reads the plan on a sheet; `None` if its walls enclose nothing, or hardly any of them a room.
+/// Reads the plan on a sheet; `None` if its walls enclose nothing.
 pub fn read(ink: &Ink) -> Option<Reading> {
     let divided = divide(ink);
     let graph = Graph::of(&divided.faces, divided.strokes.usual);
@@ -120,7 +125,7 @@ pub fn read(ink: &Ink) -> Option<Reading> {
         .iter()
         .map(|line| line.ends.map(|k| graph.corners[k]));
     let explained = divided.strokes.explained(lines);
-    (explained >= EXPLAINED).then_some(Reading {
+    Some(Reading {
         divided,
         graph,
         explained,
@@ -129,7 +134,7 @@ pub fn read(ink: &Ink) -> Option<Reading> {
 
 /// Reads the plan on a sheet with its size; `given` are metres of a pixel by its file. `None` if one of both is missing.
 pub fn found(flat: &Flat, ink: &Ink, given: Option<f64>) -> Option<Found> {
-    let reading = read(ink)?;
+    let reading = read(ink).filter(Reading::is_whole)?;
     let given = given.filter(|metres| reading.is_as_large_as_a_house(*metres));
     let scale = scale::of(&reading, ink, given)?;
     let flat = flat.clone();

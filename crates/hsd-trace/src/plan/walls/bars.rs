@@ -75,11 +75,22 @@ fn straight(part: &[(usize, usize)], (upright, least): (bool, usize), out: &mut 
         return;
     }
     // Beside each other are separate walls.
-    let keys: Vec<usize> = lines.keys().copied().collect();
-    if let Some(gap) = keys.windows(2).find(|pair| pair[1] > pair[0] + 1) {
-        let (before, after): (Vec<_>, Vec<_>) = part.iter().partition(|(line, _)| *line <= gap[0]);
-        straight(&before, (upright, least), out);
-        straight(&after, (upright, least), out);
+    let mut starts: Vec<usize> = vec![];
+    let mut last = None;
+    for line in lines.keys().copied() {
+        if last.is_none_or(|last| line > last + 1) {
+            starts.push(line);
+        }
+        last = Some(line);
+    }
+    if starts.len() > 1 {
+        let mut groups = vec![vec![]; starts.len()];
+        for pixel in part {
+            groups[starts.partition_point(|start| *start <= pixel.0) - 1].push(*pixel);
+        }
+        for group in groups {
+            straight(&group, (upright, least), out);
+        }
         return;
     }
     let ends = lines.values().map(|line| line.along);
