@@ -12,7 +12,9 @@ use std::slice;
 /// The parts of a house with too many triangles, or why it is left out.
 pub(super) type Plainer = Result<HouseDrafts, LeftOut>;
 
-/// Makes a house that has too many triangles with these options, whose number in the run counts from 1, and reports what is shown.
+/// Makes a house at a lower level of detail than that of the options, at which it has too many triangles, and reports that level.
+///
+/// `number` is its place in the run, counted from 1.
 ///
 /// # Errors
 /// The house, if it has too many triangles at every level of detail.

@@ -100,12 +100,14 @@ const THIN_PANE: f64 = 0.44;
 const SURE_FIT: f64 = 0.7;
 /// Half a ken where something else says how large a plan is, metres: edo-ma to kyo-ma.
 const HALF_KEN: std::ops::RangeInclusive<f64> = 0.86..=1.03;
-/// The further share of the ink of walls that a reading wall by wall has to explain beyond and below that, or of all.
+/// The least share of the ink of walls that a reading wall by wall explains beyond that of the grid: above that agreement and below
+/// it. `NEARLY_ALL` and `ALL` are shares it explains where less is enough.
 const MUCH_MORE: f64 = 0.25;
 const MORE: f64 = 0.1;
 const NEARLY_ALL: f64 = 0.9;
 const ALL: f64 = 0.97;
-/// The share of walls in doubt beyond which a reading on a grid counts less: plans of the drawn conventions have up to 0.1.
+/// The share of doubtful walls above which a reading on a grid yields to walls that explain nearly all. Plans of the drawn
+/// conventions have up to 0.1.
 const DOUBTFUL: f64 = 0.15;
 /// The least share of the ink of walls that a house on a grid explains: streets reach 0.28, plans of the drawn conventions 0.53.
 const LEAST_EXPLAINED: f64 = 0.4;
@@ -192,7 +194,7 @@ pub enum Refused {
     NoSymbols(f64),
     /// No walls that close.
     NoHouse,
-    /// Walls that close, and nothing that says how large they are.
+    /// Closed walls whose size nothing shows.
     NoSize,
 }
 
@@ -228,9 +230,7 @@ pub enum Plan {
     Walls(Box<walls::Found>),
 }
 
-/// Reads the plan on an image: on a grid of half ken, as the drawn conventions have it, or wall by wall.
-///
-/// The reading is kept that explains more of what is drawn.
+/// Reads the plan on an image on a grid of half ken and wall by wall; returns the result that explains more walls.
 ///
 /// # Errors
 /// If there is no plan; with what the steps had found.
@@ -254,7 +254,7 @@ pub fn read(
     });
     let better = reading.filter(|(reading, scale)| is_better(reading, *scale, &grid));
     match better {
-        // Neither way leads to a house of which no part is missing.
+        // Both ways lose a part of the house.
         Some((reading, _)) if !reading.is_whole() => Err(match grid {
             Ok(found) => found.stopped(Refused::NoHouse),
             Err(stopped) => stopped,

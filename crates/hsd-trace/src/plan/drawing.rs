@@ -118,7 +118,7 @@ pub struct Drawn {
 }
 
 impl Drawn {
-    /// Returns what was found in a drawing whose layers say nothing.
+    /// Returns the house found in a drawing whose layers have no roles.
     fn mute(found: Found) -> Drawn {
         Drawn {
             found,
@@ -223,9 +223,9 @@ fn skew(lines: &Lines) -> f64 {
     }
 }
 
-/// Finds the house in the lines of a drawing on a grid of half ken: by what its layers stand for, otherwise as in a picture.
+/// Finds the house in a drawing on a grid of half ken, by the roles of its layers or as in an image.
 ///
-/// `unit_mm` are the millimetres of half a ken, if known.
+/// `unit_mm` is the length of half a ken in millimetres, if known.
 ///
 /// # Errors
 /// If there is none.
@@ -253,8 +253,9 @@ pub fn find(
     Ok(Drawn::mute(found))
 }
 
-/// Finds the house in the lines of a drawing by what its layers, blocks and colours stand for. `unit_mm` are the millimetres of half
-/// a ken, if known.
+/// Finds the house in the lines of a drawing by the roles of its layers, blocks and colours.
+///
+/// `unit_mm` is the length of half a ken in millimetres, if known.
 fn by_roles(
     mut lines: Lines,
     roles: &Roles,

@@ -49,7 +49,7 @@ impl Parts {
         Parts::of_set(picture.dimensions(), set, diagonal)
     }
 
-    /// Finds the parts of the pixels of a set.
+    /// Finds the connected parts of the pixels for which `set` is true.
     pub(super) fn of_set(
         (width, height): (u32, u32),
         set: impl Fn(u32, u32) -> bool,
@@ -110,7 +110,7 @@ impl Parts {
         self.of[y * self.width as usize + x] as usize
     }
 
-    /// Returns the extent of each part; the first is that of the background, without any pixel.
+    /// Returns the extent of each part by its number; that of the background is empty.
     pub(super) fn extents(&self) -> Vec<Extent> {
         let mut out = vec![Extent::default(); self.count + 1];
         for (x, y, part) in self.pixels() {
@@ -156,7 +156,7 @@ impl Extent {
         self.area += 1;
     }
 
-    /// Returns the extent of both.
+    /// Returns the extent that covers both.
     pub(super) fn with(self, other: Extent) -> Extent {
         Extent {
             x: [self.x[0].min(other.x[0]), self.x[1].max(other.x[1])],

@@ -1,4 +1,4 @@
-//! Walls wherever they stand: the reading of plans that keep to no grid (plans.md 2).
+//! Reads plans that keep to no grid, wall by wall (plans.md 2).
 //!
 //! | step | file | result |
 //! |---|---|---|
@@ -11,7 +11,7 @@
 //! | what a wide disc reaches is outside | [`outside`] | chords that close the outline |
 //! | what walls and openings enclose are rooms | [`faces`] | [`faces::Faces`] |
 //! | the lines between rooms become straight walls | [`chains`], [`graph`] | [`graph::Graph`] |
-//! | printed dimensions or doors give the size | [`digits`], [`scale`] | [`scale::Scale`] |
+//! | printed dimensions, doors or half ken give the size | [`digits`], [`scale`] | [`scale::Scale`] |
 //! | pieces of walls get their roles | [`openings`] | [`openings::Piece`]s |
 //! | the source file is written | [`writing`] | [`writing::Traced`] |
 //!
@@ -107,7 +107,7 @@ impl Reading {
         self.explained >= EXPLAINED
     }
 
-    /// Returns true for a length of pixels, metres, at which a plan may be a house: files name metres and count millimetres.
+    /// Returns true if the plan has the size of a house when a pixel has this length, metres. Some files name the wrong unit.
     pub fn is_as_large_as_a_house(&self, metres: f64) -> bool {
         HOUSES.contains(&(self.divided.diagonal * metres))
     }
@@ -132,7 +132,9 @@ pub fn read(ink: &Ink) -> Option<Reading> {
     })
 }
 
-/// Reads the plan on a sheet with its size; `given` are metres of a pixel by its file. `None` if one of both is missing.
+/// Reads the plan on a sheet and its size; `None` if either is missing or walls are left out.
+///
+/// `given` is the length of a pixel by the file, metres.
 pub fn found(flat: &Flat, ink: &Ink, given: Option<f64>) -> Option<Found> {
     let reading = read(ink).filter(Reading::is_whole)?;
     let given = given.filter(|metres| reading.is_as_large_as_a_house(*metres));
@@ -166,7 +168,7 @@ pub fn divide(ink: &Ink) -> Divided {
     let drawn = letters::remove(&mut strokes);
     hollow::fill(&mut strokes, drawn);
     hatching::remove(&mut strokes, drawn);
-    // Letters that hung together with it stand alone now.
+    // Letters that touched the hatching are separate now.
     letters::remove(&mut strokes);
     let solid = faces::within_walls(&strokes.walls(), drawn);
     let solid = strokes.joined(&solid);

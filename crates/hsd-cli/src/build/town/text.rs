@@ -89,7 +89,7 @@ fn write_houses(houses: Vec<WrittenHouse>, file: &mut String) -> (usize, usize, 
     (count, open, unwritten)
 }
 
-/// A house of a town as it is written.
+/// The source text of a house of a town.
 struct WrittenHouse {
     name: String,
     text: String,

@@ -7,9 +7,9 @@ use std::collections::BTreeMap;
 const LEAST: f64 = 1.5;
 /// The share of its box that a straight wall fills.
 const SOLID: f64 = 0.7;
-/// The least length of a wall that sways, in the least length of a straight one: letters are shorter.
+/// The least length of a part that is cut in two, in the least length of a straight wall: letters are shorter.
 const SPLIT: usize = 6;
-/// The least share of its longest line of pixels that another line of a wall has.
+/// The least length of a line of pixels in a wall, as a share of its longest line.
 const LONG: f64 = 0.5;
 
 /// A straight wall.
@@ -64,7 +64,8 @@ pub fn bars(walls: &Field<bool>, usual: f64, upright: bool) -> Vec<Bar> {
     out
 }
 
-/// Finds the straight walls in a part: what sways, or stands aside in the middle, is a row of walls. Pixels are across and along.
+/// Finds the straight walls in a connected part, given by its pixels across and along. A curved or stepped part becomes a row of
+/// walls.
 fn straight(part: &[(usize, usize)], (upright, least): (bool, usize), out: &mut Vec<Bar>) {
     let mut lines: BTreeMap<usize, Line> = BTreeMap::new();
     for (line, k) in part {
@@ -74,7 +75,7 @@ fn straight(part: &[(usize, usize)], (upright, least): (bool, usize), out: &mut 
         out.push(bar);
         return;
     }
-    // Beside each other are separate walls.
+    // Lines of pixels that do not touch are separate walls.
     let mut starts: Vec<usize> = vec![];
     let mut last = None;
     for line in lines.keys().copied() {
@@ -128,7 +129,7 @@ impl Line {
 }
 
 impl Bar {
-    /// Returns the straight wall in a part, given by its lines. Posts stand out on both sides of it.
+    /// Returns the straight wall in a connected part, given by its lines of pixels, without posts that protrude from it.
     fn of(lines: &BTreeMap<usize, Line>, upright: bool) -> Option<Bar> {
         let longest = lines.values().map(|line| line.count).max()?;
         let is_long = |line: &Line| line.count as f64 >= LONG * longest as f64;

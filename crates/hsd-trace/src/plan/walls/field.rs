@@ -56,7 +56,7 @@ impl<T: Copy> Field<T> {
 }
 
 impl Field<bool> {
-    /// Finds the connected parts of what is set. Pixels that meet at a corner hang together if `diagonal`.
+    /// Finds the connected parts of the pixels that are true. Pixels that meet at a corner are connected if `diagonal`.
     pub(in crate::plan) fn parts(&self, diagonal: bool) -> Parts {
         let size = (self.width as u32, self.height as u32);
         Parts::of_set(size, |x, y| self[(x as usize, y as usize)], diagonal)

@@ -26,11 +26,11 @@ pub struct Gap {
     pub bar: Bar,
     /// The share of it along which something is drawn.
     pub drawn: f64,
-    /// The places of its ends: at corners or not.
+    /// The kind of its ends.
     pub ends: Ends,
 }
 
-/// Ends of a gap: at corners or not.
+/// The ends of a gap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ends {
     /// A wall ends, and another begins in its line or runs across it.
@@ -48,7 +48,7 @@ impl Gap {
     }
 }
 
-/// Finds the gaps of a plan that are openings: from walls on to what is closed.
+/// Finds the openings of a plan: gaps from the ends of `walls` to `closed` walls.
 ///
 /// They are as long as a door, or as far as something is drawn. Between two corners, where no wall continues in their line, only a
 /// swinging door shows an opening.
@@ -72,11 +72,11 @@ pub fn gaps(
 pub struct Door {
     /// By the commonest opening.
     pub usual: f64,
-    /// That, within the widths of doors of any plan.
+    /// That length, limited to widths that doors have.
     pub widest: f64,
 }
 
-/// Returns how long openings are in which nothing is drawn.
+/// Returns the greatest lengths of openings in which nothing is drawn.
 ///
 /// Doors of a plan are about equally wide, and the commonest gap is a door.
 pub fn door(strokes: &Strokes, walls: &Field<bool>, diagonal: f64) -> Door {
@@ -89,7 +89,7 @@ pub fn door(strokes: &Strokes, walls: &Field<bool>, diagonal: f64) -> Door {
     }
 }
 
-/// Returns the length of the widest of the openings of which there are most, and their number.
+/// Returns the widest of the commonest openings, pixels, and their number.
 pub fn usual_opening(
     strokes: &Strokes,
     walls: &Field<bool>,
@@ -112,7 +112,7 @@ pub fn usual_opening(
     Some((alike().next_back()?.length(), count))
 }
 
-/// Returns the gaps from each end of a wall: to the next wall in its line, and to one that begins before it.
+/// Returns two gaps from each end of a wall: to the next wall in its line, and to a nearer one that begins beside it.
 fn between(
     (strokes, walls): (&Strokes, &Field<bool>),
     closed: &Field<bool>,
@@ -126,11 +126,11 @@ fn between(
     out
 }
 
-/// A line of walls, and what stands across it.
+/// The line of a wall, extended over the sheet.
 struct Across<'a> {
     walls: &'a Field<bool>,
     bar: &'a Bar,
-    /// Pixels along the line, and lines beside each other.
+    /// Pixels of the sheet along the line and across it.
     size: [usize; 2],
 }
 
@@ -176,7 +176,7 @@ impl<'a> Across<'a> {
             // Dashes are walls too.
             let on = (from..from + 3 * thick).filter(|d| at(*d, k)).count();
             let on = on as f64 >= FILLED * (3 * thick) as f64;
-            // A wall beside and along the line is as long on both sides.
+            // A wall that runs along the line is wide here too.
             let far = from + 2 * thick;
             let wide = |k: usize| at(far, k);
             on && !(wide(k.wrapping_sub(3 * thick)) || wide(k + 3 * thick))
@@ -185,7 +185,7 @@ impl<'a> Across<'a> {
     }
 }
 
-/// Returns what lies between the end of a wall and the next wall in its line, and the next that begins beside that.
+/// Returns the two gaps beyond an end of a wall, as in `between`.
 fn beyond(
     bar: &Bar,
     forward: bool,
@@ -193,7 +193,7 @@ fn beyond(
 ) -> [Option<Gap>; 2] {
     let line = Across::of(walls, bar);
     let place = |k: usize, line: usize| if bar.upright { (line, k) } else { (k, line) };
-    // Sliding screens stand a little beside each other.
+    // Sliding screens run in two grooves, side by side.
     let beside = bar.thickness().max(2);
     let [first, last] = bar.across;
     let wide = first.saturating_sub(beside)..=(last + beside).min(line.size[1] - 1);
@@ -207,7 +207,7 @@ fn beyond(
     let thick = bar.thickness();
     let corner = |step: usize| line.begins(if forward { end - step } else { end + step });
     let starts_at_corner = (0..thick.min(bar.along[1] - bar.along[0])).any(corner);
-    // A line of dashes shows what is above or below; it ends where it ends.
+    // Dashes show something above or below, which has no openings.
     let middle = (first + last) / 2;
     let along = bar.along[0]..=bar.along[1];
     let full = along.filter(|k| f64::from(strokes.thickness[place(*k, middle)]) >= strokes.wall);

@@ -1,4 +1,4 @@
-//! Hatching: lines of floors, stairs and paving, equally far from each other.
+//! Removes hatching: lines of floors, stairs and paving at equal distances.
 
 use super::bars::{Bar, bars, widened};
 use super::field::Field;
@@ -8,7 +8,7 @@ use super::mask::Strokes;
 const FEWEST: usize = 4;
 /// The narrowest space between two, in thicknesses of walls, and pixels: windows are lines within a wall.
 const NARROW: (f64, f64) = (0.8, 3.0);
-/// The widest, as a share of the diagonal of what is drawn; with one pen walls are lines too.
+/// The widest, as a share of the diagonal of all ink. With one pen it is narrower, since walls are lines too.
 const WIDE: f64 = 0.06;
 const WIDE_ONE_PEN: f64 = 0.03;
 /// The length of the pieces into which lines are cut, as the same share.
@@ -20,13 +20,13 @@ const BESIDE: f64 = 0.6;
 /// Half of what the pen is widened by, so that lines that are not quite straight are one, pixels.
 const PEN: usize = 1;
 
-/// Lines side by side.
+/// Parallel lines at equal distances.
 struct Family {
     along: [usize; 2],
     across: [f64; 2],
 }
 
-/// Removes hatching along and across a sheet; `drawn` is the diagonal of what is drawn.
+/// Removes hatching along and across a sheet; `drawn` is the diagonal of all ink.
 pub fn remove(strokes: &mut Strokes, drawn: f64) {
     let light = strokes.light();
     let length = (PIECE * drawn).ceil().max(8.0) as usize;
@@ -77,7 +77,7 @@ pub fn remove(strokes: &mut Strokes, drawn: f64) {
     }
 }
 
-/// Removes what stands among hatching: writing that hangs together with its lines. Walls stay.
+/// Removes writing that touches hatching; walls within it stay.
 fn clear(strokes: &mut Strokes, regions: &[Vec<Family>; 2], length: usize) {
     let walls = strokes.joined(&strokes.walls());
     let mut kept = walls.map(|_| false);
@@ -106,7 +106,7 @@ fn clear(strokes: &mut Strokes, regions: &[Vec<Family>; 2], length: usize) {
     }
 }
 
-/// Joins families of pieces of the same lines, also where letters lie between.
+/// Joins families whose lines continue each other, also across letters.
 fn regions(mut families: Vec<Family>, length: usize) -> Vec<Family> {
     families.sort_by_key(|family| family.along);
     let mut out: Vec<Family> = vec![];
@@ -118,12 +118,8 @@ fn regions(mut families: Vec<Family>, length: usize) -> Vec<Family> {
         match out.iter_mut().find(is_same) {
             Some(other) => {
                 other.along[1] = other.along[1].max(family.along[1]);
-                for (k, place) in family.across.iter().enumerate() {
-                    other.across[k] = match k {
-                        0 => other.across[k].min(*place),
-                        _ => other.across[k].max(*place),
-                    };
-                }
+                let [first, last] = family.across;
+                other.across = [other.across[0].min(first), other.across[1].max(last)];
             }
             None => out.push(family),
         }
@@ -141,7 +137,7 @@ impl Family {
     }
 }
 
-/// Finds lines side by side, at least and at most so far from each other.
+/// Finds families of parallel lines; `narrow` and `wide` limit the space between two, pixels.
 fn families(lines: &[Bar], [narrow, wide]: [f64; 2]) -> Vec<Family> {
     let next = |from: usize, least: f64, most: f64| {
         let apart = |k: &usize| middle(&lines[*k]) - middle(&lines[from]);

@@ -1,4 +1,4 @@
-//! Hollow walls: two lines with nothing between, drawn with the pen of all other lines.
+//! Fills hollow walls: two lines with nothing between, as thick as all other lines.
 
 use super::bars::{Bar, bars, widened};
 use super::mask::Strokes;
@@ -9,16 +9,16 @@ const PEN: usize = 1;
 const APART: (f64, f64) = (3.0, 0.03);
 /// The least length of a wall, in the distance of its lines.
 const LONG: f64 = 2.5;
-/// The distances of lines that belong to one kind of wall, as ratios.
+/// The greatest ratio of the thicknesses of walls of one kind.
 const ALIKE: f64 = 1.2;
-/// The thinnest and thickest walls of a plan, in the distance of which there is most.
+/// The thinnest and thickest walls of a plan, in thicknesses of most walls.
 const KINDS: [f64; 2] = [0.55, 2.2];
 /// The least share of the length of all lines that belongs to hollow walls, if a plan has them.
 const LEAST: f64 = 0.35;
 /// The share of a wall's length along which nothing may be drawn between its lines.
 const FREE: f64 = 0.8;
 
-/// The most lines of one direction: a sheet with more is hatched all over.
+/// The most lines of one direction. A sheet with more is not searched, so that time stays bounded.
 const MOST_LINES: usize = 10_000;
 
 /// Two lines of a wall.
@@ -43,7 +43,7 @@ impl Pair {
     }
 }
 
-/// Fills hollow walls, where a plan that is drawn with one pen has them; `drawn` is the diagonal of what is drawn.
+/// Fills the hollow walls of a plan drawn with one pen; `drawn` is the diagonal of all ink.
 pub fn fill(strokes: &mut Strokes, drawn: f64) {
     if !strokes.has_one_pen() {
         return;
@@ -85,7 +85,7 @@ pub fn fill(strokes: &mut Strokes, drawn: f64) {
     strokes.set_walls(kinds[0], usual + 1.0);
 }
 
-/// Finds the lines side by side with nothing between.
+/// Finds pairs of parallel lines with nothing between.
 fn paired(strokes: &Strokes, mut lines: Vec<Bar>, [least, most]: [f64; 2]) -> Vec<Pair> {
     let middle = |line: &Bar| (line.across[0] + line.across[1]) / 2;
     lines.sort_by_key(|line| (middle(line), line.along));

@@ -3,6 +3,7 @@
 use super::field::Field;
 use super::mask::Strokes;
 use crate::plan::raster::{Extent, Parts};
+use std::ops::Range;
 
 /// The largest letter, as a share of the diagonal of what is drawn.
 const LETTER: f64 = 0.03;
@@ -65,7 +66,7 @@ pub fn without_specks(strokes: &Strokes, walls: &Field<bool>) -> Field<bool> {
     })
 }
 
-/// Returns true for a short wall between two openings: it is as thick as walls, and in its line others stand on both sides.
+/// Returns true for a short wall between two openings: as thick as walls, with others in its line on both sides.
 fn stands_between(strokes: &Strokes, part: &Extent, (labels, is_small): (&Parts, &[bool])) -> bool {
     let Some(upright) = dash(part).filter(|_| !strokes.has_one_pen()) else {
         return false;
@@ -90,17 +91,17 @@ fn stands_between(strokes: &Strokes, part: &Extent, (labels, is_small): (&Parts,
         part > 0 && !is_small[part] && f64::from(field[(x, y)]) >= strokes.wall
     };
     let own = to - from + 1;
-    // What runs on for less is a wall across.
-    let runs = |mut line: Box<dyn Iterator<Item = usize>>| {
+    // A wall across the line has a shorter run.
+    let has_run = |mut line: Range<usize>| {
         let mut run = 0;
         line.any(|k| {
             run = if is_wall(k) { run + 1 } else { 0 };
             run >= own
         })
     };
-    let before = (from.saturating_sub(reach)..from).rev();
+    let before = from.saturating_sub(reach)..from;
     let after = to + 1..(to + 1 + reach).min(length);
-    runs(Box::new(before)) && runs(Box::new(after))
+    has_run(before) && has_run(after)
 }
 
 /// Finds lines of dashes: each with its thickness.

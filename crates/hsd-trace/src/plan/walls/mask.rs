@@ -63,7 +63,7 @@ impl Strokes {
         self.wall <= THINNEST
     }
 
-    /// Parts walls from other strokes by a thickness; `usual` is that of most walls.
+    /// Sets the least thickness of walls and that of most, pixels.
     pub fn set_walls(&mut self, least: f64, usual: f64) {
         (self.wall, self.usual) = (least, usual);
         self.apart = usual;
@@ -79,7 +79,7 @@ impl Strokes {
         self.thickness.map(|t| t > 0.0 && f64::from(t) < most)
     }
 
-    /// Returns walls with the spaces between dashes filled, and those where strokes do not quite meet.
+    /// Returns walls with the spaces filled that separate dashes, and strokes that nearly meet.
     pub fn joined(&self, walls: &Field<bool>) -> Field<bool> {
         let [most, dash] = [JOINT, DASH].map(|share| (share * self.usual).round() as usize);
         let mut out = walls.clone();
@@ -189,7 +189,7 @@ fn thickness(tone: &Field<f32>) -> Field<f32> {
     out
 }
 
-/// Returns the runs of what is true: first, and one after the last.
+/// Returns the runs of true values: the first index of each, and that after its last.
 fn runs(values: impl Iterator<Item = bool>) -> Vec<[usize; 2]> {
     let mut out: Vec<[usize; 2]> = vec![];
     for (k, _) in values.enumerate().filter(|(_, value)| *value) {

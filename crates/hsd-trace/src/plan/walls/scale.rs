@@ -11,7 +11,7 @@ const DOOR: f64 = 0.85;
 /// The fewest doors, and the fewest openings of one width, that say how large a plan is.
 const FEWEST: usize = 2;
 const FEWEST_OPENINGS: usize = 3;
-/// A quarter of a ken, metres, and the least and most that doors may make of it.
+/// A quarter of a ken, metres, and the least and greatest length at the scale by doors that is tried for it, as shares.
 const QUARTER_KEN: f64 = UNIT / 2.0;
 const NEAR: [f64; 2] = [0.8, 1.25];
 /// The factor between two lengths that are tried.
@@ -31,7 +31,7 @@ pub enum Evidence {
     Doors(usize),
     /// The commonest opening, taken for a door.
     Openings,
-    /// Walls that stand at quarters of a ken; doors say which.
+    /// Walls that stand at quarters of a ken at a scale near to that by doors.
     HalfKen,
 }
 
@@ -45,7 +45,7 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// Returns true if the author, the file or printed dimensions say it.
+    /// Returns true if the author, the file or printed dimensions give it.
     pub fn is_sure(&self) -> bool {
         matches!(self.evidence, Evidence::Given | Evidence::Printed(_))
     }
@@ -83,7 +83,7 @@ fn by_openings(divided: &Divided) -> Option<Scale> {
     })
 }
 
-/// Returns the scale at which walls stand at quarters of a ken, if one near to that by doors does it.
+/// Returns the scale near to that by doors at which walls stand at quarters of a ken, if there is one.
 fn by_half_ken(graph: &Graph, about: f64) -> Option<Scale> {
     let walls = [0, 1].map(|axis| walls(graph, axis));
     if walls.iter().map(Vec::len).sum::<usize>() < FEWEST_WALLS {

@@ -17,12 +17,12 @@ const CLEAR: f64 = 0.75;
 const EMPTY: f64 = 0.3;
 /// The narrowest and widest door, as shares of the plan's diagonal.
 const SHARES: [f64; 2] = [0.03, 0.14];
-/// The directions of a leaf that needs no arc, as shares of a right angle: along and across a wall other lines run too.
+/// The directions of a leaf without an arc, as shares of a right angle. Along and across a wall other lines run too.
 const LEAF: [f64; 2] = [0.28, 0.78];
-/// The part of a leaf that is looked at, in the width of its opening, and the share of it that is drawn.
+/// The part of a leaf that is checked, in the width of its opening, and the least share of it that is drawn.
 const LENGTH: [f64; 2] = [0.12, 0.8];
 const DRAWN: f64 = 0.92;
-/// The shortest length at which a leaf ends, in the width of its opening.
+/// The length beyond which a leaf does not extend, in the width of its opening.
 const END: f64 = 1.25;
 
 /// One of the four quarters of a circle into which a door opens.
