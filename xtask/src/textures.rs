@@ -14,7 +14,7 @@ mod surface;
 #[cfg(test)]
 mod tests;
 
-use hsd_scene::texture::{COLOR_SIZE, SURFACES, Surface, halve, jpeg, png};
+use hsd_scene::texture::{COLOR_SIZE, Packing, SURFACES, Surface, halve, jpeg, png};
 use image::RgbImage;
 use std::io::{self, Write};
 use std::path::Path;
@@ -67,7 +67,7 @@ fn encode(surface: &Surface) -> Vec<(String, Vec<u8>)> {
         .map(|(color, look)| (look.color_file(), jpeg(color, COLOR_QUALITY)))
         .collect();
     files.push((surface.normal_file(), jpeg(&maps.normal, NORMAL_QUALITY)));
-    files.push((surface.orm_file(), png(halve(&maps.orm).into(), true)));
+    files.push((surface.orm_file(), png(&halve(&maps.orm), Packing::Tight)));
     files
 }
 

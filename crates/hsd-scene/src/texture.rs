@@ -15,7 +15,7 @@ pub mod samples;
 mod table;
 
 pub use contact::contact_sheet;
-pub use files::{COLOR_SIZE, ORM_SIZE, embedded, halve, is_embedded, jpeg, png};
+pub use files::{COLOR_SIZE, ORM_SIZE, Packing, embedded, halve, is_embedded, jpeg, png};
 pub use hsd_textures::FILES;
 pub use means::mean;
 pub use table::SURFACES;

@@ -15,7 +15,8 @@ use hsd_drawing::subject::Subject;
 use hsd_drawing::{Plane, SCALES, Settings, Wanted};
 use hsd_ir::building::Building;
 use hsd_report::{Format, Report};
-use std::io::{self, Cursor, Write};
+use hsd_scene::texture;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 mod fonts;
@@ -341,15 +342,7 @@ impl Draw {
                 "画像が1億画素を超えます。--dpi を小さくしてください"
             )));
         };
-        let mut bytes = Cursor::new(vec![]);
-        let written = image.write_to(&mut bytes, image::ImageFormat::Png);
-        let why = written.err().map(|e| e.to_string());
-        match why {
-            None => Ok(bytes.into_inner()),
-            Some(why) => Err(Failure::Io(
-                text!([why] "the image cannot be written: {why}", "画像を書けません: {why}"),
-            )),
-        }
+        Ok(texture::png(&image, texture::Packing::Quick))
     }
 
     /// Says what was drawn.

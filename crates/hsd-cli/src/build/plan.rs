@@ -12,13 +12,13 @@ use hsd_base::text;
 use hsd_driver::fs::FolderWorld;
 use hsd_driver::plan_file::{PlanFile, PlanSheet};
 use hsd_report::{Format, Report};
+use hsd_scene::texture::{Packing, jpeg, png};
 use hsd_trace::messages::drawn as say;
 use hsd_trace::plan::house::{self, House, Wanted};
 use hsd_trace::plan::text::{Doubt, Era, Written};
 use hsd_trace::plan::{again, marks, said, underlay};
-use image::{ImageFormat, RgbImage};
 use sheets::{Read, Sheet};
-use std::io::{self, Cursor, Write};
+use std::io::{self, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use values::{EraArg, Ken, Same, Side};
@@ -31,13 +31,15 @@ pub(super) mod values;
 const SHAKU: f64 = 10.0 / 33.0;
 /// Shaku in half a ken where nothing else is said.
 const EDO_MA: f64 = 3.0;
+/// Quality of the plan that is shown under the house, 1 to 100.
+const QUALITY: u8 = 75;
 
 /// Turn pictures and drawings of floor plans into a house file.
 ///
 /// Reads survey drawings, Edo sashizu and carpenters' board plans that were photographed or scanned, and drawings in SVG, DXF or
-/// PDF: one file a storey, from the ground up. A plan that keeps to no grid of half ken is read wall by wall. What is not certain is named in the text at its wall, ringed in OUT.review.png and reported. OUT.plan.json and
-/// OUT.sheet-1.jpg beside it are for `hsd view`, which shows the plan under the house. An OUT that was read before and changed
-/// by hand keeps its changes.
+/// PDF: one file a storey, from the ground up. A plan that keeps to no grid of half ken is read wall by wall. What is not
+/// certain is named in the text at its wall, ringed in OUT.review.png and reported. OUT.plan.json and OUT.sheet-1.jpg beside it
+/// are for `hsd view`, which shows the plan under the house. An OUT that was read before and changed by hand keeps its changes.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -367,7 +369,7 @@ impl Plan {
                 picture: name_of(&path),
                 to_house,
             });
-            files.push((path, bytes(&flat, ImageFormat::Jpeg)?));
+            files.push((path, jpeg(&flat, QUALITY)));
             let doubts: Vec<DVec2> = house
                 .written
                 .doubts
@@ -377,7 +379,7 @@ impl Plan {
                 .collect();
             files.push((
                 self.review_path(storey),
-                bytes(&marks::review(&sheet.found, &doubts), ImageFormat::Png)?,
+                png(&marks::review(&sheet.found, &doubts), Packing::Quick),
             ));
             files.extend(self.steps(k, (&sheet.found).into())?);
         }
@@ -402,11 +404,9 @@ impl Plan {
             _ => format!("{}-{name}", sheet + 1),
         };
         let pictures = marks::steps(seen).into_iter();
-        pictures
-            .map(|(name, picture)| {
-                Ok((folder.join(named(name)), bytes(&picture, ImageFormat::Png)?))
-            })
-            .collect()
+        Ok(pictures
+            .map(|(name, picture)| (folder.join(named(name)), png(&picture, Packing::Quick)))
+            .collect())
     }
 
     /// A file beside the house: its name with another ending.
@@ -423,17 +423,6 @@ fn place(doubt: &Doubt, read: &str, text: &str) -> Option<Range<usize>> {
     }
     let start = text.find(&doubt.entry)?;
     Some(start..start + doubt.entry.len())
-}
-
-fn bytes(picture: &RgbImage, format: ImageFormat) -> Result<Vec<u8>, Failure> {
-    let mut bytes = Cursor::new(vec![]);
-    let written = picture
-        .write_to(&mut bytes, format)
-        .map_err(|e| e.to_string());
-    written.map_err(|why| {
-        Failure::Io(text!([why] "the image cannot be written: {why}", "画像を書けません: {why}"))
-    })?;
-    Ok(bytes.into_inner())
 }
 
 fn name_of(path: &Path) -> String {

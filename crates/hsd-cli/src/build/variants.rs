@@ -10,7 +10,7 @@ use hsd_base::text;
 use hsd_render::sheet;
 use hsd_report::{Format, Report};
 use hsd_scene::texture;
-use image::{DynamicImage, RgbImage};
+use image::RgbImage;
 use std::io::{self, Write};
 use std::num::NonZeroU32;
 use std::path::Path;
@@ -130,7 +130,7 @@ pub(super) fn write_sheet(
     language: Language,
 ) -> Result<(), Failure> {
     let bytes = match format_of(path) {
-        Some(SheetFormat::Png) => texture::png(DynamicImage::ImageRgb8(drawn), true),
+        Some(SheetFormat::Png) => texture::png(&drawn, texture::Packing::Tight),
         _ => texture::jpeg(&drawn, QUALITY),
     };
     committer.write(path, Files::bytes(bytes))?;

@@ -1,7 +1,7 @@
 //! The photographs of `hsd view --facade`: found, seen straight and built for the page as `hsd facade` does it.
 
 use crate::Failure;
-use crate::build::facade::made::{self, Made, png};
+use crate::build::facade::made::{self, Made};
 use crate::build::facade::said;
 use crate::files::output::{self, Committer};
 use base64::Engine;
@@ -12,11 +12,11 @@ use hsd_base::source::{FileId, Source};
 use hsd_base::text;
 use hsd_driver::fs::InputRecord;
 use hsd_report::{Format, Report, Style};
+use hsd_scene::texture;
 use hsd_trace::front::brush::{Stroke, painted};
 use hsd_trace::front::grid::Grid;
 use hsd_trace::front::{self, Given, Lattice, Photo, Refused, STOREY, Told, rectify};
 use hsd_view::{FrontHost, RecursiveMode};
-use image::codecs::jpeg::JpegEncoder;
 use image::{GrayImage, Rgb, RgbImage, imageops};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -248,7 +248,7 @@ impl Photographs {
             if let Some(mask) = mask {
                 let picture = image::DynamicImage::ImageLuma8(mask.clone()).into_rgb8();
                 let path = self.output.join(format!("mask-{}.png", k + 1));
-                files.push((path, png(&picture)?));
+                files.push((path, texture::png(&picture, texture::Packing::Quick)));
             }
         }
         Ok(files)
@@ -313,7 +313,7 @@ impl FrontHost for Photographs {
 
     fn photo(&self, number: usize) -> Option<Vec<u8>> {
         let shown = fitted(&self.all.get(number)?.photo.pixels, SHOWN);
-        jpeg(&shown).ok()
+        Some(texture::jpeg(&shown, QUALITY))
     }
 
     fn straight(&self, asked: Value) -> Result<Value, String> {
@@ -336,7 +336,7 @@ impl FrontHost for Photographs {
         let (wall, grid) = seen(small, mask, &view, size.into(), asked.finds);
         let picture = match asked.quick {
             true => ("bmp", plain(&wall)),
-            false => ("jpeg", jpeg(&wall).map_err(|e| e.to_string())?),
+            false => ("jpeg", texture::jpeg(&wall, QUALITY)),
         };
         let picture = format!(
             "data:image/{};base64,{}",
@@ -411,12 +411,6 @@ fn fitted(picture: &RgbImage, longest: u32) -> RgbImage {
     }
     let side = |s: u32| ((f64::from(s) * scale).round() as u32).max(1);
     imageops::thumbnail(picture, side(width), side(height))
-}
-
-fn jpeg(picture: &RgbImage) -> image::ImageResult<Vec<u8>> {
-    let mut bytes = vec![];
-    JpegEncoder::new_with_quality(&mut bytes, QUALITY).encode_image(picture)?;
-    Ok(bytes)
 }
 
 /// A picture as BMP, which takes no time to make: rows from below, of blue, green and red, filled up to four bytes.

@@ -3,8 +3,8 @@
 
 use crate::PictureBytes;
 use hsd_scene::texture::samples::{encoded, linear};
-use hsd_scene::texture::{jpeg, png};
-use image::{DynamicImage, GrayImage};
+use hsd_scene::texture::{Packing, jpeg, png};
+use image::GrayImage;
 
 /// Quality of tinted JPEGs, on the scale of 1 to 100.
 const QUALITY: u8 = 92;
@@ -46,12 +46,12 @@ impl Tint {
         if image.color().has_alpha() {
             let mut image = image.into_rgba8();
             image.pixels_mut().for_each(|p| tint(&mut p.0));
-            return Some(png(DynamicImage::ImageRgba8(image), false));
+            return Some(png(&image, Packing::Quickest));
         }
         let mut image = image.into_rgb8();
         image.pixels_mut().for_each(|p| tint(&mut p.0));
         Some(match picture.name.ends_with(".png") {
-            true => png(DynamicImage::ImageRgb8(image), false),
+            true => png(&image, Packing::Quickest),
             false => jpeg(&image, QUALITY),
         })
     }
@@ -71,7 +71,7 @@ pub(super) fn channel(orm: &PictureBytes<'_>, channel: usize, factor: f32) -> Op
         .collect();
     let is_black = grey.iter().all(|x| *x == 0);
     let grey = GrayImage::from_raw(width, height, grey).filter(|_| !is_black)?;
-    Some(png(DynamicImage::ImageLuma8(grey), false))
+    Some(png(&grey, Packing::Quickest))
 }
 
 /// Inserts a suffix before the extension.

@@ -2,7 +2,7 @@
 
 use crate::bake::Picture;
 use hsd_scene::Baked;
-use hsd_scene::texture::{jpeg, png};
+use hsd_scene::texture::{Packing, jpeg, png};
 use image::{ImageBuffer, Pixel, RgbImage, RgbaImage};
 
 /// An image of bytes.
@@ -76,12 +76,14 @@ impl Pixels {
         let color = cut(self.color, used);
         let relief = self.relief.map(|maps| maps.map(|map| cut(map, used)));
         let color = move || match holes {
-            true => png(color.into(), false),
+            true => png(&color, Packing::Quickest),
             false => jpeg(&opaque(color), 90),
         };
         let relief = move || match relief {
             None => (vec![], vec![]),
-            Some([normal, orm]) => rayon::join(|| jpeg(&normal, 92), || png(orm.into(), false)),
+            Some([normal, orm]) => {
+                rayon::join(|| jpeg(&normal, 92), || png(&orm, Packing::Quickest))
+            }
         };
         let (color, (normal, orm)) = rayon::join(color, relief);
         Baked {

@@ -2,7 +2,7 @@
 
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{DynamicImage, Rgb as Pixel, RgbImage};
+use image::{ExtendedColorType, ImageBuffer, ImageEncoder, PixelWithColorType, Rgb, RgbImage};
 
 use hsd_textures::FILES;
 
@@ -34,19 +34,45 @@ pub fn jpeg(picture: &RgbImage, quality: u8) -> Vec<u8> {
     bytes
 }
 
-/// Encodes an image as PNG, as small as possible or fast.
-pub fn png(picture: DynamicImage, small: bool) -> Vec<u8> {
+/// How much time a PNG may take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Packing {
+    /// As small as possible.
+    Tight,
+    /// Packed quickly, with the best filter for each row.
+    Quick,
+    /// Packed quickly, with one filter: for textures that are drawn while a model is built.
+    Quickest,
+}
+
+/// Encodes an image as PNG.
+pub fn png<P>(picture: &ImageBuffer<P, Vec<u8>>, packing: Packing) -> Vec<u8>
+where
+    P: PixelWithColorType<Subpixel = u8>,
+{
+    png_of(
+        picture.as_raw(),
+        picture.dimensions(),
+        P::COLOR_TYPE,
+        packing,
+    )
+}
+
+/// Does the work of [`png`] for all kinds of pixels, so that the encoder is compiled once.
+fn png_of(
+    pixels: &[u8],
+    (width, height): (u32, u32),
+    colour: ExtendedColorType,
+    packing: Packing,
+) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let (compression, filter) = match small {
-        true => (CompressionType::Best, FilterType::Adaptive),
-        false => (CompressionType::Fast, FilterType::Up),
+    let (compression, filter) = match packing {
+        Packing::Tight => (CompressionType::Best, FilterType::Adaptive),
+        Packing::Quick => (CompressionType::Fast, FilterType::Adaptive),
+        Packing::Quickest => (CompressionType::Fast, FilterType::Up),
     };
-    picture
-        .write_with_encoder(PngEncoder::new_with_quality(
-            &mut bytes,
-            compression,
-            filter,
-        ))
+    PngEncoder::new_with_quality(&mut bytes, compression, filter)
+        .write_image(pixels, width, height, colour)
         .expect("pictures of the program fit a PNG, and memory takes it");
     bytes
 }
@@ -56,7 +82,7 @@ pub fn halve(picture: &RgbImage) -> RgbImage {
     RgbImage::from_fn(picture.width() / 2, picture.height() / 2, |x, y| {
         let four = [(0, 0), (1, 0), (0, 1), (1, 1)]
             .map(|(i, j)| picture.get_pixel(2 * x + i, 2 * y + j).0);
-        Pixel([0, 1, 2].map(|c| {
+        Rgb([0, 1, 2].map(|c| {
             let sum: u32 = four.iter().map(|pixel| u32::from(pixel[c])).sum();
             ((sum + 2) / 4) as u8
         }))

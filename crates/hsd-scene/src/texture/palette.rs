@@ -4,7 +4,7 @@
 //! each, green upwards. A face has one place for all its corners, so that a viewer never mixes neighbours.
 
 use super::samples::{encoded, linear};
-use image::{DynamicImage, Rgb, RgbImage};
+use image::{Rgb, RgbImage};
 use std::sync::LazyLock;
 
 /// The name by which materials know the picture.
@@ -43,7 +43,7 @@ pub fn colour([u, v]: [f32; 2]) -> [f32; 3] {
 pub fn picture() -> &'static [u8] {
     static BYTES: LazyLock<Vec<u8>> = LazyLock::new(|| {
         let drawn = RgbImage::from_fn(SIDE, SIDE, |x, y| Rgb(at(x, SIDE - 1 - y)));
-        super::png(DynamicImage::ImageRgb8(drawn), true)
+        super::png(&drawn, super::Packing::Tight)
     });
     &BYTES
 }

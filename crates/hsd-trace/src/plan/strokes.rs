@@ -22,6 +22,7 @@ mod patch;
 mod proof;
 mod runs;
 mod stamp;
+mod tones;
 
 /// Lines of the grid by which the width of the pen is found.
 const SAMPLES: usize = 8;

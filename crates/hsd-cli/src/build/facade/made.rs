@@ -8,11 +8,10 @@ use hsd_base::diagnostic::{Diagnostics, Text, noun};
 use hsd_base::source::{FileId, Source, Span};
 use hsd_base::text;
 use hsd_driver::fs::FolderWorld;
+use hsd_scene::texture::{Packing, png};
 use hsd_trace::front::{self, Front, Given, Lattice, Photo, Told, exif, record, sheet, whole};
 use hsd_trace::messages::photographed as say;
 use hsd_trace::plan::Picture;
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{ImageEncoder, RgbImage};
 use std::path::{Path, PathBuf};
 
 /// The most pixels of a part, as of all images of a house.
@@ -62,7 +61,7 @@ impl Made<'_> {
             path.display().to_string(),
             text.as_bytes(),
         );
-        let mut files = self.files()?;
+        let mut files = self.files();
         files.push((street, front::street::write(self.front).into_bytes()));
         files.push((path.clone(), text.into_bytes()));
         self.committer.write_all(files)?;
@@ -96,25 +95,25 @@ impl Made<'_> {
     }
 
     /// All files but the text, with their paths.
-    fn files(&self) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+    fn files(&self) -> Vec<(PathBuf, Vec<u8>)> {
         let (photos, front) = (self.photos, self.front);
         let path = |name: &str| self.output.join(name);
         let compared = sheet::draw(&photos[0], front);
         let mut files = vec![
             (path(FACADE), record::json(photos, front).into_bytes()),
             (path(PARTS), front::text::catalogue(front).into_bytes()),
-            (path(RECTIFIED), png(&front.wall)?),
-            (path(COMPARED), png(&compared)?),
+            (path(RECTIFIED), png(&front.wall, Packing::Quick)),
+            (path(COMPARED), png(&compared, Packing::Quick)),
         ];
         for part in &front.parts {
             for (name, picture) in part.names().iter().zip(part.pictures()) {
-                files.push((path(&format!("{name}.png")), png(picture)?));
+                files.push((path(&format!("{name}.png")), png(picture, Packing::Quick)));
             }
         }
         if let Some(name) = self.fronts {
-            files.extend(self.fronts(name)?);
+            files.extend(self.fronts(name));
         }
-        Ok(files)
+        files
     }
 
     /// What the text says of where it comes from: everything that was assumed.
@@ -152,16 +151,14 @@ impl Made<'_> {
     }
 
     /// Pictures of whole fronts, for the next free number (000-43, 000-54 to -56).
-    fn fronts(&self, name: &str) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+    fn fronts(&self, name: &str) -> Vec<(PathBuf, Vec<u8>)> {
         let is_free = |n: &usize| !self.output.join(format!("{name}.{n}.png")).exists();
         let number = (1..).find(is_free).unwrap_or(1);
         let pictures = whole::fronts(self.front).into_iter();
         pictures
             .map(|(piece, picture)| {
-                Ok((
-                    self.output.join(format!("{name}{piece}.{number}.png")),
-                    png(&picture)?,
-                ))
+                let path = self.output.join(format!("{name}{piece}.{number}.png"));
+                (path, png(&picture, Packing::Quick))
             })
             .collect()
     }
@@ -215,18 +212,4 @@ pub(crate) fn opened(
     };
     sources.push(source);
     Ok(photo)
-}
-
-/// A picture as PNG, packed quickly: photographs do not pack well.
-pub(crate) fn png(picture: &RgbImage) -> Result<Vec<u8>, Failure> {
-    let mut bytes = vec![];
-    let encoder =
-        PngEncoder::new_with_quality(&mut bytes, CompressionType::Fast, FilterType::Adaptive);
-    let (width, height) = picture.dimensions();
-    let written = encoder.write_image(picture, width, height, image::ExtendedColorType::Rgb8);
-    written.map_err(|e| {
-        let why = e.to_string();
-        Failure::Io(text!([why] "the image cannot be written: {why}", "画像を書けません: {why}"))
-    })?;
-    Ok(bytes)
 }

@@ -1,6 +1,6 @@
 //! A plan that was read wall by wall becomes a house.
 
-use super::{Plan, bytes, name_of};
+use super::{Plan, QUALITY, name_of};
 use crate::Failure;
 use crate::files::output::Committer;
 use crate::files::terminal::counted;
@@ -10,6 +10,7 @@ use hsd_base::source::{FileId, Source};
 use hsd_base::text;
 use hsd_driver::fs::FolderWorld;
 use hsd_driver::plan_file::{PlanFile, PlanSheet};
+use hsd_scene::texture::{Packing, jpeg, png};
 use hsd_trace::messages::drawn as say;
 use hsd_trace::plan::again;
 use hsd_trace::plan::house::Wanted;
@@ -17,7 +18,6 @@ use hsd_trace::plan::text::Era;
 use hsd_trace::plan::walls::scale::Evidence;
 use hsd_trace::plan::walls::writing::{self, Traced};
 use hsd_trace::plan::walls::{Found, pictures};
-use image::ImageFormat;
 use std::path::PathBuf;
 
 /// The share of a house that another on the sheet has to be to count as one.
@@ -170,16 +170,16 @@ impl Plan {
         };
         let doubts: Vec<DVec2> = traced.doubts.iter().map(|doubt| doubt.0).collect();
         let mut files = vec![
-            (path, bytes(&under, ImageFormat::Jpeg)?),
+            (path, jpeg(&under, QUALITY)),
             (
                 self.review_path(1),
-                bytes(&pictures::review(found, &doubts), ImageFormat::Png)?,
+                png(&pictures::review(found, &doubts), Packing::Quick),
             ),
         ];
         if let Some(folder) = &self.steps {
             std::fs::create_dir_all(folder).map_err(|e| Failure::at(folder.display(), e))?;
             for (name, picture) in pictures::steps(found) {
-                files.push((folder.join(name), bytes(&picture, ImageFormat::Png)?));
+                files.push((folder.join(name), png(&picture, Packing::Quick)));
             }
         }
         let record = PlanFile::new(vec![kept], traced.text.clone());

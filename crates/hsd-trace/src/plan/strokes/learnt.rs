@@ -2,9 +2,10 @@
 //! width of walls, the blur and the tone of a sheet are its own.
 
 use super::super::legend::Role;
-use super::patch::{ACROSS, ALONG, Patch, skip};
+use super::patch::{ACROSS, Patch, skip};
 use super::runs::Run;
 use super::stamp::Stamp;
+use super::tones::{ALONG, Tones};
 use std::collections::BTreeMap;
 
 /// The fewest times that a thing is drawn in a way that is learnt.
@@ -46,7 +47,7 @@ impl Learnt {
         for (at, patch) in patches[units].iter().enumerate() {
             let unit = at % stamp.units;
             for (sums, ink) in sum.ink.iter_mut().zip([&patch.black, &patch.red]) {
-                let pairs = sums[unit].iter_mut().zip(ink);
+                let pairs = sums[unit].iter_mut().zip(ink.by_place());
                 pairs.for_each(|(sum, tone)| *sum += u32::from(*tone));
             }
         }
@@ -65,7 +66,7 @@ impl Learnt {
         });
         let learnt = often.map(|(k, sum)| {
             let units = stamps[*k].units;
-            let mean = |unit: usize, ink: &[u32]| -> Vec<u8> {
+            let mean = |unit: usize, ink: &[u32]| -> Tones {
                 let inside = |at: usize| {
                     let i = unit * ALONG + at % ALONG;
                     i >= skip() && i < units * ALONG - skip()
@@ -74,7 +75,7 @@ impl Learnt {
                     true => (*total / sum.times) as u8,
                     false => 0,
                 };
-                ink.iter().enumerate().map(tone).collect()
+                Tones::new(ink.iter().enumerate().map(tone).collect())
             };
             let of =
                 |ink: &Vec<Vec<u32>>| ink.iter().enumerate().map(|(u, i)| mean(u, i)).collect();

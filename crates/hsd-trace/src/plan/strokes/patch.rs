@@ -4,10 +4,9 @@ use super::super::grid::{Grid, dark_at, level_at};
 use super::super::sheet::Ink;
 use super::blank::DarkBlocks;
 use super::nib::quantile;
+use super::tones::{ALONG, Tones, tone};
 use glam::DVec2;
 
-/// Samples along a unit.
-pub(super) const ALONG: usize = 24;
 /// Samples across it.
 pub(super) const ACROSS: usize = 45;
 /// How far to its sides is looked, units.
@@ -37,8 +36,8 @@ const SWAY: f64 = 0.06;
 /// Ink by place: row by row across, from the right side of the unit's direction to the left.
 #[derive(Clone)]
 pub(super) struct Patch {
-    pub(super) black: Vec<u8>,
-    pub(super) red: Vec<u8>,
+    pub(super) black: Tones,
+    pub(super) red: Tones,
     /// Ink of both colours.
     pub(super) ink: Vec<i16>,
     /// Their sums: without nothing, without the beginning, without the end, without both.
@@ -195,8 +194,8 @@ impl Patch {
             ink: black.iter().zip(&red).map(both).collect(),
             blacks: sums(&black),
             reds: sums(&red),
-            black,
-            red,
+            black: Tones::new(black),
+            red: Tones::new(red),
             is_red: reds > 3.0,
             arc,
             leaf,
@@ -257,11 +256,6 @@ fn sampled(
         tone[j * ALONG + i] = dark as f32;
     }
     (black, red, tone)
-}
-
-/// A share of ink as a number of 0 to 255.
-pub(super) fn tone(share: f32) -> u8 {
-    (share * 255.0 + 0.5) as u8
 }
 
 fn sums(ink: &[u8]) -> [u32; 4] {

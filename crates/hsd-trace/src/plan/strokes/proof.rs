@@ -2,7 +2,8 @@
 //! has a counterpart that puts the same ink where none should be; the ink of a sheet must prefer the symbol.
 
 use super::super::legend::{Mark, Pen, Symbol};
-use super::patch::{ALONG, Patch};
+use super::patch::Patch;
+use super::tones::ALONG;
 
 /// Ink that counts as noise on a unit, full samples.
 pub(super) const NOISE: f64 = 3.0;

@@ -2,8 +2,9 @@
 
 use super::super::legend::{Legend, Mark, Role, Symbol};
 use super::Nib;
-use super::patch::{ACROSS, ALONG, Patch, REACH, across, skip, soft, tone, weight};
+use super::patch::{ACROSS, Patch, REACH, across, skip, soft, weight};
 use super::proof::{Proof, opposites};
+use super::tones::{ALONG, Tones, tone};
 
 /// Spreads of a symbol that are tried.
 const SPREADS: usize = 7;
@@ -35,8 +36,8 @@ pub(super) struct Stamp {
     pub(super) mirrored: Option<isize>,
     /// What tells it from others.
     pub(super) proof: Option<Proof>,
-    /// Its black ink and its red ink, for each unit of it.
-    ink: [Vec<Vec<u8>>; 2],
+    /// Black and red ink, for each unit.
+    ink: [Vec<Tones>; 2],
 }
 
 pub(super) fn stamps(legend: &Legend, nib: Nib) -> Vec<Stamp> {
@@ -131,7 +132,7 @@ fn stamp(symbol: &Symbol, units: usize, spread: f64, nib: Nib) -> Stamp {
         let ink = soft(&ink, along);
         (0..units)
             .map(|k| part(&ink, k, along))
-            .collect::<Vec<Vec<u8>>>()
+            .collect::<Vec<Tones>>()
     });
     Stamp {
         role: symbol.role,
@@ -148,17 +149,14 @@ fn stamp(symbol: &Symbol, units: usize, spread: f64, nib: Nib) -> Stamp {
 }
 
 /// The ink of one unit of a stamp, without its ends.
-fn part(ink: &[f32], unit: usize, along: usize) -> Vec<u8> {
+fn part(ink: &[f32], unit: usize, along: usize) -> Tones {
     let columns = unit * ALONG..(unit + 1) * ALONG;
     let within = skip()..along - skip();
-    let rows = ink.chunks_exact(along);
-    rows.flat_map(|row| {
-        columns
-            .clone()
-            .map(|i| if within.contains(&i) { tone(row[i]) } else { 0 })
-            .collect::<Vec<u8>>()
-    })
-    .collect()
+    let row = |row: &[f32]| -> Vec<u8> {
+        let tone = |i| if within.contains(&i) { tone(row[i]) } else { 0 };
+        columns.clone().map(tone).collect()
+    };
+    Tones::new(ink.chunks_exact(along).flat_map(row).collect())
 }
 
 /// Ink spread by a bell curve of so many units.
@@ -269,7 +267,7 @@ impl Stamp {
     }
 
     /// The same symbol with other ink: its black ink and its red ink, for each unit of it.
-    pub(super) fn with_ink(&self, ink: [Vec<Vec<u8>>; 2]) -> Stamp {
+    pub(super) fn with_ink(&self, ink: [Vec<Tones>; 2]) -> Stamp {
         Stamp {
             mirrored: None,
             ink,
@@ -280,10 +278,10 @@ impl Stamp {
     /// The same from the other end, or from the other side.
     fn flipped(&self, turned: bool, mirrored: bool) -> Stamp {
         let ink = self.ink.each_ref().map(|units| {
-            let mut units: Vec<Vec<u8>> = units
+            let mut units: Vec<Tones> = units
                 .iter()
                 .map(|unit| {
-                    let mut rows: Vec<&[u8]> = unit.chunks_exact(ALONG).collect();
+                    let mut rows: Vec<&[u8]> = unit.by_place().chunks_exact(ALONG).collect();
                     if mirrored {
                         rows.reverse();
                     }
@@ -291,7 +289,7 @@ impl Stamp {
                         true => row.iter().rev().copied().collect::<Vec<u8>>(),
                         false => row.to_vec(),
                     };
-                    rows.into_iter().flat_map(row).collect()
+                    Tones::new(rows.into_iter().flat_map(row).collect())
                 })
                 .collect();
             if turned {
@@ -310,7 +308,7 @@ impl Stamp {
         let both = |(a, b): (&u8, &u8)| (i16::from(*a) + i16::from(*b)).min(255);
         let units = self.ink[0].iter().zip(&self.ink[1]);
         units
-            .map(|(a, b)| a.iter().zip(b).map(both).collect())
+            .map(|(a, b)| a.by_place().iter().zip(b.by_place()).map(both).collect())
             .collect()
     }
 
@@ -355,13 +353,14 @@ impl Stamp {
             (&self.ink[0], &patch.black, &patch.blacks, true),
             (&self.ink[1], &patch.red, &patch.reds, red),
         ] {
-            let mine = &mine[unit];
             if is_there {
-                let end = mine.len() - ALONG;
-                shared[0] += common(&mine[..end], &theirs[ALONG..]);
-                shared[1] += common(mine, theirs);
-                shared[2] += common(&mine[ALONG..], &theirs[..end]);
-                all += mine.iter().map(|a| u32::from(*a)).sum::<u32>() + sums[ends];
+                let mine = &mine[unit];
+                let common = mine.common(theirs);
+                shared
+                    .iter_mut()
+                    .zip(common)
+                    .for_each(|(sum, own)| *sum += own);
+                all += mine.all + sums[ends];
             }
         }
         // Of two that agree alike the one in the middle.
@@ -378,19 +377,15 @@ impl Stamp {
     }
 }
 
-/// The ink that two have in common.
-fn common(a: &[u8], b: &[u8]) -> u32 {
-    a.iter().zip(b).map(|(a, b)| u32::from(*a.min(b))).sum()
-}
-
 /// How empty a patch is, beside a line of the pen through it.
 pub(super) fn emptiness(patch: &Patch, nib: Nib) -> f64 {
+    let (black, red) = (patch.black.by_place(), patch.red.by_place());
     let skip = skip();
     // What stands in a room is not on its wall.
     let near = (0..ACROSS).filter(|j| across(*j).abs() < 0.16);
     let cells = near.flat_map(|j| j * ALONG + skip..(j + 1) * ALONG - skip);
     let sum = cells
-        .map(|k| f64::from(patch.black[k]) + f64::from(patch.red[k]))
+        .map(|k| f64::from(black[k]) + f64::from(red[k]))
         .sum::<f64>()
         / 255.0;
     let line = (ALONG - 2 * skip) as f64 * (nib.width / (2.0 * REACH) * ACROSS as f64).max(1.0);
