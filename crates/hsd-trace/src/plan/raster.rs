@@ -69,8 +69,12 @@ impl Parts {
                 ];
                 let mut label = 0;
                 for (x, y) in before.into_iter().flatten() {
-                    let other = root(&mut parents, of[place(x, y)]);
-                    if other == 0 || other == label {
+                    let near = of[place(x, y)];
+                    if near == 0 || near == label {
+                        continue;
+                    }
+                    let other = root(&mut parents, near);
+                    if other == label {
                         continue;
                     }
                     if label == 0 {
@@ -150,7 +154,8 @@ impl Default for Extent {
 }
 
 impl Extent {
-    fn add(&mut self, x: usize, y: usize) {
+    /// Adds a pixel.
+    pub(super) fn add(&mut self, x: usize, y: usize) {
         self.x = [self.x[0].min(x), self.x[1].max(x)];
         self.y = [self.y[0].min(y), self.y[1].max(y)];
         self.area += 1;

@@ -209,9 +209,11 @@ pub fn divide(ink: &Ink) -> Divided {
 
 /// Closes the network of walls against the outside by the smallest disc that leaves nothing out, and divides it.
 fn enclosed(network: &Field<bool>, diagonal: f64) -> (Faces, Field<bool>) {
+    let free = outside::distances(network);
     let tried = RADII.map(|share| {
+        let chords = outside::chords((network, &free), share * diagonal);
         let mut network = network.clone();
-        for chord in outside::chords(&network, share * diagonal) {
+        for chord in chords {
             outside::draw(&mut network, chord);
         }
         (Faces::of(&network, diagonal), network)

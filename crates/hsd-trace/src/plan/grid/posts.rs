@@ -6,7 +6,7 @@
 use super::{Grid, Seen, dark_at, fitted};
 use crate::plan::raster::project;
 use crate::plan::sheet::Ink;
-use glam::{DMat3, DVec2, dvec2};
+use glam::{DMat3, DVec2, Vec2Swizzles, dvec2};
 use rayon::prelude::*;
 
 /// How far about a crossing its post is looked for, units.
@@ -17,6 +17,8 @@ const STEPS: i32 = 9;
 const HALVES: [f64; 6] = [0.045, 0.06, 0.075, 0.09, 0.105, 0.12];
 /// The least share of ink in a filled post, or along each side of the outline of one.
 const LEAST: f64 = 0.9;
+/// How much less than at the best place there may be where a post fits too.
+const ALIKE: f64 = 0.02;
 /// How wide the places may spread where a post fits, units: along a thick wall it fits everywhere, so only its other direction
 /// counts.
 const VAGUE: f64 = 0.05;
@@ -145,7 +147,7 @@ fn post(ink: &Ink, grid: &Grid, at: DVec2, half: f64, is_filled: bool) -> Option
     }
     let alike: Vec<DVec2> = shares
         .iter()
-        .filter(|s| s.1 >= best - 0.02)
+        .filter(|s| s.1 >= best - ALIKE)
         .map(|s| s.0)
         .collect();
     let (low, high) = alike
@@ -161,30 +163,42 @@ fn post(ink: &Ink, grid: &Grid, at: DVec2, half: f64, is_filled: bool) -> Option
     (!reaches_out || post.is_sure != [true; 2]).then_some(post)
 }
 
+/// Returns the share of so many places that are inked; 0 as soon as too many are not for a post to fit there.
+fn share(count: i32, is_inked: impl Fn(i32) -> bool) -> f64 {
+    let may_miss = f64::from(count) * (1.0 - LEAST + ALIKE);
+    let mut missing = 0.0;
+    for _ in (0..count).filter(|k| !is_inked(*k)) {
+        missing += 1.0;
+        if missing > may_miss {
+            return 0.0;
+        }
+    }
+    1.0 - missing / f64::from(count)
+}
+
 /// The share of ink in a square from -1 to 1.
 fn filled(dark: impl Fn(f64, f64) -> bool) -> f64 {
-    let inked = (0..49).filter(|k| {
+    share(49, |k| {
         let at = |k: i32| f64::from(k) / 3.0 - 1.0;
         dark(at(k % 7), at(k / 7))
-    });
-    inked.count() as f64 / 49.0
+    })
 }
 
 /// The least share of ink along a side of a square from -1 to 1, if there is paper in it.
 fn outlined(dark: impl Fn(f64, f64) -> bool) -> f64 {
     let side = |from: DVec2, along: DVec2| {
-        let inked = (0..9).filter(|k| {
-            let at = from + along * (f64::from(*k) / 4.0 - 1.0) * 0.9;
+        share(9, |k| {
+            let at = from + along * (f64::from(k) / 4.0 - 1.0) * 0.9;
             dark(at.x, at.y)
-        });
-        inked.count() as f64 / 9.0
+        })
     };
-    let sides = [
-        side(DVec2::NEG_X, DVec2::Y),
-        side(DVec2::X, DVec2::Y),
-        side(DVec2::NEG_Y, DVec2::X),
-        side(DVec2::Y, DVec2::X),
-    ];
+    let mut least = 1.0_f64;
+    for from in [DVec2::NEG_X, DVec2::X, DVec2::NEG_Y, DVec2::Y] {
+        least = least.min(side(from, from.yx().abs()));
+        if least == 0.0 {
+            return 0.0;
+        }
+    }
     let paper = (0..9).filter(|k| {
         let at = |k: i32| (f64::from(k) - 1.0) * 0.35;
         !dark(at(k % 3), at(k / 3))
@@ -192,5 +206,5 @@ fn outlined(dark: impl Fn(f64, f64) -> bool) -> f64 {
     if paper.count() < 7 {
         return 0.0;
     }
-    sides.into_iter().fold(1.0, f64::min)
+    least
 }

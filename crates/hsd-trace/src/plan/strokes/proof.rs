@@ -12,8 +12,8 @@ pub(super) const NOISE: f64 = 3.0;
 /// beside a wall may look like one leaf.
 #[derive(Clone)]
 pub(super) struct Proof {
-    /// By units, halves of the symbol, and places; nothing where a unit lies in the other half.
-    differences: Vec<[Vec<i16>; 2]>,
+    /// By units and halves of the symbol.
+    differences: Vec<[Difference; 2]>,
     /// What perfect ink would come to, for each half.
     pub(super) whole: [f64; 2],
 }
@@ -38,31 +38,47 @@ impl Proof {
             let halves = [half(false), half(true)];
             // What the symbol itself shows.
             (0..2).for_each(|k| whole[k] += product(&halves[k], mine).max(0.0));
-            differences.push(halves.map(|h| {
-                if h.iter().all(|d| *d == 0) {
-                    Vec::new()
-                } else {
-                    h
-                }
-            }));
+            differences.push(halves.map(|half| Difference::of(&half)));
         }
         Proof { differences, whole }
     }
 
     /// How much of it the ink of a unit shows, for each half, so many samples to the side (-1, 0 or 1).
     pub(super) fn shown(&self, unit: usize, patch: &Patch, shift: i32) -> [f32; 2] {
-        let theirs = &patch.ink;
-        let end = theirs.len() - ALONG;
-        [0, 1].map(|half| {
-            let mine = &self.differences[unit][half];
-            let sum = match shift {
-                _ if mine.is_empty() => 0.0,
-                0 => product(mine, theirs),
-                1 => product(&mine[ALONG..], &theirs[..end]),
-                _ => product(&mine[..end], &theirs[ALONG..]),
-            };
-            sum as f32
-        })
+        [0, 1].map(|half| self.differences[unit][half].shown(&patch.ink, shift) as f32)
+    }
+}
+
+/// How far ink should be more than that of the counterpart, by place, without the rows in which both are alike.
+#[derive(Clone)]
+struct Difference {
+    /// The first place.
+    from: usize,
+    by_place: Vec<i16>,
+}
+
+impl Difference {
+    fn of(all: &[i16]) -> Difference {
+        let is_some = |row: &[i16]| row.iter().any(|d| *d != 0);
+        let first = all.chunks_exact(ALONG).position(is_some).unwrap_or(0);
+        let last = all.chunks_exact(ALONG).rposition(is_some);
+        let rows = first..last.map_or(first, |last| last + 1);
+        Difference {
+            from: rows.start * ALONG,
+            by_place: all[rows.start * ALONG..rows.end * ALONG].to_vec(),
+        }
+    }
+
+    /// The sum of products with ink so many rows back.
+    fn shown(&self, ink: &[i16], back: i32) -> f64 {
+        let (mut mine, mut from) = (&self.by_place[..], self.from as isize);
+        from -= back as isize * ALONG as isize;
+        if from < 0 {
+            mine = &mine[mine.len().min(ALONG)..];
+            from += ALONG as isize;
+        }
+        let theirs = &ink[(from as usize).min(ink.len())..];
+        product(mine, theirs)
     }
 }
 

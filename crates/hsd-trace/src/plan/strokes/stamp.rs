@@ -360,7 +360,7 @@ impl Stamp {
                     .iter_mut()
                     .zip(common)
                     .for_each(|(sum, own)| *sum += own);
-                all += mine.all + sums[ends];
+                all += mine.all() + sums[ends];
             }
         }
         // Of two that agree alike the one in the middle.

@@ -1,7 +1,6 @@
 //! Straight walls along and across a sheet.
 
 use super::field::Field;
-use std::collections::BTreeMap;
 
 /// The least length of a wall, in its thickness.
 const LEAST: f64 = 1.5;
@@ -52,9 +51,8 @@ pub fn bars(walls: &Field<bool>, usual: f64, upright: bool) -> Vec<Bar> {
         }
     }
     let parts = opened.parts(false);
-    let mut pixels: Vec<Vec<(usize, usize)>> = vec![vec![]; parts.count + 1];
+    let mut pixels: Vec<Vec<(u32, u32)>> = vec![vec![]; parts.count + 1];
     for (x, y, part) in parts.pixels() {
-        let (x, y) = (x as usize, y as usize);
         pixels[part as usize].push(if upright { (x, y) } else { (y, x) });
     }
     let mut out = vec![];
@@ -66,11 +64,8 @@ pub fn bars(walls: &Field<bool>, usual: f64, upright: bool) -> Vec<Bar> {
 
 /// Finds the straight walls in a connected part, given by its pixels across and along. A curved or stepped part becomes a row of
 /// walls.
-fn straight(part: &[(usize, usize)], (upright, least): (bool, usize), out: &mut Vec<Bar>) {
-    let mut lines: BTreeMap<usize, Line> = BTreeMap::new();
-    for (line, k) in part {
-        lines.entry(*line).or_default().add(*k);
-    }
+fn straight(part: &[(u32, u32)], (upright, least): (bool, usize), out: &mut Vec<Bar>) {
+    let lines = Lines::of(part);
     if let Some(bar) = Bar::of(&lines, upright) {
         out.push(bar);
         return;
@@ -78,7 +73,7 @@ fn straight(part: &[(usize, usize)], (upright, least): (bool, usize), out: &mut 
     // Lines of pixels that do not touch are separate walls.
     let mut starts: Vec<usize> = vec![];
     let mut last = None;
-    for line in lines.keys().copied() {
+    for (line, _) in lines.all() {
         if last.is_none_or(|last| line > last + 1) {
             starts.push(line);
         }
@@ -87,14 +82,14 @@ fn straight(part: &[(usize, usize)], (upright, least): (bool, usize), out: &mut 
     if starts.len() > 1 {
         let mut groups = vec![vec![]; starts.len()];
         for pixel in part {
-            groups[starts.partition_point(|start| *start <= pixel.0) - 1].push(*pixel);
+            groups[starts.partition_point(|start| *start <= pixel.0 as usize) - 1].push(*pixel);
         }
         for group in groups {
             straight(&group, (upright, least), out);
         }
         return;
     }
-    let ends = lines.values().map(|line| line.along);
+    let ends = lines.all().map(|(_, line)| line.along);
     let Some([from, to]) = ends.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]) else {
         return;
     };
@@ -102,7 +97,7 @@ fn straight(part: &[(usize, usize)], (upright, least): (bool, usize), out: &mut 
         return;
     }
     let middle = (from + to) / 2;
-    let (before, after): (Vec<_>, Vec<_>) = part.iter().partition(|(_, k)| *k <= middle);
+    let (before, after): (Vec<_>, Vec<_>) = part.iter().partition(|(_, k)| *k as usize <= middle);
     straight(&before, (upright, least), out);
     straight(&after, (upright, least), out);
 }
@@ -128,13 +123,41 @@ impl Line {
     }
 }
 
+/// The lines of pixels of a part.
+struct Lines {
+    /// The number of the first.
+    first: usize,
+    lines: Vec<Line>,
+}
+
+impl Lines {
+    fn of(part: &[(u32, u32)]) -> Lines {
+        let across = part.iter().map(|pixel| pixel.0 as usize);
+        let first = across.clone().min().unwrap_or(0);
+        let last = across.max().unwrap_or(0);
+        let mut lines = vec![Line::default(); last + 1 - first];
+        for (line, k) in part {
+            lines[*line as usize - first].add(*k as usize);
+        }
+        Lines { first, lines }
+    }
+
+    /// Returns all that have pixels, with their numbers.
+    fn all(&self) -> impl DoubleEndedIterator<Item = (usize, &Line)> {
+        let numbered = self.lines.iter().enumerate();
+        numbered
+            .filter(|(_, line)| line.count > 0)
+            .map(|(k, line)| (self.first + k, line))
+    }
+}
+
 impl Bar {
     /// Returns the straight wall in a connected part, given by its lines of pixels, without posts that protrude from it.
-    fn of(lines: &BTreeMap<usize, Line>, upright: bool) -> Option<Bar> {
-        let longest = lines.values().map(|line| line.count).max()?;
+    fn of(lines: &Lines, upright: bool) -> Option<Bar> {
+        let longest = lines.all().map(|(_, line)| line.count).max()?;
         let is_long = |line: &Line| line.count as f64 >= LONG * longest as f64;
-        let long = || lines.iter().filter(|(_, line)| is_long(line));
-        let across = [*long().next()?.0, *long().next_back()?.0];
+        let long = || lines.all().filter(|(_, line)| is_long(line));
+        let across = [long().next()?.0, long().next_back()?.0];
         let along = long().map(|(_, line)| line.along);
         let along = along.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
         let bar = Bar {
@@ -144,10 +167,10 @@ impl Bar {
         };
         let length = (along[1] - along[0] + 1) as f64;
         let thickness = bar.thickness() as f64;
-        let filled = lines
-            .range(across[0]..=across[1])
-            .map(|(_, line)| line.count);
-        let filled = filled.sum::<usize>() as f64;
+        let within = lines
+            .all()
+            .filter(|(k, _)| (across[0]..=across[1]).contains(k));
+        let filled = within.map(|(_, line)| line.count).sum::<usize>() as f64;
         (length > thickness && filled > SOLID * length * thickness).then_some(bar)
     }
 }

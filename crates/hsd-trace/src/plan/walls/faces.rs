@@ -18,7 +18,7 @@ const NARROW: [f64; 2] = [0.025, 0.05];
 /// The share of thin walls round a room between thin ones.
 const LIGHT: f64 = 0.3;
 
-/// The lines between each two rooms: the length of light strokes, and all.
+/// The line between each room and another: the length of light strokes, and all.
 type Edges = BTreeMap<(u32, u32), (f64, f64)>;
 
 /// A sheet divided into rooms, without walls between: 0 is outside.
@@ -93,15 +93,11 @@ impl Faces {
                 names[part] = count as u32;
             }
         }
-        let mut of = walls.map(|_| u32::MAX);
-        let mut open = VecDeque::new();
-        for (x, y, part) in parts.pixels() {
-            let name = names[part as usize];
-            if name != u32::MAX {
-                of[(x as usize, y as usize)] = name;
-                open.push_back((x as usize, y as usize));
-            }
-        }
+        let mut of = Field::new(walls.width, walls.height, |x, y| names[parts.at((x, y))]);
+        let at_rim = |p: &(usize, usize)| {
+            of[*p] != u32::MAX && of.beside(*p).any(|near| of[near] == u32::MAX)
+        };
+        let mut open: VecDeque<_> = of.places().filter(at_rim).collect();
         while let Some(place) = open.pop_front() {
             let next: Vec<_> = of.beside(place).filter(|p| of[*p] == u32::MAX).collect();
             for p in next {
@@ -134,13 +130,19 @@ pub fn within_walls(walls: &Field<bool>, drawn: f64) -> Field<bool> {
 impl Faces {
     /// Merges rooms too narrow to be rooms, which lines of floors, stairs and furniture make, with those beside them.
     pub fn merged(mut self, stuff: &Field<Stuff>, diagonal: f64) -> Faces {
+        let mut extents = vec![Extent::default(); self.count + 1];
+        for (x, y) in self.of.places() {
+            extents[self.of[(x, y)] as usize].add(x, y);
+        }
+        let mut widths: Vec<f64> = (0..=self.count)
+            .map(|k| self.width(k, extents[k]))
+            .collect();
+        let mut edges = self.edges(stuff);
         loop {
-            let (widths, beside) = self.measured(stuff);
             let narrow = (1..=self.count).filter(|k| widths[*k] > 0.0);
             let narrow = narrow.filter(|k| {
-                let thin = beside.range((*k as u32, 0)..(*k as u32 + 1, 0));
                 let (mut light, mut all) = (0.0, 0.0);
-                for ((_, _), (l, a)) in thin {
+                for (_, (l, a)) in edges.range(sides(*k as u32)) {
                     (light, all) = (light + l, all + a);
                 }
                 let least = if light > LIGHT * all {
@@ -153,41 +155,82 @@ impl Faces {
             let Some(k) = narrow.min_by(|a, b| widths[*a].total_cmp(&widths[*b])) else {
                 return self;
             };
-            let all = beside.range((k as u32, 0)..(k as u32 + 1, 0));
+            let all = edges.range(sides(k as u32));
             let inner = all.clone().filter(|((_, other), _)| *other != 0);
             let best = inner.max_by(|a, b| a.1.0.total_cmp(&b.1.0));
             let best = best.filter(|b| b.1.0 > 0.0).map(|b| b.0.1);
             let longest = all.max_by(|a, b| a.1.1.total_cmp(&b.1.1)).map(|b| b.0.1);
             let into = best.or(longest).unwrap_or(0);
-            self.of = self.of.map(|f| if f == k as u32 { into } else { f });
+            self.rename(k as u32, into, extents[k]);
+            move_edges(&mut edges, k as u32, into);
+            widths[k] = 0.0;
+            let both = extents[k].with(extents[into as usize]);
+            extents[into as usize] = both;
+            widths[into as usize] = self.width(into as usize, both);
         }
     }
 
-    /// Returns the inner width of each room, and what parts each two: the length of light strokes, and all.
-    fn measured(&self, stuff: &Field<Stuff>) -> (Vec<f64>, Edges) {
-        let rim = self.of.rims();
-        let inner = distances(&rim);
-        let mut widths = vec![0.0_f64; self.count + 1];
-        let mut beside = Edges::new();
-        for y in 0..self.of.height {
-            for x in 0..self.of.width {
-                let face = self.of[(x, y)];
-                if face == 0 {
-                    continue;
-                }
-                let width = &mut widths[face as usize];
-                *width = width.max(2.0 * f64::from(inner[(x, y)]));
-                if !rim[(x, y)] {
-                    continue;
-                }
-                for p in self.of.beside((x, y)).filter(|p| self.of[*p] != face) {
-                    let light = [stuff[p], stuff[(x, y)]].contains(&Stuff::Thin);
-                    let edge = beside.entry((face, self.of[p])).or_default();
-                    edge.0 += f64::from(u8::from(light));
-                    edge.1 += 1.0;
+    /// Gives the pixels of a room another number.
+    fn rename(&mut self, room: u32, into: u32, extent: Extent) {
+        for y in extent.y[0]..=extent.y[1] {
+            for x in extent.x[0]..=extent.x[1] {
+                if self.of[(x, y)] == room {
+                    self.of[(x, y)] = into;
                 }
             }
         }
-        (widths, beside)
+    }
+
+    /// Returns the inner width of a room, pixels; 0 for the outside.
+    fn width(&self, room: usize, extent: Extent) -> f64 {
+        if room == 0 || extent.area == 0 {
+            return 0.0;
+        }
+        let [width, height] = extent.size();
+        let other = |p: (usize, usize)| self.of[p] as usize != room;
+        let rim = Field::new(width, height, |x, y| {
+            let p = (x + extent.x[0], y + extent.y[0]);
+            other(p) || self.of.beside(p).any(other)
+        });
+        2.0 * f64::from(distances(&rim).iter().fold(0.0, f32::max))
+    }
+
+    /// Measures what parts each two rooms.
+    fn edges(&self, stuff: &Field<Stuff>) -> Edges {
+        let mut edges = Edges::new();
+        for at in self.of.places() {
+            let room = self.of[at];
+            if room == 0 {
+                continue;
+            }
+            for p in self.of.beside(at).filter(|p| self.of[*p] != room) {
+                let light = [stuff[p], stuff[at]].contains(&Stuff::Thin);
+                let edge = edges.entry((room, self.of[p])).or_default();
+                edge.0 += f64::from(u8::from(light));
+                edge.1 += 1.0;
+            }
+        }
+        edges
+    }
+}
+
+/// The keys of all edges of a room.
+fn sides(room: u32) -> std::ops::Range<(u32, u32)> {
+    (room, 0)..(room + 1, 0)
+}
+
+/// Makes the edges of a room those of another.
+fn move_edges(edges: &mut Edges, room: u32, into: u32) {
+    let own: Vec<u32> = edges.range(sides(room)).map(|edge| edge.0.1).collect();
+    let mut take = |from: (u32, u32), to: (u32, u32)| {
+        let taken = edges.remove(&from);
+        if let Some((light, all)) = taken.filter(|_| to.0 != to.1 && to.0 != 0) {
+            let edge = edges.entry(to).or_default();
+            *edge = (edge.0 + light, edge.1 + all);
+        }
+    };
+    for other in own {
+        take((room, other), (into, other));
+        take((other, room), (other, into));
     }
 }

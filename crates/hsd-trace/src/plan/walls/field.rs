@@ -33,6 +33,12 @@ impl<T: Copy> Field<T> {
         }
     }
 
+    /// Yields the places by rows.
+    pub fn places(&self) -> impl Iterator<Item = (usize, usize)> + use<T> {
+        let (width, height) = (self.width, self.height);
+        (0..height).flat_map(move |y| (0..width).map(move |x| (x, y)))
+    }
+
     /// Yields the values by rows.
     pub fn iter(&self) -> impl Iterator<Item = T> {
         self.values.iter().copied()

@@ -128,7 +128,7 @@ fn dashes(parts: &[Extent], is_small: &[bool]) -> Vec<(Extent, f32)> {
             let mut line = vec![k];
             loop {
                 let last = all[line[line.len() - 1]];
-                let next = (0..all.len()).filter(|j| !used[*j] && follows(&last, &all[*j]));
+                let next = beside(&all, &last).filter(|j| !used[*j] && follows(&last, &all[*j]));
                 let Some(next) = next.min_by_key(|j| all[*j].x[0]) else {
                     break;
                 };
@@ -144,6 +144,16 @@ fn dashes(parts: &[Extent], is_small: &[bool]) -> Vec<(Extent, f32)> {
         }
     }
     out
+}
+
+/// Returns those of the dashes, sorted by their middle across, that may lie in a line with one.
+fn beside(all: &[Extent], dash: &Extent) -> Range<usize> {
+    let middle = |p: &Extent| p.y[0] + p.y[1];
+    let [low, high] = [
+        middle(dash).saturating_sub(dash.size()[1]),
+        middle(dash) + dash.size()[1],
+    ];
+    all.partition_point(|p| middle(p) < low)..all.partition_point(|p| middle(p) <= high)
 }
 
 /// Returns true if a dash continues where another ends.

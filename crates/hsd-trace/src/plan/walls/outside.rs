@@ -5,48 +5,43 @@ use std::collections::VecDeque;
 
 /// Lengths of a step to the side and aslant, for distances.
 const STEPS: [u32; 2] = [5, 7];
+/// The length to a pixel that nothing reaches.
+const FAR: u32 = u32::MAX / 2;
 /// The most of the rim of a recess that may be open to the outside if it is a room.
 const OPEN: f64 = 0.22;
 
 /// Returns the distance of each pixel from the nearest that is set, pixels.
 pub fn distances(set: &Field<bool>) -> Field<f32> {
-    let (width, height) = (set.width as isize, set.height as isize);
-    let mut out = set.map(|s| if s { 0 } else { u32::MAX / 2 });
-    let side = |out: &mut Field<u32>, (x, y): (isize, isize), steps: [(isize, isize, u32); 4]| {
-        let near = steps
-            .map(|(dx, dy, length)| out.get(x + dx, y + dy).map_or(u32::MAX / 2, |d| d + length));
-        let place = (x as usize, y as usize);
-        out[place] = near.into_iter().fold(out[place], u32::min);
-    };
+    // A rim of far pixels spares the loops a look at the edges.
+    let row = set.width + 2;
+    let mut out = vec![FAR; row * (set.height + 2)];
+    let start = |y: usize| (y + 1) * row + 1;
+    for y in 0..set.height {
+        for x in (0..set.width).filter(|x| set[(*x, y)]) {
+            out[start(y) + x] = 0;
+        }
+    }
     let [straight, aslant] = STEPS;
-    for y in 0..height {
-        for x in 0..width {
-            let steps = [
-                (-1, 0, straight),
-                (0, -1, straight),
-                (-1, -1, aslant),
-                (1, -1, aslant),
-            ];
-            side(&mut out, (x, y), steps);
-        }
+    for at in (0..set.height).flat_map(|y| start(y)..start(y) + set.width) {
+        let near = out[at - 1].min(out[at - row]) + straight;
+        let corners = out[at - row - 1].min(out[at - row + 1]) + aslant;
+        out[at] = out[at].min(near).min(corners);
     }
-    for y in (0..height).rev() {
-        for x in (0..width).rev() {
-            let steps = [
-                (1, 0, straight),
-                (0, 1, straight),
-                (1, 1, aslant),
-                (-1, 1, aslant),
-            ];
-            side(&mut out, (x, y), steps);
-        }
+    for at in (0..set.height)
+        .flat_map(|y| start(y)..start(y) + set.width)
+        .rev()
+    {
+        let near = out[at + 1].min(out[at + row]) + straight;
+        let corners = out[at + row + 1].min(out[at + row - 1]) + aslant;
+        out[at] = out[at].min(near).min(corners);
     }
-    out.map(|d| d as f32 / straight as f32)
+    Field::new(set.width, set.height, |x, y| {
+        out[start(y) + x] as f32 / straight as f32
+    })
 }
 
-/// Returns what a disc of a radius reaches from the edges of a sheet without touching a wall.
-pub fn reached(walls: &Field<bool>, radius: f64) -> Field<bool> {
-    let free = distances(walls);
+/// Returns what a disc of a radius reaches from the edges of a sheet without touching a wall; `free` are the distances from walls.
+fn reached((walls, free): (&Field<bool>, &Field<f32>), radius: f64) -> Field<bool> {
     let is_free = |p: (usize, usize)| f64::from(free[p]) > radius;
     let mut core = walls.map(|_| false);
     let mut open = VecDeque::new();
@@ -77,9 +72,10 @@ pub fn reached(walls: &Field<bool>, radius: f64) -> Field<bool> {
 /// A line between two pixels.
 pub type Chord = [(usize, usize); 2];
 
-/// Returns lines that part rooms from the outside where a disc does not come in: from wall to wall.
-pub fn chords(walls: &Field<bool>, radius: f64) -> Vec<Chord> {
-    let outside = reached(walls, radius);
+/// Returns lines that part rooms from the outside where a disc does not come in: from wall to wall. `free` are the distances from
+/// walls.
+pub fn chords((walls, free): (&Field<bool>, &Field<f32>), radius: f64) -> Vec<Chord> {
+    let outside = reached((walls, free), radius);
     let mut seen = walls.map(|w| w);
     let mut out = vec![];
     for y in 0..walls.height {
