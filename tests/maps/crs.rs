@@ -54,6 +54,26 @@ fn places_agree_with_proj() {
         ),
         (32653, dvec2(135.0, 35.0), dvec2(500_000.0, 3873043.06453)),
         (
+            2263,
+            dvec2(-73.9857, 40.7484),
+            dvec2(988212.23718, 211939.27857),
+        ),
+        (
+            2154,
+            dvec2(2.3522, 48.8566),
+            dvec2(652469.02271, 6862035.25942),
+        ),
+        (
+            25832,
+            dvec2(9.9937, 53.5511),
+            dvec2(565834.36401, 5934037.95100),
+        ),
+        (
+            3035,
+            dvec2(9.9937, 53.5511),
+            dvec2(4320582.39027, 3382601.75080),
+        ),
+        (
             32723,
             dvec2(-43.2, -22.9),
             dvec2(684623.67326, 7466421.40067),
@@ -73,6 +93,31 @@ fn places_agree_with_proj() {
         let again = back.apply(found).unwrap();
         assert!(again.distance(lon_lat) < 1e-9, "{code}: {again}");
     }
+}
+
+#[test]
+fn conic_projections_are_read_from_their_parameters() {
+    let long_island = r#"PROJCS["NAD_1983_StatePlane_New_York_Long_Island_FIPS_3104_Feet",GEOGCS["GCS_North_American_1983",DATUM["D_North_American_1983",SPHEROID["GRS_1980",6378137.0,298.257222101]],PRIMEM["Greenwich",0.0],UNIT["Degree",0.0174532925199433]],PROJECTION["Lambert_Conformal_Conic"],PARAMETER["False_Easting",984250.0],PARAMETER["False_Northing",0.0],PARAMETER["Central_Meridian",-74.0],PARAMETER["Standard_Parallel_1",41.0333333333333],PARAMETER["Standard_Parallel_2",40.6666666666667],PARAMETER["Latitude_Of_Origin",40.1666666666667],UNIT["US survey foot",0.304800609601219]]"#;
+    let read = Crs::from_wkt(long_island).unwrap();
+    let known = Crs::from_epsg(2263).unwrap();
+    let both = [read, known].map(|to| {
+        let there = Transform::new(&Crs::wgs84(), &to, Datums::Exact).unwrap();
+        assert!(!to.is_in_metres(), "{to:?}");
+        there.apply(dvec2(-73.9857, 40.7484)).unwrap()
+    });
+    assert!(both[0].distance(both[1]) < 1e-3, "{both:?}");
+}
+
+#[test]
+fn systems_that_are_no_plane_are_not_known() {
+    // Earth-centred, heights, the meridian of Paris, axes to the south.
+    for code in [4978, 5703, 27561, 2046] {
+        assert_eq!(Crs::from_epsg(code), None, "{code}");
+    }
+    let britain = Crs::from_epsg(27700).unwrap();
+    let refused = Transform::new(&britain, &Crs::wgs84(), Datums::Exact).err();
+    assert_eq!(refused, Some(Mismatch::Datum));
+    assert!(Transform::new(&britain, &Crs::wgs84(), Datums::ThreeParameters).is_ok());
 }
 
 #[test]

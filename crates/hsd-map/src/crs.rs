@@ -1,10 +1,11 @@
-//! Coordinate reference systems: what the numbers of a map mean. An own table of EPSG codes ([`table`]), names as files
-//! write them ([`names`]), WKT ([`wkt`]), conversions by proj4rs ([`transform`]), the place on
+//! Coordinate reference systems: what the numbers of a map mean. An own table of the EPSG codes of Japan ([`table`]), all
+//! others as PROJ defines them ([`defined`]), names as files write them ([`names`]), WKT ([`wkt`]), conversions by proj4rs ([`transform`]), the place on
 //! the globe ([`globe`]).
 //!
 //! Whatever order an authority gives the axes, here x is east and y is north; readers swap what their format has the
 //! other way round.
 
+mod defined;
 mod globe;
 mod names;
 mod table;
@@ -43,17 +44,15 @@ pub enum Datum {
     Other {
         /// Its name.
         name: Box<str>,
-        /// The semi-major axis of the ellipsoid in metres.
-        a: f64,
-        /// The inverse flattening; 0 for a sphere.
-        rf: f64,
+        /// Its ellipsoid and, where it is known, its shift to WGS 84, in the words of PROJ: `+ellps=airy`.
+        definition: Box<str>,
     },
     /// None: coordinates of a local survey.
     Local,
 }
 
 /// How longitude and latitude become x and y.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Projection {
     /// Longitude and latitude in degrees.
     Degrees,
@@ -61,6 +60,8 @@ pub enum Projection {
     TransverseMercator(Meridian),
     /// Mercator on a sphere, as map tiles of the web have it (EPSG:3857).
     WebMercator,
+    /// Any other, with its unit, in the words of PROJ: `+proj=lcc +lat_1=49 +lat_2=44`.
+    Defined(Box<str>),
     /// Metres of a local survey, placed nowhere.
     Local,
 }
@@ -88,7 +89,7 @@ const JAPAN: (DVec2, DVec2) = (DVec2::new(122.0, 20.0), DVec2::new(154.5, 46.5))
 /// The distance from the origin of a transverse Mercator projection, east and north, beyond which no map lies, in metres.
 const FARTHEST: DVec2 = DVec2::new(1_500_000.0, 10_100_000.0);
 
-/// Distance from the origin of a local survey on each axis beyond which no place is, metres.
+/// Distance from the origin of a local survey or of any other projection on each axis beyond which no place is, in its unit.
 const LOCAL_SIDE: f64 = 1e8;
 
 /// Half the side of the square that the web's Mercator covers, in metres, rounded up.
@@ -126,10 +127,10 @@ impl Crs {
         }
     }
 
-    /// Returns the system of an EPSG code in the table: the plane zones of Japan in all three datums, UTM, longitude and
-    /// latitude, the web's Mercator.
+    /// Returns the system of an EPSG code: longitude and latitude, or a projection that proj4rs knows. `None` for codes of
+    /// heights alone and of earth-centred coordinates, and for meridians other than that of Greenwich.
     pub fn from_epsg(code: u32) -> Option<Crs> {
-        table::of_code(code)
+        table::of_code(code).or_else(|| defined::of_code(code))
     }
 
     /// Returns the system of a name: `EPSG:6674`, `urn:ogc:def:crs:EPSG::6674`,
@@ -159,10 +160,20 @@ impl Crs {
     /// Returns true if the authority that defined the system has north before east: longitude and latitude, and the plane
     /// zones of Japan. Formats that follow it are turned by their readers.
     pub fn authority_has_north_first(&self) -> bool {
-        match self.projection {
+        match &self.projection {
             Projection::Degrees => true,
             Projection::TransverseMercator(m) => m.east == 0.0 && m.north == 0.0,
-            Projection::WebMercator | Projection::Local => false,
+            Projection::WebMercator | Projection::Local | Projection::Defined(_) => false,
+        }
+    }
+
+    /// Returns true if the coordinates are metres in a plane, so that a town may be built in it.
+    pub fn is_in_metres(&self) -> bool {
+        match &self.projection {
+            Projection::Degrees => false,
+            Projection::TransverseMercator(m) => m.unit == 1.0,
+            Projection::Defined(definition) => defined::is_in_metres(definition),
+            Projection::WebMercator | Projection::Local => true,
         }
     }
 
@@ -170,8 +181,11 @@ impl Crs {
     /// are recognised in Japan, where a map of 30 m at this very distance from the origin of its zone is less likely.
     pub fn refuses(&self, p: DVec2) -> Option<Outside> {
         let inside = |p: DVec2| p.cmpge(JAPAN.0).all() && p.cmple(JAPAN.1).all();
-        match self.projection {
-            Projection::Local => (p.abs().max_element() > LOCAL_SIDE).then_some(Outside::Far),
+        match &self.projection {
+            Projection::Local | Projection::Defined(_) if p.abs().max_element() > LOCAL_SIDE => {
+                Some(Outside::Far)
+            }
+            Projection::Local => None,
             Projection::Degrees if p.x.abs() <= 180.0 && p.y.abs() <= 90.0 => None,
             Projection::Degrees if p.x.abs() <= 90.0 && p.y.abs() <= 180.0 => {
                 Some(Outside::Swapped)
@@ -179,6 +193,7 @@ impl Crs {
             Projection::Degrees if p.x.abs() > 400.0 || p.y.abs() > 400.0 => Some(Outside::Metres),
             Projection::Degrees => Some(Outside::Far),
             _ if inside(p) || inside(DVec2::new(p.y, p.x)) => Some(Outside::Degrees),
+            Projection::Defined(_) => None,
             Projection::TransverseMercator(m) => {
                 let off = p * m.unit - DVec2::new(m.east, m.north);
                 off.abs().cmpgt(FARTHEST).any().then_some(Outside::Far)

@@ -67,11 +67,10 @@ impl<'b> Packer<'b> {
             Datum::Jgd2000 => self.bytes(&[2]),
             Datum::Tokyo => self.bytes(&[3]),
             Datum::Local => self.bytes(&[4]),
-            Datum::Other { name, a, rf } => {
+            Datum::Other { name, definition } => {
                 self.bytes(&[5]);
                 self.text(name);
-                self.float(*a);
-                self.float(*rf);
+                self.text(definition);
             }
         }
         match &crs.projection {
@@ -83,6 +82,10 @@ impl<'b> Packer<'b> {
                 for number in [m.lon, m.lat, m.scale, m.east, m.north, m.unit] {
                     self.float(number);
                 }
+            }
+            Projection::Defined(definition) => {
+                self.bytes(&[4]);
+                self.text(definition);
             }
         }
     }
@@ -188,8 +191,7 @@ impl<'r, 'b> Unpacker<'r, 'b> {
             [4] => Datum::Local,
             [5] => Datum::Other {
                 name: self.text()?,
-                a: self.float()?,
-                rf: self.float()?,
+                definition: self.text()?,
             },
             _ => return Err(wrong()),
         };
@@ -205,6 +207,7 @@ impl<'r, 'b> Unpacker<'r, 'b> {
                 north: self.float()?,
                 unit: self.float()?,
             }),
+            [4] => Projection::Defined(self.text()?),
             _ => return Err(wrong()),
         };
         Ok(Crs {
@@ -221,19 +224,26 @@ mod tests {
 
     #[test]
     fn reference_systems_come_back_as_they_were() {
-        let names = ["EPSG:6674", "EPSG:4326", "EPSG:3857", "EPSG:30166", "local"];
+        let names = [
+            "EPSG:6674",
+            "EPSG:4326",
+            "EPSG:3857",
+            "EPSG:30166",
+            "EPSG:2263",
+            "EPSG:27700",
+            "local",
+        ];
         let known = names.iter().filter_map(|name| Crs::from_name(name));
         let other = Crs {
             name: "京".into(),
             datum: Datum::Other {
                 name: "d".into(),
-                a: 0.1 + 0.2,
-                rf: f64::MIN_POSITIVE,
+                definition: "+a=6377397.155 +rf=299.15".into(),
             },
             projection: Projection::Degrees,
         };
         let all: Vec<Crs> = known.chain([other]).collect();
-        assert!(all.len() > 4);
+        assert!(all.len() > 6);
         let mut bytes = vec![];
         all.iter().for_each(|crs| Packer::new(&mut bytes).crs(crs));
         let mut rest = &bytes[..];

@@ -70,8 +70,6 @@ pub struct Record {
     pub envelopes: Vec<EnvelopeRow>,
     /// The gravest problem while it was evaluated.
     pub problem: Option<(Severity, Code)>,
-    /// The number of parts of its geometry that are left out.
-    pub parts_left: usize,
     /// What the ground knows of its place.
     pub footing: Footing,
     /// True for a house behind the house of a feature, which is no feature of its own.
@@ -127,7 +125,6 @@ impl Record {
             parameters: vec![],
             envelopes: vec![],
             problem: None,
-            parts_left: lot.parts_left,
             footing: site.footing.get(),
             is_part: false,
             place: [at.x, at.y],
@@ -154,7 +151,6 @@ impl Record {
                 RearPlace::NoHouse => Outcome::NoHouse,
             },
             place: centre.map_or(self.place, |c| c.to_array()),
-            parts_left: 0,
             footing: Footing::Known,
             envelopes: vec![],
             access: "",

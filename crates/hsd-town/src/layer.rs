@@ -27,7 +27,7 @@ pub(crate) use spread::Spread;
 pub(crate) use units::measured;
 
 use super::grid::{Bounds, bounds};
-use super::shape::{area, centroid, cleaned, contains, sides};
+use super::shape::{centroid, cleaned, contains, sides};
 use glam::DVec2;
 use hsd_ir::ast::town::{FieldType, Known, Layer};
 use hsd_ir::ast::{self, Value};
@@ -52,8 +52,6 @@ pub struct Lot {
     fields: Vec<(usize, hsd_map::Value)>,
     /// The mean height of its points, metres.
     pub z: f64,
-    /// The number of parts of its geometry that are left out, since a house has one outline.
-    pub parts_left: usize,
 }
 
 /// The geometry of a feature.
@@ -174,11 +172,27 @@ fn led(lead: Option<&str>, key: &str) -> Box<str> {
     }
 }
 
-fn parts(geometry: &Geometry) -> usize {
-    match geometry {
-        Geometry::Areas(areas) => areas.len().max(1),
-        Geometry::Lines(_) | Geometry::Points(_) => 1,
-    }
+/// Divides the geometry of a feature into what lies apart: areas, points, or all its lines.
+fn parted(geometry: Geometry) -> Vec<Geometry> {
+    let parts: Vec<Geometry> = match geometry {
+        Geometry::Areas(areas) if areas.len() > 1 => {
+            let areas = areas.into_iter().map(|area| vec![area]);
+            areas.map(Geometry::Areas).collect()
+        }
+        Geometry::Points(chain) if chain.points.len() > 1 => {
+            let heights = chain.heights.into_iter().map(|z| vec![z]);
+            let heights = heights.chain(std::iter::repeat(vec![]));
+            let points = chain
+                .points
+                .into_iter()
+                .map(|point| vec![point])
+                .zip(heights);
+            let points = points.map(|(points, heights)| hsd_map::Chain { points, heights });
+            points.map(Geometry::Points).collect()
+        }
+        whole => vec![whole],
+    };
+    parts
 }
 
 fn height(geometry: &Geometry) -> f64 {
@@ -187,23 +201,15 @@ fn height(geometry: &Geometry) -> f64 {
     if count > 0 { sum / count as f64 } else { 0.0 }
 }
 
-/// Returns the geometry that a house can stand on: of several areas the largest.
+/// Returns the geometry of one of the `parted` geometries of a feature.
 fn shape(geometry: Geometry) -> Shape {
     match geometry {
         Geometry::Points(chain) => Shape::Point(chain.points.first().copied().unwrap_or_default()),
         Geometry::Lines(lines) => Shape::Lines(lines.into_iter().map(|l| l.points).collect()),
         Geometry::Areas(areas) => {
-            let size = |a: &hsd_map::Area| area(&a.outline.points, &[]);
-            let largest = areas.into_iter().reduce(|best, next| {
-                if size(&next) > size(&best) {
-                    next
-                } else {
-                    best
-                }
-            });
-            let largest = largest.unwrap_or_default();
-            let ring = cleaned(&largest.outline.points);
-            let holes = largest.holes.iter().map(|h| cleaned(&h.points));
+            let area = areas.into_iter().next().unwrap_or_default();
+            let ring = cleaned(&area.outline.points);
+            let holes = area.holes.iter().map(|h| cleaned(&h.points));
             Shape::Area(ring, holes.filter(|h| h.len() > 2).collect())
         }
     }

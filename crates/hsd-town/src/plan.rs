@@ -1,6 +1,7 @@
 //! A town with its maps: all features in one frame, with the streets and an index of outlines.
 
 mod blocks;
+mod covered;
 mod key;
 mod laid;
 mod lodged;
@@ -11,6 +12,7 @@ mod shelves;
 mod waters;
 mod zones;
 
+pub use covered::Covered;
 pub use key::TileKey;
 pub use laid::LaidFirst;
 pub(crate) use lodged::Lodger;
@@ -24,7 +26,7 @@ pub use zones::{ZoneArea, Zones};
 
 use super::frontage::first_front;
 use super::grid::Grid;
-use super::layer::{Ground, LEVELS, Lot, Lots, Shape, TownFrame, Unjoined};
+use super::layer::{Ground, Lot, Lots, Shape, TownFrame, Unjoined};
 use super::neighbour::{Neighbours, TOUCHING};
 use super::shape::Segment;
 use super::street::{FAR, Piece, Streets, StreetsBuilder, WIDE, class_width};
@@ -43,8 +45,6 @@ const NEIGHBOURS: usize = 512;
 const SERVED_MOST: usize = 4096;
 /// How far the houses are looked at that stand between a house and its street, metres.
 const AROUND: f64 = 40.0;
-/// Difference in height below which two outlines are of one storey, metres.
-const ONE_STOREY: f64 = 1.0;
 /// How far from its pole a house may be that a network serves, metres.
 pub const SERVED: f64 = 100.0;
 
@@ -320,21 +320,6 @@ impl Plan {
                 .filter_map(|other| self.lot(other).shape.ring())
                 .collect(),
         }
-    }
-
-    /// Returns an outline of the same layer that a feature is inside of, apart from its courtyards. Parts of buildings may be
-    /// inside of others.
-    pub fn enclosing(&self, id: LotId) -> Option<LotId> {
-        let (lot, layer) = (self.lot(id), &self.layers[id.0]);
-        let ring = lot.shape.ring()?;
-        let is_part = || LEVELS.iter().any(|field| layer.word(lot, field).is_some());
-        let around = self.around(id, 0.0, NEIGHBOURS).into_iter();
-        let encloses = |other: &LotId| {
-            let other = self.lot(*other);
-            other.shape.encloses(ring) && (other.z - lot.z).abs() < ONE_STOREY
-        };
-        let mut others = around.filter(|other| other.0 == id.0);
-        others.find(encloses).filter(|_| !is_part())
     }
 
     /// Returns the fronts, by distance alone, of the outlines that touch a feature.

@@ -1,7 +1,7 @@
 //! Evaluates a town: reads its maps, then makes the houses of its features, a chunk of features at a time. What is made of a
 //! feature depends on the town file, the feature and what stands round it; chunks only save time.
 
-mod enclosed;
+mod covered;
 mod font;
 mod footprints;
 mod maps;
@@ -13,7 +13,7 @@ use footprints::footprints;
 
 use super::decision::{Outcome, Record};
 use super::layer::KeptMaps;
-use super::plan::{LotId, Plan};
+use super::plan::{Covered, LotId, Plan};
 use super::rear::RearDecision;
 use super::site::LotSite;
 use super::text;
@@ -183,8 +183,8 @@ pub fn evaluate(input: TownInput<'_>, plan: &Plan, lots: &[LotId]) -> Chunk {
     );
     drop(trees);
     let (mut houses, mut records) = (vec![], vec![]);
-    let enclosing = enclosed::enclosing((plan, input), lots, &made);
-    let made = made.into_iter().zip(enclosing);
+    let covered = covered::covered((plan, input), lots, &made);
+    let made = made.into_iter().zip(covered);
     for ((made, site), id) in made.zip(&sites).zip(lots) {
         let of = (plan, input);
         records.extend(record(of, *id, site, made, &mut houses, &mut found));
@@ -209,7 +209,7 @@ fn record(
     (plan, input): (&Plan, TownInput<'_>),
     id: LotId,
     site: &LotSite<'_>,
-    (made, enclosing): (FeatureMade, Option<LotId>),
+    (made, covered): (FeatureMade, Option<Covered>),
     houses: &mut Vec<FeatureHouse>,
     found: &mut Diagnostics,
 ) -> Vec<Record> {
@@ -231,10 +231,10 @@ fn record(
         record.outcome = Outcome::Refused(refused.code, why);
         found.push(refused);
     }
-    if let Some(other) = enclosing {
-        let enclosed = say::enclosed(origin, &plan.lot(other).key);
-        record.outcome = Outcome::Refused(enclosed.code, enclosed.message.clone());
-        found.push(enclosed);
+    if let Some(Covered { by, share }) = covered {
+        let covered = say::covered(origin, &plan.lot(by).key, share);
+        record.outcome = Outcome::Refused(covered.code, covered.message.clone());
+        found.push(covered);
         return vec![record];
     }
     let mut parts = parts(&record, site, origin, found);

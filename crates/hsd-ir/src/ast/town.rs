@@ -77,8 +77,6 @@ pub struct Layer {
     pub joins: Vec<Join>,
     /// How the areas of its map are divided, and which of the resulting parts are its features.
     pub divided: Option<Divided>,
-    /// True if each area counts, where a feature has several: no house stands on it.
-    pub each_area: bool,
 }
 
 /// A layer whose features are parts of divided areas.

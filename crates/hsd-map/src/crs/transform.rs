@@ -1,8 +1,9 @@
 //! Conversions from one reference system to another, by proj4rs.
 
-use super::{Crs, Datum, Projection};
+use super::{Crs, Datum, Projection, defined};
 use glam::DVec2;
 use proj4rs::Proj;
+use std::borrow::Cow;
 
 /// The shift of the Tokyo datum to WGS 84 in metres (Geospatial Information Authority), good to some metres.
 const TOKYO: &str = "+ellps=bessel +towgs84=-146.414,507.337,680.507";
@@ -55,7 +56,10 @@ impl Transform {
             return Err(Mismatch::Local);
         }
         let shifted = !agree(&from.datum, &to.datum);
-        let known = |datum: &Datum| !matches!(datum, Datum::Other { .. });
+        let known = |datum: &Datum| match datum {
+            Datum::Other { definition, .. } => defined::has_shift(definition),
+            _ => true,
+        };
         let may = datums == Datums::ThreeParameters && known(&from.datum) && known(&to.datum);
         if shifted && !may {
             return Err(Mismatch::Datum);
@@ -98,18 +102,18 @@ impl Side {
 
 /// Returns the definition for proj4rs.
 fn definition(crs: &Crs) -> String {
-    let datum = match &crs.datum {
-        Datum::Wgs84 | Datum::Local => "+ellps=WGS84 +towgs84=0,0,0".to_owned(),
-        Datum::Jgd2011 | Datum::Jgd2000 => "+ellps=GRS80 +towgs84=0,0,0".to_owned(),
-        Datum::Tokyo => TOKYO.to_owned(),
-        Datum::Other { a, rf, .. } if *rf > 0.0 => format!("+a={a} +rf={rf}"),
-        Datum::Other { a, .. } => format!("+a={a} +b={a}"),
+    let datum: Cow<'_, str> = match &crs.datum {
+        Datum::Wgs84 | Datum::Local => "+ellps=WGS84 +towgs84=0,0,0".into(),
+        Datum::Jgd2011 | Datum::Jgd2000 => "+ellps=GRS80 +towgs84=0,0,0".into(),
+        Datum::Tokyo => TOKYO.into(),
+        Datum::Other { definition, .. } => definition.as_ref().into(),
     };
-    match crs.projection {
+    match &crs.projection {
         Projection::Degrees | Projection::Local => format!("+proj=longlat {datum} +no_defs"),
         Projection::WebMercator => {
             "+proj=merc +a=6378137 +b=6378137 +nadgrids=@null +no_defs".to_owned()
         }
+        Projection::Defined(definition) => format!("{definition} {datum} +no_defs"),
         Projection::TransverseMercator(m) => format!(
             "+proj=tmerc +lat_0={} +lon_0={} +k={} +x_0={} +y_0={} {datum} +to_meter={} +no_defs",
             m.lat, m.lon, m.scale, m.east, m.north, m.unit

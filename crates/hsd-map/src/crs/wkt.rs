@@ -74,7 +74,9 @@ fn projected(root: &Node<'_>, datum: Datum) -> Option<Crs> {
     if method.contains("mercatorauxiliarysphere") || method.contains("pseudomercator") {
         return Crs::from_epsg(3857);
     }
-    if method != "transversemercator" && method != "gausskruger" {
+    let is_conic =
+        method.starts_with("lambertconformalconic") || method.starts_with("lambertconicconformal");
+    if !is_conic && method != "transversemercator" && method != "gausskruger" {
         return None;
     }
     let unit = ["UNIT", "LENGTHUNIT"].iter().find_map(|n| root.child(n));
@@ -88,20 +90,64 @@ fn projected(root: &Node<'_>, datum: Datum) -> Option<Crs> {
         named.next().and_then(Node::number).unwrap_or(default)
     };
     let meridian = Meridian {
-        lat: value(&["latitudeoforigin", "latitudeofnaturalorigin"], 0.0),
-        lon: value(&["centralmeridian", "longitudeofnaturalorigin"], 0.0),
+        lat: value(
+            &[
+                "latitudeoforigin",
+                "latitudeofnaturalorigin",
+                "latitudeoffalseorigin",
+            ],
+            0.0,
+        ),
+        lon: value(
+            &[
+                "centralmeridian",
+                "longitudeofnaturalorigin",
+                "longitudeoffalseorigin",
+            ],
+            0.0,
+        ),
         scale: value(&["scalefactor", "scalefactoratnaturalorigin"], 1.0),
-        east: value(&["falseeasting"], 0.0) * unit,
-        north: value(&["falsenorthing"], 0.0) * unit,
+        east: value(&["falseeasting", "eastingatfalseorigin"], 0.0) * unit,
+        north: value(&["falsenorthing", "northingatfalseorigin"], 0.0) * unit,
         unit,
     };
-    let own = || Crs {
+    let own = |projection: Projection| Crs {
         name: root.text().unwrap_or_default().into(),
         datum: datum.clone(),
-        projection: Projection::TransverseMercator(meridian),
+        projection,
     };
+    if is_conic {
+        let first = value(
+            &["standardparallel1", "latitudeof1ststandardparallel"],
+            meridian.lat,
+        );
+        let second = value(
+            &["standardparallel2", "latitudeof2ndstandardparallel"],
+            first,
+        );
+        return Some(own(Projection::Defined(meridian.conic([first, second]))));
+    }
+    let own = || own(Projection::TransverseMercator(meridian));
     let usable = unit > 0.0 && meridian.scale > 0.0;
     usable.then(|| table::of_meridian(&datum, &meridian).unwrap_or_else(own))
+}
+
+impl Meridian {
+    /// Returns the definition of a conic projection with the same origin and these standard parallels, in degrees.
+    fn conic(&self, [first, second]: [f64; 2]) -> Box<str> {
+        let Meridian {
+            lat,
+            lon,
+            scale,
+            east,
+            north,
+            unit,
+        } = self;
+        format!(
+            "+proj=lcc +lat_1={first} +lat_2={second} +lat_0={lat} +lon_0={lon} +k_0={scale} +x_0={east} +y_0={north} +to_meter={unit}"
+        )
+        .into()
+    }
 }
 
 /// Returns the datum of a geographic system by its name.
@@ -117,6 +163,12 @@ fn datum(base: &Node<'_>) -> Option<Datum> {
         "wgs1984" | "wgs84" | "worldgeodeticsystem1984" | "worldgeodeticsystem1984ensemble" => {
             Datum::Wgs84
         }
+        // They agree with WGS 84 within a metre.
+        "northamerican1983"
+        | "northamericandatum1983"
+        | "etrs1989"
+        | "europeanterrestrialreferencesystem1989"
+        | "europeanterrestrialreferencesystem1989ensemble" => Datum::Wgs84,
         "jgd2011" | "japanesegeodeticdatum2011" => Datum::Jgd2011,
         "jgd2000" | "japanesegeodeticdatum2000" => Datum::Jgd2000,
         "tokyo" => Datum::Tokyo,
@@ -128,7 +180,11 @@ fn datum(base: &Node<'_>) -> Option<Datum> {
             let (a, rf) = (numbers.next()?, numbers.next()?);
             let sane = (6.0e6..7.0e6).contains(&a) && (rf == 0.0 || rf > 100.0);
             let name = node.text()?.into();
-            return sane.then_some(Datum::Other { name, a, rf });
+            let definition = match rf > 0.0 {
+                true => format!("+a={a} +rf={rf}").into(),
+                false => format!("+a={a} +b={a}").into(),
+            };
+            return sane.then_some(Datum::Other { name, definition });
         }
     })
 }

@@ -57,8 +57,6 @@ impl Entry {
             code: code.to_owned(),
             reason,
         };
-        let left = record.parts_left;
-        let parts = (left > 0).then(|| of("parts", format!("{left} smaller parts left out")));
         let off = match record.footing {
             Footing::Known => None,
             Footing::Near => Some("the ground has no height here: the next one counts"),
@@ -78,7 +76,7 @@ impl Entry {
             },
             houses: record.houses,
             is_part: record.is_part,
-            corrected: parts.into_iter().chain(off).collect(),
+            corrected: off.into_iter().collect(),
             envelopes: record.envelopes.clone(),
         }
     }

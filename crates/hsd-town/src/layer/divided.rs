@@ -72,7 +72,6 @@ impl Lots {
                     shape: Shape::Area(piece.ring, piece.holes),
                     fields,
                     z: lot.z,
-                    parts_left: 0,
                 }
             })
         });

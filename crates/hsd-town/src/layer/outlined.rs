@@ -121,7 +121,6 @@ impl Lots {
             },
             shape: shape(geometry),
             z: its().map(|point| point.z).sum::<f64>() / vertices.len() as f64,
-            parts_left: 0,
             fields: fields(its()),
         })
     }

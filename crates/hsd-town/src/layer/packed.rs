@@ -14,7 +14,6 @@ impl Lot {
         out.bytes(&self.number.to_le_bytes());
         out.text(&self.key);
         out.float(self.z);
-        out.count(self.parts_left);
         match &self.shape {
             Shape::Area(ring, holes) => {
                 out.bytes(&[0]);
@@ -60,7 +59,7 @@ impl Lot {
         let mut from = Unpacker::new(bytes);
         let layer = from.count()?;
         let number = u32::from_le_bytes(from.array()?);
-        let (key, z, parts_left) = (from.text()?, from.float()?, from.count()?);
+        let (key, z) = (from.text()?, from.float()?);
         let shape = match from.array::<1>()? {
             [0] => Shape::Area(from.points()?, from.lines()?),
             [1] => Shape::Lines(from.lines()?),
@@ -84,7 +83,6 @@ impl Lot {
             shape,
             fields,
             z,
-            parts_left,
         };
         Ok((layer, lot))
     }
@@ -154,7 +152,6 @@ mod tests {
                     (70_001, Value::Text("".into())),
                 ],
                 z: -0.0,
-                parts_left: n,
             };
             lot.pack(n, &mut bytes);
             written.push(format!("{lot:?}"));

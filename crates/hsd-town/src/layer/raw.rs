@@ -2,7 +2,7 @@
 //! depends on is collected, and the file is read a second time to place them.
 
 use super::spread::{FARTHEST, Spread};
-use super::{Lot, Lots, TownFrame, as_text, height, led, parts, shape};
+use super::{Lot, Lots, TownFrame, as_text, height, led, parted, shape};
 use glam::DVec2;
 use hsd_base::source::{Spanned, World};
 use hsd_ir::ast::town::Layer;
@@ -205,9 +205,8 @@ impl Raw {
         let unchecked = Some(&self.crs).filter(|_| self.is_unchecked);
         let mut place = |feature: hsd_map::Feature| {
             let whose = (feature.number, feature.id.clone());
-            let each = written.each_area;
             let way = (unchecked, &way);
-            match placed_lots(feature, way, frame, (key, lead), each) {
+            match placed_lots(feature, way, frame, (key, lead)) {
                 Ok(lots) => lots.into_iter().for_each(&mut *take),
                 Err(kind) => {
                     let fault = Fault::of_file(&lots.file, kind);
@@ -237,8 +236,7 @@ impl Raw {
     }
 }
 
-/// Puts a feature into the frame of a town. Where each area counts, one of several has a number behind the key; else they are
-/// one lot.
+/// Puts a feature into the frame of a town. Each of several areas or points is a lot, with a number behind the key.
 ///
 /// # Errors
 /// If it cannot lie in its system, the projection has no such place, or it is an outlier.
@@ -247,7 +245,6 @@ fn placed_lots(
     (unchecked, way): (Option<&Crs>, &Transform),
     frame: &TownFrame,
     (key, lead): (Option<usize>, Option<&str>),
-    each: bool,
 ) -> Result<Vec<Lot>, Kind> {
     for chain in feature.geometry.chains_mut() {
         for point in &mut chain.points {
@@ -272,19 +269,18 @@ fn placed_lots(
         number: 0,
         key,
         z: height(&geometry),
-        parts_left: parts(&geometry) - 1,
         shape: shape(geometry),
         fields,
     };
-    match feature.geometry {
-        Geometry::Areas(areas) if each && areas.len() > 1 => {
-            let areas = areas.into_iter().enumerate();
-            let lots = areas.map(|(n, area)| {
-                let key = format!("{key}/{}", n + 1).into();
-                lot(Geometry::Areas(vec![area]), key, feature.fields.clone())
-            });
-            Ok(lots.collect())
-        }
-        geometry => Ok(vec![lot(geometry, key, feature.fields)]),
+    let mut parts = parted(feature.geometry);
+    if parts.len() == 1 {
+        let whole = parts.remove(0);
+        return Ok(vec![lot(whole, key, feature.fields)]);
     }
+    let parts = parts.into_iter().enumerate();
+    let lots = parts.map(|(n, part)| {
+        let key = format!("{key}/{}", n + 1).into();
+        lot(part, key, feature.fields.clone())
+    });
+    Ok(lots.collect())
 }

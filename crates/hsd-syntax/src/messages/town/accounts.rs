@@ -19,17 +19,28 @@ pub fn drawn_twice(layer: Span, name: &str, keys: &[&str]) -> Diagnostic {
     ))
 }
 
-/// A house inside of another.
+/// A house in the place of another: the share of its outline that lies in the other's.
 #[cold]
-pub fn enclosed(origin: Origin, other: &str) -> Diagnostic {
+pub fn covered(origin: Origin, other: &str, share: f64) -> Diagnostic {
     let other = quote(other);
-    let message = text!([other]
-        "it is inside the outline of {other} and is left out",
-        "{other} の輪郭の中にあるので省きます"
+    if share >= 1.0 {
+        let message = text!([other]
+            "it is inside the outline of {other} and is left out",
+            "{other} の輪郭の中にあるので省きます"
+        );
+        return Diagnostic::warning(1118, origin, message).help(text!(
+            "draw a courtyard into the outer outline, tag the inner one `building:part=yes` with `min_height`, or delete one of them",
+            "外側の輪郭に中庭を描くか、内側に `building:part=yes` と `min_height` を付けるか、一方を削除してください"
+        ));
+    }
+    let percent = (share * 100.0).floor();
+    let message = text!([other, percent]
+        "{percent} % of it is inside the outline of {other}, and it is left out",
+        "{percent} % が {other} の輪郭の中にあるので省きます"
     );
     Diagnostic::warning(1118, origin, message).help(text!(
-        "draw a courtyard into the outer outline, tag the inner one `building:part=yes` with `min_height`, or delete one of them",
-        "外側の輪郭に中庭を描くか、内側に `building:part=yes` と `min_height` を付けるか、一方を削除してください"
+        "draw the outlines side by side, or tag the upper one `building:part=yes` with `min_height`",
+        "輪郭が重ならないように描くか、上にあるほうに `building:part=yes` と `min_height` を付けてください"
     ))
 }
 

@@ -24,15 +24,21 @@ pub(super) fn frame(town: &Town, first: &[Sheet], out: &mut Diagnostics) -> Opti
     let median = spread.median().unwrap_or_default();
     let plane = match &town.crs {
         Some(name) => match Crs::from_name(&name.value) {
-            Some(crs) => crs,
+            Some(crs) if crs.is_in_metres() => crs,
+            Some(_) => {
+                out.push(say::crs_not_in_metres(name.span, &name.value));
+                return None;
+            }
             None => {
                 out.push(say::unknown_crs(name.span, &name.value));
                 return None;
             }
         },
-        None => match crs.projection {
-            Projection::TransverseMercator(_) | Projection::Local => crs.clone(),
-            Projection::Degrees | Projection::WebMercator => {
+        None => match &crs.projection {
+            Projection::TransverseMercator(_) | Projection::Local if crs.is_in_metres() => {
+                crs.clone()
+            }
+            _ => {
                 let degrees = Transform::new(crs, &Crs::wgs84(), Datums::Exact).ok();
                 let at = degrees.and_then(|t| t.apply(median)).unwrap_or(median);
                 Crs::zone_at(at, &crs.datum)

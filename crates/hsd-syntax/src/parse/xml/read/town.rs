@@ -61,12 +61,6 @@ impl<'t> Reader<'t, '_> {
             let layers = self.divide(schema, child, &town.layers);
             town.layers.extend(layers);
         }
-        let rules: Vec<&str> = town.rules.iter().map(|rule| &*rule.each.value).collect();
-        for layer in &mut town.layers {
-            let name = &layer.name.value;
-            let is_open = rules.contains(&name.as_str()) && !town.housed.contains(name);
-            layer.each_area = layer.divided.is_some() || is_open;
-        }
         self.check_town(&town);
         town
     }
@@ -148,7 +142,6 @@ impl<'t> Reader<'t, '_> {
             fields,
             joins,
             divided: None,
-            each_area: false,
         })
     }
 

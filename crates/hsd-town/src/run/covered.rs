@@ -1,7 +1,7 @@
-//! Houses inside of others: only the outer one is built.
+//! Houses in the place of others: only the larger one is built.
 
 use super::{TownInput, cache, context};
-use crate::plan::{LotId, Plan};
+use crate::plan::{Covered, LotId, Plan};
 use crate::site::LotSite;
 use hsd_base::diagnostic::Diagnostics;
 use hsd_ir::ast::town::Made;
@@ -15,24 +15,24 @@ pub(super) fn has_house(made: &FeatureMade) -> bool {
     made.any(|made| matches!(&made.made, Made::Houses { unit: None, .. }))
 }
 
-/// Returns for each of some features another one that it is inside of and of which the rules make a house too.
-pub(super) fn enclosing(
+/// Returns for each of some features the outline that covers it, if the rules make a house there too.
+pub(super) fn covered(
     (plan, input): (&Plan, TownInput<'_>),
     lots: &[LotId],
     made: &[FeatureMade],
-) -> Vec<Option<LotId>> {
+) -> Vec<Option<Covered>> {
     let found = lots.iter().zip(made).map(|(id, made)| {
         let is_house = has_house(made);
-        is_house.then(|| plan.enclosing(*id)).flatten()
+        is_house.then(|| plan.covered(*id)).flatten()
     });
-    let found: Vec<Option<LotId>> = found.collect();
-    let outer: BTreeSet<LotId> = found.iter().copied().flatten().collect();
+    let found: Vec<Option<Covered>> = found.collect();
+    let outer: BTreeSet<LotId> = found.iter().flatten().map(|c| c.by).collect();
     if outer.is_empty() {
         return found;
     }
     let built = with_house((plan, input), &outer.into_iter().collect::<Vec<LotId>>());
-    let is_built = |id: &LotId| built.contains(id);
-    found.into_iter().map(|id| id.filter(is_built)).collect()
+    let is_built = |covered: &Covered| built.contains(&covered.by);
+    found.into_iter().map(|c| c.filter(is_built)).collect()
 }
 
 /// Returns those features of which the rules make a house.
