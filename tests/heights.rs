@@ -251,7 +251,7 @@ fn what_is_no_grid_of_heights_is_refused() {
     );
     assert_eq!(other(Tiff { turn: 0.5, ..TIFF }), OtherGrid::Turned);
     let unknown = grid(
-        &[("g.tif", &tiff(Tiff { code: 2154, ..TIFF }, &values))],
+        &[("g.tif", &tiff(Tiff { code: 4978, ..TIFF }, &values))],
         None,
         None,
     );

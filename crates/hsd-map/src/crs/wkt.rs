@@ -67,6 +67,25 @@ fn degrees(root: &Node<'_>) -> Option<Crs> {
     })
 }
 
+/// Names of parameters in both versions, small and without signs.
+const LATITUDE: [&str; 3] = [
+    "latitudeoforigin",
+    "latitudeofnaturalorigin",
+    "latitudeoffalseorigin",
+];
+const LONGITUDE: [&str; 3] = [
+    "centralmeridian",
+    "longitudeofnaturalorigin",
+    "longitudeoffalseorigin",
+];
+const SCALE: [&str; 2] = ["scalefactor", "scalefactoratnaturalorigin"];
+const EAST: [&str; 2] = ["falseeasting", "eastingatfalseorigin"];
+const NORTH: [&str; 2] = ["falsenorthing", "northingatfalseorigin"];
+const PARALLELS: [[&str; 2]; 2] = [
+    ["standardparallel1", "latitudeof1ststandardparallel"],
+    ["standardparallel2", "latitudeof2ndstandardparallel"],
+];
+
 fn projected(root: &Node<'_>, datum: Datum) -> Option<Crs> {
     let inner = root.child("CONVERSION").unwrap_or(root);
     let method = inner.child("PROJECTION").or(inner.child("METHOD"))?;
@@ -74,79 +93,51 @@ fn projected(root: &Node<'_>, datum: Datum) -> Option<Crs> {
     if method.contains("mercatorauxiliarysphere") || method.contains("pseudomercator") {
         return Crs::from_epsg(3857);
     }
-    let is_conic =
-        method.starts_with("lambertconformalconic") || method.starts_with("lambertconicconformal");
-    if !is_conic && method != "transversemercator" && method != "gausskruger" {
-        return None;
-    }
     let unit = ["UNIT", "LENGTHUNIT"].iter().find_map(|n| root.child(n));
     let unit = unit.and_then(Node::number).unwrap_or(1.0);
-    let value = |names: &[&str], default: f64| {
-        let parameters = inner.children().filter(|c| c.is("PARAMETER"));
-        let mut named = parameters.filter(|p| {
-            let name = p.text().map(plain).unwrap_or_default();
-            names.contains(&name.as_str())
-        });
-        named.next().and_then(Node::number).unwrap_or(default)
-    };
+    let value = |names: &[&str]| inner.parameter(names);
     let meridian = Meridian {
-        lat: value(
-            &[
-                "latitudeoforigin",
-                "latitudeofnaturalorigin",
-                "latitudeoffalseorigin",
-            ],
-            0.0,
-        ),
-        lon: value(
-            &[
-                "centralmeridian",
-                "longitudeofnaturalorigin",
-                "longitudeoffalseorigin",
-            ],
-            0.0,
-        ),
-        scale: value(&["scalefactor", "scalefactoratnaturalorigin"], 1.0),
-        east: value(&["falseeasting", "eastingatfalseorigin"], 0.0) * unit,
-        north: value(&["falsenorthing", "northingatfalseorigin"], 0.0) * unit,
+        lat: value(&LATITUDE).unwrap_or(0.0),
+        lon: value(&LONGITUDE).unwrap_or(0.0),
+        scale: value(&SCALE).unwrap_or(1.0),
+        east: value(&EAST).unwrap_or(0.0) * unit,
+        north: value(&NORTH).unwrap_or(0.0) * unit,
         unit,
     };
-    let own = |projection: Projection| Crs {
-        name: root.text().unwrap_or_default().into(),
-        datum: datum.clone(),
-        projection,
+    let is_usable = unit > 0.0 && meridian.scale > 0.0;
+    let projection = match method.as_str() {
+        _ if !is_usable => return None,
+        "transversemercator" | "gausskruger" => Projection::TransverseMercator(meridian),
+        _ if method.starts_with("lambertcon") => {
+            let first = value(&PARALLELS[0]).unwrap_or(meridian.lat);
+            let second = value(&PARALLELS[1]).unwrap_or(first);
+            Projection::Defined(meridian.conic([first, second]))
+        }
+        _ => return None,
     };
-    if is_conic {
-        let first = value(
-            &["standardparallel1", "latitudeof1ststandardparallel"],
-            meridian.lat,
-        );
-        let second = value(
-            &["standardparallel2", "latitudeof2ndstandardparallel"],
-            first,
-        );
-        return Some(own(Projection::Defined(meridian.conic([first, second]))));
-    }
-    let own = || own(Projection::TransverseMercator(meridian));
-    let usable = unit > 0.0 && meridian.scale > 0.0;
-    usable.then(|| table::of_meridian(&datum, &meridian).unwrap_or_else(own))
+    let known = match projection {
+        Projection::TransverseMercator(_) => table::of_meridian(&datum, &meridian),
+        _ => None,
+    };
+    Some(known.unwrap_or_else(|| Crs {
+        name: root.text().unwrap_or_default().into(),
+        datum,
+        projection,
+    }))
 }
 
 impl Meridian {
     /// Returns the definition of a conic projection with the same origin and these standard parallels, in degrees.
     fn conic(&self, [first, second]: [f64; 2]) -> Box<str> {
-        let Meridian {
-            lat,
-            lon,
-            scale,
-            east,
-            north,
-            unit,
-        } = self;
-        format!(
-            "+proj=lcc +lat_1={first} +lat_2={second} +lat_0={lat} +lon_0={lon} +k_0={scale} +x_0={east} +y_0={north} +to_meter={unit}"
-        )
-        .into()
+        let origin = format!(
+            "+lat_0={} +lon_0={} +k_0={}",
+            self.lat, self.lon, self.scale
+        );
+        let place = format!(
+            "+x_0={} +y_0={} +to_meter={}",
+            self.east, self.north, self.unit
+        );
+        format!("+proj=lcc +lat_1={first} +lat_2={second} {origin} {place}").into()
     }
 }
 
@@ -223,6 +214,16 @@ impl<'a> Node<'a> {
             Item::Number(number) => Some(*number),
             Item::Node(_) | Item::Text(_) => None,
         })
+    }
+
+    /// Returns the value of a parameter by its names.
+    fn parameter(&self, names: &[&str]) -> Option<f64> {
+        let mut parameters = self.children().filter(|c| c.is("PARAMETER"));
+        let named = parameters.find(|p| {
+            let name = p.text().map(plain).unwrap_or_default();
+            names.contains(&name.as_str())
+        });
+        named.and_then(Node::number)
     }
 
     fn number(&self) -> Option<f64> {

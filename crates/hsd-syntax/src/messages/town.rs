@@ -1,10 +1,12 @@
 //! Messages about towns (HSD11xx).
 
 mod accounts;
+mod frame;
 mod law;
 mod outdoors;
 
 pub use accounts::{centre_outside, covered, drawn_twice, layer_unused};
+pub use frame::{crs_not_in_metres, unknown_crs};
 pub use law::no_guiding_height;
 pub use outdoors::{no_font, not_laid};
 
@@ -229,34 +231,6 @@ pub fn no_map(span: Span, path: &str, why: &Text) -> Diagnostic {
     Diagnostic::error(1115, span, message).help(text!(
         "check the name of the file, and what the layer says of it",
         "ファイル名と、レイヤーの属性を確かめてください"
-    ))
-}
-
-/// A reference system that is not known.
-#[cold]
-pub fn unknown_crs(span: Span, name: &str) -> Diagnostic {
-    let name = quote(name);
-    let message = text!([name]
-        "the reference system {name} is not known",
-        "座標系 {name} がわかりません"
-    );
-    Diagnostic::error(1117, span, message).help(text!(
-        "write a plane zone of Japan such as `EPSG:6674`, a UTM zone, or `local` for metres as they are",
-        "`EPSG:6674` のような平面直角座標系、UTM、そのままのメートルなら `local` と書いてください"
-    ))
-}
-
-/// A reference system in which nothing is built.
-#[cold]
-pub fn crs_not_in_metres(span: Span, name: &str) -> Diagnostic {
-    let name = quote(name);
-    let message = text!([name]
-        "the coordinates of {name} are not metres, in which a town is built",
-        "{name} の座標は、町を作るのに要るメートルではありません"
-    );
-    Diagnostic::error(1117, span, message).help(text!(
-        "write a plane zone of Japan such as `EPSG:6674` or a UTM zone; maps in other systems are converted",
-        "`EPSG:6674` のような平面直角座標系か UTM を書いてください。ほかの座標系の地図は変換されます"
     ))
 }
 

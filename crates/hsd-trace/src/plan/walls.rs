@@ -29,10 +29,12 @@ pub mod hatching;
 pub mod hollow;
 pub mod letters;
 pub mod mask;
+mod measures;
 pub mod openings;
 pub mod outside;
 pub mod pictures;
 pub mod scale;
+mod stairs;
 mod swing;
 pub mod thin;
 mod walks;
@@ -167,7 +169,7 @@ pub fn divide(ink: &Ink) -> Divided {
     let mut strokes = Strokes::of(ink);
     let drawn = letters::remove(&mut strokes);
     hollow::fill(&mut strokes, drawn);
-    hatching::remove(&mut strokes, drawn);
+    let treads = hatching::remove(&mut strokes, drawn);
     // Letters that touched the hatching are separate now.
     letters::remove(&mut strokes);
     let solid = faces::within_walls(&strokes.walls(), drawn);
@@ -197,7 +199,7 @@ pub fn divide(ink: &Ink) -> Divided {
             _ => Stuff::Chord,
         }
     });
-    let faces = faces.merged(&stuff, diagonal);
+    let faces = stairs::joined(faces.merged(&stuff, diagonal), &treads);
     Divided {
         strokes,
         stuff,

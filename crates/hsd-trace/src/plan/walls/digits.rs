@@ -1,6 +1,7 @@
 //! Numbers that are printed on a sheet: dimensions between walls say how large a plan is.
 
 use super::graph::Graph;
+use super::measures::{self, Label};
 use crate::plan::raster::{Extent, Parts};
 use crate::plan::sheet::Ink;
 use glam::{DVec2, dvec2};
@@ -58,10 +59,8 @@ static DIGITS: LazyLock<Vec<Digit>> = LazyLock::new(|| {
 pub struct Number {
     /// The value.
     pub value: f64,
-    /// The middle, pixels.
-    pub middle: DVec2,
-    /// The height of its digits, pixels.
-    pub height: f64,
+    /// Its place.
+    pub label: Label,
 }
 
 /// A small part of the ink, in the direction in which it is read.
@@ -80,13 +79,15 @@ pub fn numbers(ink: &Ink, diagonal: f64) -> Vec<Number> {
         let height = f64::from(ink.dark.height());
         rows.into_iter().map(move |(value, at, size)| Number {
             value,
-            // A quarter turn to the right takes the foot of the sheet to its left.
-            middle: if upright {
-                dvec2(at.y, height - at.x)
-            } else {
-                at
+            label: Label {
+                // A quarter turn to the right takes the foot of the sheet to its left.
+                middle: match upright {
+                    true => dvec2(at.y, height - at.x),
+                    false => at,
+                },
+                height: size,
+                upright,
             },
-            height: size,
         })
     });
     found.collect()
@@ -206,13 +207,20 @@ struct Vote {
     whole: Option<usize>,
 }
 
-/// Returns metres of a pixel by printed dimensions, and how many of them agree: numbers between two walls, or width and depth of the
-/// whole.
-pub fn metres(numbers: &[Number], graph: &Graph) -> Option<(f64, usize)> {
+/// Returns metres of a pixel by printed dimensions, and how many of them agree: numbers between two walls or on a dimension line, or
+/// width and depth of the whole.
+pub fn metres(numbers: &[Number], (ink, graph): (&Ink, &Graph)) -> Option<(f64, usize)> {
     let places = [0, 1].map(|axis| places(graph, axis));
     let extents = places.iter().filter_map(|p| Some(p.last()? - p.first()?));
     let extent = extents.fold(0.0, f64::max);
-    let votes = votes(numbers, &places);
+    let mut votes = votes(numbers, &places);
+    for (number, printed) in numbers.iter().enumerate().filter(|(_, n)| n.value > 0.0) {
+        votes.extend(measures::length(ink, &printed.label).map(|length| Vote {
+            ratio: printed.value / length,
+            number,
+            whole: None,
+        }));
+    }
     let best = votes.iter().map(|vote| agreeing(&votes, vote.ratio));
     let values = |all: &[Vote]| {
         let values = all.iter().map(|v| numbers[v.number].value.to_bits());
@@ -258,7 +266,8 @@ fn votes(numbers: &[Number], places: &[Vec<f64>; 2]) -> Vec<Vote> {
             for (k, from) in places.iter().enumerate() {
                 for (j, to) in places.iter().enumerate().skip(k + 1) {
                     let middle = (from + to) / 2.0;
-                    if (middle - printed.middle[axis]).abs() <= MIDDLE * printed.height {
+                    if (middle - printed.label.middle[axis]).abs() <= MIDDLE * printed.label.height
+                    {
                         let is_whole = k == 0 && j + 1 == places.len();
                         votes.push(Vote {
                             ratio: printed.value / (to - from),

@@ -130,10 +130,7 @@ pub fn within_walls(walls: &Field<bool>, drawn: f64) -> Field<bool> {
 impl Faces {
     /// Merges rooms too narrow to be rooms, which lines of floors, stairs and furniture make, with those beside them.
     pub fn merged(mut self, stuff: &Field<Stuff>, diagonal: f64) -> Faces {
-        let mut extents = vec![Extent::default(); self.count + 1];
-        for (x, y) in self.of.places() {
-            extents[self.of[(x, y)] as usize].add(x, y);
-        }
+        let mut extents = self.extents();
         let mut widths: Vec<f64> = (0..=self.count)
             .map(|k| self.width(k, extents[k]))
             .collect();
@@ -168,6 +165,15 @@ impl Faces {
             extents[into as usize] = both;
             widths[into as usize] = self.width(into as usize, both);
         }
+    }
+
+    /// Returns the extent of each room by its number; that of the outside is the sheet's.
+    pub(super) fn extents(&self) -> Vec<Extent> {
+        let mut extents = vec![Extent::default(); self.count + 1];
+        for (x, y) in self.of.places() {
+            extents[self.of[(x, y)] as usize].add(x, y);
+        }
+        extents
     }
 
     /// Gives the pixels of a room another number.

@@ -20,14 +20,31 @@ const BESIDE: f64 = 0.6;
 /// Half of what the pen is widened by, so that lines that are not quite straight are one, pixels.
 const PEN: usize = 1;
 
+/// The longest tread, in the space between two: 0.75 to 1.1 m by 0.2 to 0.3 m. Boards of floors are longer.
+const TREAD: f64 = 5.5;
+
 /// Parallel lines at equal distances.
+#[derive(Clone)]
 struct Family {
     along: [usize; 2],
     across: [f64; 2],
+    /// The distance from line to line, pixels.
+    space: f64,
 }
 
-/// Removes hatching along and across a sheet; `drawn` is the diagonal of all ink.
-pub fn remove(strokes: &mut Strokes, drawn: f64) {
+/// Lines of stairs: the box around them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Treads {
+    /// True if the lines run down the sheet.
+    pub(super) upright: bool,
+    /// First and last column.
+    pub(super) x: [usize; 2],
+    /// First and last row.
+    pub(super) y: [usize; 2],
+}
+
+/// Removes hatching along and across a sheet, and returns what of it are stairs; `drawn` is the diagonal of all ink.
+pub(super) fn remove(strokes: &mut Strokes, drawn: f64) -> Vec<Treads> {
     let light = strokes.light();
     let length = (PIECE * drawn).ceil().max(8.0) as usize;
     let lines = [false, true].map(|upright| {
@@ -71,10 +88,17 @@ pub fn remove(strokes: &mut Strokes, drawn: f64) {
             }
         }
     }
+    let regions = families.map(|families| regions(families, length));
     if !strokes.has_one_pen() {
-        let regions = families.map(|families| regions(families, length));
         clear(strokes, &regions, length);
     }
+    let treads = regions.iter().enumerate().flat_map(|(k, regions)| {
+        let treads = regions
+            .iter()
+            .filter_map(move |region| region.treads(k == 1));
+        treads.collect::<Vec<Treads>>()
+    });
+    treads.collect()
 }
 
 /// Removes writing that touches hatching; walls within it stay.
@@ -128,6 +152,17 @@ fn regions(mut families: Vec<Family>, length: usize) -> Vec<Family> {
 }
 
 impl Family {
+    /// Returns the box around the lines if they are treads.
+    fn treads(&self, upright: bool) -> Option<Treads> {
+        let (along, across) = (self.along, self.across.map(|place| place as usize));
+        let length = (along[1] - along[0]) as f64;
+        (length <= TREAD * self.space).then_some(Treads {
+            upright,
+            x: if upright { across } else { along },
+            y: if upright { along } else { across },
+        })
+    }
+
     /// Returns true for a line between others. The outermost may be walls.
     fn has(&self, line: &Bar) -> bool {
         let [a, b] = line.along;
@@ -167,9 +202,11 @@ fn families(lines: &[Bar], [narrow, wide]: [f64; 2]) -> Vec<Family> {
         all.iter().for_each(|k| used[*k] = true);
         let along = all.iter().map(|k| lines[*k].along);
         let along = along.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
+        let across = [first, all[all.len() - 1]].map(|k| middle(&lines[k]));
         out.extend(along.map(|along| Family {
             along,
-            across: [first, all[all.len() - 1]].map(|k| middle(&lines[k])),
+            across,
+            space: (across[1] - across[0]) / (all.len() - 1) as f64,
         }));
     }
     out

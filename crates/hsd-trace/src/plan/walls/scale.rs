@@ -59,7 +59,7 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
     });
     let printed = || {
         let numbers = digits::numbers(ink, reading.divided.diagonal);
-        let (metres, count) = digits::metres(&numbers, &reading.graph)?;
+        let (metres, count) = digits::metres(&numbers, (ink, &reading.graph))?;
         Some(Scale {
             metres,
             evidence: Evidence::Printed(count),

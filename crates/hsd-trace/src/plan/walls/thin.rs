@@ -18,29 +18,7 @@ pub(super) fn thin(
     walls: &Field<bool>,
     (bounds, diagonal): (Extent, f64),
 ) -> Vec<Bar> {
-    let all = strokes.all();
-    let half = (strokes.usual / 2.0).ceil().max(1.0) as usize;
-    let mut left: Vec<Bar> = vec![];
-    for upright in [false, true] {
-        let wide = widened(&all, half, upright);
-        for bar in bars(&wide, strokes.usual, upright) {
-            let length = (bar.along[1] - bar.along[0] + 1) as f64;
-            let across = [bar.across[0] + half, bar.across[1].saturating_sub(half)];
-            if across[1] < across[0] {
-                continue;
-            }
-            let bar = Bar { across, ..bar };
-            let thickness = bar.thickness() as f64;
-            let around = if upright { bounds.x } else { bounds.y };
-            let line = bar.across[0];
-            if line < around[0] || line > around[1] {
-                continue;
-            }
-            if length >= LEAST * diagonal && thickness <= THICK * strokes.usual + 1.0 {
-                left.push(bar);
-            }
-        }
-    }
+    let mut left = candidates(strokes, (bounds, diagonal));
     let reach = (NEAR * strokes.usual).ceil() as usize + 2;
     let mut known = walls.clone();
     let mut out = vec![];
@@ -62,6 +40,46 @@ pub(super) fn thin(
             return out;
         }
     }
+}
+
+/// Finds lines, single or in pairs, that are long and thin enough.
+fn candidates(strokes: &Strokes, (bounds, diagonal): (Extent, f64)) -> Vec<Bar> {
+    let all = strokes.all();
+    let half = (strokes.usual / 2.0).ceil().max(1.0) as usize;
+    let mut out: Vec<Bar> = vec![];
+    for upright in [false, true] {
+        let wide = widened(&all, half, upright);
+        for bar in bars(&wide, strokes.usual, upright) {
+            let across = [bar.across[0] + half, bar.across[1].saturating_sub(half)];
+            if across[1] < across[0] {
+                continue;
+            }
+            let (around, ends) = match upright {
+                true => (bounds.x, bounds.y),
+                false => (bounds.y, bounds.x),
+            };
+            // Extension lines of dimensions run on beyond the house.
+            let along = [bar.along[0].max(ends[0]), bar.along[1].min(ends[1])];
+            if along[1] <= along[0] {
+                continue;
+            }
+            let bar = Bar {
+                across,
+                along,
+                ..bar
+            };
+            let length = (along[1] - along[0] + 1) as f64;
+            let thickness = bar.thickness() as f64;
+            let line = bar.across[0];
+            if line < around[0] || line > around[1] {
+                continue;
+            }
+            if length >= LEAST * diagonal && thickness <= THICK * strokes.usual + 1.0 {
+                out.push(bar);
+            }
+        }
+    }
+    out
 }
 
 /// Draws a wall, to the walls at its ends.
