@@ -186,6 +186,39 @@ fn a_house_inside_of_another_is_skipped() {
 }
 
 #[test]
+fn something_is_built_on_every_area_of_a_feature() {
+    let ring = |x: f64, w: f64, d: f64| {
+        let e = x + w;
+        format!("[[[{x},0],[{e},0],[{e},{d}],[{x},{d}],[{x},0]]]")
+    };
+    // The second lies half on the first.
+    let areas = [
+        ring(0.0, 10.0, 8.0),
+        ring(5.0, 10.0, 8.0),
+        ring(40.0, 20.0, 12.0),
+    ];
+    let areas = format!(
+        r#"{{"type":"MultiPolygon","coordinates":[{}]}}"#,
+        areas.join(",")
+    );
+    let points = r#"{"type":"MultiPoint","coordinates":[[70,0],[80,0],[90,0]]}"#;
+    let text = r#"<Town><Layer name="a" src="a.geojson" crs="local"/><Layer name="b" src="b.geojson" crs="local"/>
+      <for each="a"><Place type="block" on="outline"/></for><for each="b"><Tree/></for></Town>"#;
+    let built = town(
+        text,
+        &[("a", feature(&areas, "")), ("b", feature(points, ""))],
+    );
+    assert_eq!(skipped(&built), ["0/2"], "{:?}", built.told);
+    assert_eq!((built.built, built.skipped), (5, 1), "{:?}", built.told);
+    let told = built.told.iter().find(|told| told[0] == "HSD1118");
+    assert!(
+        told.is_some_and(|told| told[2].contains("50 %")),
+        "{:?}",
+        built.told
+    );
+}
+
+#[test]
 fn words_in_fields_of_numbers_are_reported_once_per_field() {
     let heights = ["about 9", "11,5 m", "?", "1e999", "12", "high", "3;4", ""];
     let map = heights.iter().zip(0u8..).map(|(height, n)| {

@@ -1,5 +1,5 @@
-//! Coordinate reference systems: what the numbers of a map mean. An own table of the EPSG codes of Japan ([`table`]), all
-//! others as PROJ defines them ([`defined`]), names as files write them ([`names`]), WKT ([`wkt`]), conversions by proj4rs ([`transform`]), the place on
+//! Coordinate reference systems: what the numbers of a map mean. The EPSG codes of Japan are in a table ([`table`]). PROJ
+//! defines all others ([`defined`]). There are names as files write them ([`names`]), WKT ([`wkt`]), conversions by proj4rs ([`transform`]), the place on
 //! the globe ([`globe`]).
 //!
 //! Whatever order an authority gives the axes, here x is east and y is north; readers swap what their format has the
@@ -44,7 +44,7 @@ pub enum Datum {
     Other {
         /// Its name.
         name: Box<str>,
-        /// Its ellipsoid and, where it is known, its shift to WGS 84, in the words of PROJ: `+ellps=airy`.
+        /// The ellipsoid and, where it is known, the shift to WGS 84, in the words of PROJ: `+ellps=airy`.
         definition: Box<str>,
     },
     /// None: coordinates of a local survey.

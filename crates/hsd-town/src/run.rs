@@ -4,6 +4,7 @@
 mod covered;
 mod font;
 mod footprints;
+mod made;
 mod maps;
 mod outdoors;
 

@@ -261,8 +261,7 @@ fn explained(found: &Found) -> f64 {
     strokes.explained(walls.map(|w| [at(w.from), at(w.to)]))
 }
 
-/// Returns true if a reading wall by wall explains so much of a sheet off the grid, or has a scale so much unlike that of the grid,
-/// that no legend need be tried.
+/// Returns true if no legend need be tried: a reading wall by wall explains a sheet off the grid, or contradicts the grid's scale.
 fn surpasses(reading: &walls::Reading, scale: Option<walls::scale::Scale>, grid: &Grid) -> bool {
     let Some(scale) = scale.filter(|_| reading.is_whole()) else {
         return false;

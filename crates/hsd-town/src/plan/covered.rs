@@ -8,7 +8,7 @@ use crate::shape::{area, shared};
 const ONE_STOREY: f64 = 1.0;
 /// The share of an outline in a larger one from which on both are of one house. Party walls of real maps overlap by less.
 const COVERED: f64 = 0.4;
-/// How many outlines in a row, each covered by the next, are looked at.
+/// The most outlines in a row, each covered by the next, that are looked at.
 const CHAIN: usize = 4;
 
 /// An outline that covers another.

@@ -1,12 +1,10 @@
 //! Houses in the place of others: only the larger one is built.
 
-use super::{TownInput, cache, context};
+use super::TownInput;
+use super::made::made;
 use crate::plan::{Covered, LotId, Plan};
-use crate::site::LotSite;
-use hsd_base::diagnostic::Diagnostics;
 use hsd_ir::ast::town::Made;
-use hsd_syntax::parse::Values;
-use hsd_syntax::parse::xml::{self, FeatureMade, FeatureOf, Trees};
+use hsd_syntax::parse::xml::FeatureMade;
 use std::collections::BTreeSet;
 
 /// Returns true if the rules make a house on the front of a feature.
@@ -37,17 +35,8 @@ pub(super) fn covered(
 
 /// Returns those features of which the rules make a house.
 fn with_house((plan, input): (&Plan, TownInput<'_>), lots: &[LotId]) -> BTreeSet<LotId> {
-    let (cache, values) = (cache(input), Values::default());
-    let sites: Vec<LotSite<'_>> = lots.iter().map(|id| LotSite::new(plan, *id)).collect();
-    let features = sites.iter().zip(lots).map(|(site, (layer, _))| FeatureOf {
-        layer: &plan.layers[*layer].layer.name.value,
-        site,
-    });
-    let features: Vec<FeatureOf<'_>> = features.collect();
-    let (mut trees, mut unsaid) = (Trees::default(), Diagnostics::new());
-    let context = context(input, &cache, &values);
-    let wanted = (&*features, false);
-    let (made, _) = xml::features(input.source, context, &mut trees, wanted, &mut unsaid);
-    let built = lots.iter().zip(&made).filter(|(_, made)| has_house(made));
-    built.map(|(id, _)| *id).collect()
+    made((plan, input), lots, |made, _| {
+        let built = lots.iter().zip(&made).filter(|(_, made)| has_house(made));
+        built.map(|(id, _)| *id).collect()
+    })
 }

@@ -1,6 +1,7 @@
 //! Enters what a rule makes beside houses: pieces of road, trees, fences.
 
-use super::{CHUNK, cache, context, name};
+use super::made::made;
+use super::{CHUNK, name};
 use crate::decision::{Outcome, Record};
 use crate::plan::{KnownPoles, LaidFirst, LotId, RoadPiece, Roads, Waters, ZoneArea, Zones};
 use crate::site::LotSite;
@@ -14,8 +15,7 @@ use hsd_driver::FeatureHouse;
 use hsd_ir::ast::town::{Made, Site};
 use hsd_ir::ast::{Outdoor, Value};
 use hsd_syntax::messages::town as say;
-use hsd_syntax::parse::Values;
-use hsd_syntax::parse::xml::{self, FeatureOf, RuleMade, Trees};
+use hsd_syntax::parse::xml::RuleMade;
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -33,25 +33,16 @@ pub(super) fn laid_first(input: TownInput<'_>, plan: &Plan) -> LaidFirst {
     let lots = layers.flat_map(|layer| (0..plan.layers[layer].lots.len()).map(move |n| (layer, n)));
     let lots: Vec<LotId> = lots.collect();
     let pieces = lots.par_chunks(CHUNK).flat_map_iter(|lots| {
-        let (cache, values) = (cache(input), Values::default());
-        let sites: Vec<LotSite<'_>> = lots.iter().map(|id| LotSite::new(plan, *id)).collect();
-        let features = sites.iter().zip(lots).map(|(site, (layer, _))| FeatureOf {
-            layer: &plan.layers[*layer].layer.name.value,
-            site,
-        });
-        let features: Vec<FeatureOf<'_>> = features.collect();
-        let setting = context(input, &cache, &values);
-        let (mut trees, mut unsaid) = (Trees::default(), Diagnostics::new());
-        let wanted = (&*features, false);
-        let (made, _) = xml::features(input.source, setting, &mut trees, wanted, &mut unsaid);
-        let wishes = made.into_iter().zip(&sites).flat_map(|(made, site)| {
-            let wishes = made.made.into_iter().filter_map(|made| match made.made {
-                Made::Outdoor { wish, .. } => Some(wish),
-                Made::Skip { .. } | Made::Houses { .. } => None,
+        made((plan, input), lots, |made, sites| {
+            let wishes = made.into_iter().zip(sites).flat_map(|(made, site)| {
+                let wishes = made.made.into_iter().filter_map(|made| match made.made {
+                    Made::Outdoor { wish, .. } => Some(wish),
+                    Made::Skip { .. } | Made::Houses { .. } => None,
+                });
+                wishes.filter_map(move |wish| first(site, wish))
             });
-            wishes.filter_map(move |wish| first(site, wish))
-        });
-        wishes.collect::<Vec<First>>()
+            wishes.collect::<Vec<First>>()
+        })
     });
     let (mut roads, mut poles, mut zones) = (vec![], vec![], vec![]);
     let (mut streams, mut ponds) = (vec![], vec![]);

@@ -11,50 +11,50 @@ use glam::DMat3;
 use image::RgbImage;
 use rayon::prelude::*;
 
-/// How much the units along and across may differ on a sheet that was scanned.
+/// The share by which units along and across may differ on a sheet that was scanned.
 const SCANNED: f64 = 0.012;
-/// The same, if its perspective was taken away: its proportions are guessed.
+/// Such a share if perspective was taken away: the proportions of the sheet are guessed.
 const PHOTOGRAPHED: f64 = 0.16;
 /// The least share of ink on a sheet with a drawing.
 const LEAST_INK: f64 = 0.001;
 /// The least agreement of strokes with a grid.
 const LEAST_FIT: f64 = 0.3;
 /// The least agreement of strokes with a grid, or of walls seen round the house, with twice the share of the drawing that
-/// is house: pictures of streets reach 0.75, the smallest house on the largest sheet 0.87.
+/// is house. Images of streets reach 0.75, the smallest house on the largest sheet 0.87.
 const LEAST_TRUST: f64 = 0.8;
 /// With less agreement than that half of the outer walls have to be seen, not joined.
 const CLEAR_FIT: f64 = 0.8;
 /// The fewest cells of a room, in the middle of all: ruled paper has one to each.
 const LEAST_ROOM: f64 = 1.3;
-/// What is smaller in both directions is writing, units.
+/// The greatest side of writing, units.
 const WRITING: f64 = 0.8;
-/// What is narrower and lies on a line of the grid is part of a wall, units.
+/// The greatest width of a part of a wall on a line of the grid, units.
 const SLIM: f64 = 0.3;
-/// How far from a line of the grid that may be, units.
+/// The greatest distance from a line of the grid on it, units.
 const ON_LINE: f64 = 0.06;
 /// The least agreement of walls with a legend.
 const LEAST_LIKENESS: f64 = 0.4;
-/// How far strokes sway within a unit that are drawn along a ruler, units, and what the pixels of a sheet add to that, pixels. On
+/// The sway within a unit of strokes along a ruler, units, and what the pixels of a sheet add to that, pixels. On
 /// 26 to 100 pixels a unit 0.0001 to 0.0018 were seen along a ruler, 0.0012 and more by hand.
 const STRAIGHT: f64 = 0.0006;
 const STRAIGHT_PIXELS: f64 = 0.02;
-/// How far beyond that strokes sway that are surely drawn by hand, units: up to there it counts in part.
+/// The sway beyond that of strokes that are surely drawn by hand, units: up to there it counts in part.
 const SWAYS: f64 = 0.0006;
 /// The share by which legends of strokes by hand agree the less with strokes along a ruler, and the others with strokes by hand.
-/// Blur makes all legends agree alike.
+/// Blur makes all legends agree equally.
 const RULED: f64 = 0.1;
 const BY_HAND: f64 = 0.03;
-/// The same for legends of wood on paper, and the others on wood.
+/// Such a share for legends of wood on paper, and for the others on wood.
 const GROUND: f64 = 0.05;
-/// The ink of a wall beside that of the walls of the outline: edges of mats reach 0.57 on blurred sheets, walls have 0.6 and more.
+/// The ink of a wall beside that of the walls of the outline. Edges of mats reach 0.57 on blurred sheets, walls have 0.6 and more.
 const THIN: f64 = 0.58;
-/// The same for windows and lattices between rooms: on scans of survey drawings most such edges have less, and hardly any true
-/// one, but board plans draw whole walls with little more.
+/// Such a share for windows and lattices between rooms. On scans of survey drawings most such edges have less, and hardly any true
+/// one. Board plans draw whole walls with little more.
 const THIN_PANE: f64 = 0.44;
 /// The fewest cells of a house.
 const LEAST_CELLS: usize = 4;
 
-/// Finds the house in a picture, by the legend that agrees best.
+/// Finds the house in an image, by the legend that agrees best.
 ///
 /// # Errors
 /// If there is none; with what the steps had found.
@@ -157,8 +157,8 @@ impl Gridded {
     }
 }
 
-/// Reads the units of a grid by each legend, from all ink and from that which does not run aslant; returns those that agree best, of
-/// two that agree equally the first. The sheet tells what it is of.
+/// Reads the units of a grid by each legend, from all ink and from that which does not run aslant. Returns those that agree best,
+/// of two that agree equally the first. The sheet shows what it is made of.
 fn by_best_legend<'l>(
     (ink, straight): (&Ink, &Ink),
     grid: &Grid,
@@ -202,7 +202,7 @@ fn by_best_legend<'l>(
     Some((best.units(grid).with_cells(straight, grid), legend))
 }
 
-/// Whether what was found is a house: not a few strokes of something else that happen to close, nor ruled paper.
+/// Returns true for a house: not a few strokes of something else that happen to close, nor ruled paper.
 fn is_house(shape: &Shape, grid: &Grid) -> bool {
     let cells = shape.cells.len() as f64;
     let drawn = f64::from((grid.across.1 - grid.across.0) * (grid.down.1 - grid.down.0));

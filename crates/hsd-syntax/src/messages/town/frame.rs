@@ -14,7 +14,7 @@ pub fn unknown_crs(span: Span, name: &str) -> Diagnostic {
         "座標系 {name} がわかりません"
     );
     Diagnostic::error(1117, span, message).help(text!(
-        "write a plane zone of Japan such as `EPSG:6674`, a UTM zone, or `local` for metres as they are",
+        "write a plane zone of Japan such as `EPSG:6674`, a UTM zone, or `local` for metres of a survey",
         "`EPSG:6674` のような平面直角座標系、UTM、そのままのメートルなら `local` と書いてください"
     ))
 }

@@ -17,7 +17,7 @@ const STEPS: i32 = 9;
 const HALVES: [f64; 6] = [0.045, 0.06, 0.075, 0.09, 0.105, 0.12];
 /// The least share of ink in a filled post, or along each side of the outline of one.
 const LEAST: f64 = 0.9;
-/// How much less than at the best place there may be where a post fits too.
+/// The share by which less than at the best place may be inked where a post fits too.
 const ALIKE: f64 = 0.02;
 /// How wide the places may spread where a post fits, units: along a thick wall it fits everywhere, so only its other direction
 /// counts.
@@ -163,7 +163,7 @@ fn post(ink: &Ink, grid: &Grid, at: DVec2, half: f64, is_filled: bool) -> Option
     (!reaches_out || post.is_sure != [true; 2]).then_some(post)
 }
 
-/// Returns the share of so many places that are inked; 0 as soon as too many are not for a post to fit there.
+/// Returns the share of `count` places that are inked; 0 as soon as too many are not for a post to fit there.
 fn share(count: i32, is_inked: impl Fn(i32) -> bool) -> f64 {
     let may_miss = f64::from(count) * (1.0 - LEAST + ALIKE);
     let mut missing = 0.0;

@@ -49,7 +49,7 @@ impl Proof {
     }
 }
 
-/// How far ink should be more than that of the counterpart, by place, without the rows in which both are alike.
+/// The ink that should be there less that of the counterpart, by place, without the rows in which both are equal.
 #[derive(Clone)]
 struct Difference {
     /// The first place.
@@ -69,7 +69,7 @@ impl Difference {
         }
     }
 
-    /// The sum of products with ink so many rows back.
+    /// The sum of products with ink a number of rows back.
     fn shown(&self, ink: &[i16], back: i32) -> f64 {
         let (mut mine, mut from) = (&self.by_place[..], self.from as isize);
         from -= back as isize * ALONG as isize;

@@ -59,7 +59,7 @@ static DIGITS: LazyLock<Vec<Digit>> = LazyLock::new(|| {
 pub struct Number {
     /// The value.
     pub value: f64,
-    /// Its place.
+    /// The place.
     pub label: Label,
 }
 
@@ -207,8 +207,8 @@ struct Vote {
     whole: Option<usize>,
 }
 
-/// Returns metres of a pixel by printed dimensions, and how many of them agree: numbers between two walls or on a dimension line, or
-/// width and depth of the whole.
+/// Returns metres of a pixel by printed dimensions, and how many of them agree. They are numbers between two walls or on a
+/// dimension line, or width and depth of the whole.
 pub fn metres(numbers: &[Number], (ink, graph): (&Ink, &Graph)) -> Option<(f64, usize)> {
     let places = [0, 1].map(|axis| places(graph, axis));
     let extents = places.iter().filter_map(|p| Some(p.last()? - p.first()?));

@@ -7,12 +7,12 @@ use glam::DVec2;
 const SPACE: [f64; 2] = [0.55, 2.2];
 /// The thickest line, in the same, and pixels.
 const THICK: (f64, f64) = (0.35, 3.0);
-/// How far beyond a line a dot, a tick or an extension line reaches at its end, pixels, and the longest dot, in the height of digits.
+/// The reach beyond a line of a dot, a tick or an extension line at its end, pixels. Then the longest dot, in the height of digits.
 const BEYOND: isize = 1;
 const DOT: f64 = 1.2;
 /// The shortest piece, in the height of digits.
 const SHORT: f64 = 1.5;
-/// How far from the middle of a piece a number may be, as a share of the piece and in the height of digits: some are beside it.
+/// The greatest distance of a number from the middle of a piece, as a share of the piece and in the height of digits.
 const MIDDLE: (f64, f64) = (0.2, 0.6);
 
 /// The place of a printed number.
