@@ -8,7 +8,8 @@ use hsd::plan::house::{Wanted, write};
 use hsd::plan::legend::Legend;
 use hsd::plan::text::Era;
 use hsd::plan::vector::{self, roles::Roles};
-use hsd::plan::{Front, LEGENDS, Options};
+use hsd::plan::walls::writing;
+use hsd::plan::{self, Front, LEGENDS, Options, Plan};
 use hsd::source::{FileId, NoFiles, Source};
 use libfuzzer_sys::fuzz_target;
 
@@ -22,28 +23,38 @@ fuzz_target!(|bytes: &[u8]| {
     let legends: Vec<Legend> = legends.collect();
     let roles = Roles::read(vector::CAD).expect("is a legend");
     let found = match drawing::open(bytes, 1, MEMORY) {
-        Ok(Content::Picture(picture)) => {
-            hsd::plan::find(&picture, &legends, &Options::default()).ok()
-        }
+        Ok(Content::Picture(picture)) => plan::read(&picture, &legends, &Options::default()).ok(),
         Ok(Content::Lines(lines)) => {
             let drawn = drawing::find(lines, &roles, None, &legends, Front::Bottom);
-            drawn.ok().map(|drawn| drawn.found)
+            drawn.ok().map(|drawn| Plan::Grid(Box::new(drawn.found)))
         }
         Ok(Content::House(_)) | Err(_) => None,
     };
-    let Some(found) = found else { return };
-    let wanted = Wanted {
-        name: "house".to_owned(),
-        era: Era::named("edo").expect("is an era"),
-        heights: vec![],
-        unit: None,
-        shifts: vec![],
+    let era = Era::named("edo").expect("is an era");
+    let written = match found {
+        Some(Plan::Grid(found)) => {
+            let wanted = Wanted {
+                name: "house".to_owned(),
+                era,
+                heights: vec![],
+                unit: None,
+                shifts: vec![],
+            };
+            let house = write(&[&found.shape], &["a plan".to_owned()], &wanted);
+            house.map(|house| house.written.text)
+        }
+        Some(Plan::Walls(found)) => {
+            let plan = (&found.reading.divided, &found.reading.graph);
+            let lines = ["a plan".to_owned()];
+            let head = ("house", &lines[..], 10.0, era);
+            let traced = writing::write(plan, found.scale.metres, head);
+            traced.map(|traced| traced.text)
+        }
+        None => None,
     };
-    let Some(house) = write(&[&found.shape], &["a plan".to_owned()], &wanted) else {
-        return;
-    };
-    let source = Source::new(FileId(0), "house.hsd", house.written.text.as_bytes());
+    let Some(text) = written else { return };
+    let source = Source::new(FileId(0), "house.hsd", text.as_bytes());
     let mut out = Diagnostics::new();
     hsd::check(&[&source], &NoFiles, &hsd::Options::default(), &mut out);
-    assert!(!out.has_errors(), "{}", house.written.text);
+    assert!(!out.has_errors(), "{text}");
 });
