@@ -3,20 +3,22 @@
 use super::{LotId, NEIGHBOURS, Plan};
 use crate::layer::{LEVELS, Lot, Shape};
 use crate::shape::{area, shared};
+use glam::DVec2;
 
 /// Difference in height below which two outlines are of one storey, metres.
 const ONE_STOREY: f64 = 1.0;
 /// The share of an outline in a larger one from which on both are of one house. Party walls of real maps overlap by less.
 const COVERED: f64 = 0.4;
-/// The most outlines in a row, each covered by the next, that are looked at.
-const CHAIN: usize = 4;
+/// The most outlines that are compared with one, the largest first, and the most in a row of which each covers the one before.
+const MOST: usize = 8;
+const CHAIN: usize = 2;
 
 /// An outline that covers another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Covered {
     /// The feature that has it.
     pub by: LotId,
-    /// The share of the other outline that lies in it, 0 to 1.
+    /// The share of the other outline inside it, 0 to 1.
     pub share: f64,
 }
 
@@ -35,16 +37,23 @@ impl Plan {
         }
         let around = self.around(id, 0.0, NEIGHBOURS).into_iter();
         let near = around.filter(|other| other.0 == id.0);
-        let mut covers = near.filter_map(|by| {
+        let larger = near.filter_map(|by| {
             let other = self.lot(by);
+            let size = size(other)?;
             // Of two equals the first is built.
-            let is_larger = size(other).is_some_and(|size| (size, id) > (own, by));
+            let is_larger = (size, id) > (own, by);
             let is_level = (other.z - lot.z).abs() < ONE_STOREY;
-            let share = (is_larger && is_level).then(|| share(lot, other))?;
-            (share >= COVERED).then_some(Covered { by, share })
+            (is_larger && is_level && overlap(lot, other) >= COVERED * own).then_some((size, by))
         });
-        covers.find(|c| {
-            chain == 0 || c.share == 1.0 || self.covered_within(c.by, chain - 1).is_none()
+        let mut larger: Vec<(f64, LotId)> = larger.collect();
+        larger.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        let mut covers = larger.iter().take(MOST).filter_map(|(_, by)| {
+            let share = share(lot, self.lot(*by));
+            (share >= COVERED).then_some(Covered { by: *by, share })
+        });
+        covers.find(|covered| {
+            let is_built = || self.covered_within(covered.by, chain - 1).is_none();
+            chain == 0 || covered.share == 1.0 || is_built()
         })
     }
 }
@@ -54,7 +63,7 @@ fn size(lot: &Lot) -> Option<f64> {
     lot.shape.ring().map(|ring| area(ring, &[]))
 }
 
-/// Returns the share of an outline that lies in another and in none of its courtyards.
+/// Returns the share of an outline inside another, without its courtyards.
 fn share(lot: &Lot, other: &Lot) -> f64 {
     let (Some(ring), Shape::Area(around, holes)) = (lot.shape.ring(), &other.shape) else {
         return 0.0;
@@ -63,11 +72,13 @@ fn share(lot: &Lot, other: &Lot) -> f64 {
         return 1.0;
     }
     let whole = area(ring, &[]);
-    let ([a, b], [c, d]) = (lot.shape.bounds(), other.shape.bounds());
-    let both = (b.min(d) - a.max(c)).max(glam::DVec2::ZERO);
-    if both.element_product() < COVERED * whole {
-        return 0.0;
-    }
     let in_holes: f64 = holes.iter().map(|hole| shared(hole, ring)).sum();
     ((shared(around, ring) - in_holes) / whole).clamp(0.0, 0.99)
+}
+
+/// Returns the area that the boxes around two outlines share, square metres.
+fn overlap(lot: &Lot, other: &Lot) -> f64 {
+    let ([a, b], [c, d]) = (lot.shape.bounds(), other.shape.bounds());
+    let both = (b.min(d) - a.max(c)).max(DVec2::ZERO);
+    both.element_product()
 }
