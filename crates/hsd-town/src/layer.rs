@@ -172,7 +172,7 @@ fn led(lead: Option<&str>, key: &str) -> Box<str> {
     }
 }
 
-/// Divides the geometry of a feature into what lies apart: areas, points, or all its lines.
+/// Divides the geometry of a feature into single areas or points; lines stay together.
 fn parted(geometry: Geometry) -> Vec<Geometry> {
     let parts: Vec<Geometry> = match geometry {
         Geometry::Areas(areas) if areas.len() > 1 => {

@@ -10,8 +10,9 @@
 //! | gaps between walls in one line are openings | [`gaps`] | [`gaps::Gap`]s |
 //! | what a wide disc reaches is outside | [`outside`] | chords that close the outline |
 //! | what walls and openings enclose are rooms | [`faces`] | [`faces::Faces`] |
+//! | flights and landings are joined | `stairs` | the rooms |
 //! | the lines between rooms become straight walls | [`chains`], [`graph`] | [`graph::Graph`] |
-//! | printed dimensions, doors or half ken give the size | [`digits`], [`scale`] | [`scale::Scale`] |
+//! | printed dimensions, doors or half ken give the size | [`digits`], `measures`, [`scale`] | [`scale::Scale`] |
 //! | pieces of walls get their roles | [`openings`] | [`openings::Piece`]s |
 //! | the source file is written | [`writing`] | [`writing::Traced`] |
 //!

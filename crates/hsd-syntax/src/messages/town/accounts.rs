@@ -19,7 +19,7 @@ pub fn drawn_twice(layer: Span, name: &str, keys: &[&str]) -> Diagnostic {
     ))
 }
 
-/// A house in the place of another: the share of its outline that lies in the other's.
+/// A house in the place of another: the share of its outline inside the other's.
 #[cold]
 pub fn covered(origin: Origin, other: &str, share: f64) -> Diagnostic {
     let other = quote(other);

@@ -5,7 +5,7 @@ use super::mask::Strokes;
 
 /// Half of what the pen is widened by, so that lines that are not quite straight are one, pixels.
 const PEN: usize = 1;
-/// The least distance of the two lines of a wall, pixels, and the greatest, as a share of the diagonal of what is drawn.
+/// The least distance of the two lines of a wall, pixels. Then the greatest, as a share of the diagonal of all ink.
 const APART: (f64, f64) = (3.0, 0.03);
 /// The least length of a wall, in the distance of its lines.
 const LONG: f64 = 2.5;

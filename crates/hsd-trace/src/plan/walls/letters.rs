@@ -146,7 +146,7 @@ fn dashes(parts: &[Extent], is_small: &[bool]) -> Vec<(Extent, f32)> {
     out
 }
 
-/// Returns those of the dashes, sorted by their middle across, that may lie in a line with one.
+/// Returns the range of dashes that may continue one; all are sorted by their middle across.
 fn beside(all: &[Extent], dash: &Extent) -> Range<usize> {
     let middle = |p: &Extent| p.y[0] + p.y[1];
     let [low, high] = [

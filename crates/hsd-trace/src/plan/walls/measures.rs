@@ -1,11 +1,11 @@
-//! Dimension lines: the lengths that printed numbers measure.
+//! Dimension lines: the lengths that printed numbers measure (plans.md 2).
 
 use crate::plan::sheet::Ink;
 use glam::DVec2;
 
 /// The space between the middle of a number and its line, in the height of its digits.
 const SPACE: [f64; 2] = [0.55, 2.2];
-/// The thickest line, in the same, and pixels.
+/// The thickest line, in the height of digits, and pixels.
 const THICK: (f64, f64) = (0.35, 3.0);
 /// The reach beyond a line of a dot, a tick or an extension line at its end, pixels. Then the longest dot, in the height of digits.
 const BEYOND: isize = 1;

@@ -31,7 +31,7 @@ pub enum Evidence {
     Doors(usize),
     /// The commonest opening, taken for a door.
     Openings,
-    /// Walls that stand at quarters of a ken at a scale near to that by doors.
+    /// Walls at quarters of a ken, at a scale near to that by doors.
     HalfKen,
 }
 

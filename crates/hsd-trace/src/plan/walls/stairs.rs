@@ -1,4 +1,4 @@
-//! Flights of stairs and the landings between them: one room.
+//! Flights of stairs and the landings between them: one room (plans.md 2).
 
 use super::faces::Faces;
 use super::hatching::Treads;
@@ -105,7 +105,7 @@ impl Flight {
         })
     }
 
-    /// Returns true if a room lies at one of its ends.
+    /// Returns true if a room touches one of its ends.
     fn ends_at(&self, other: &Extent) -> bool {
         let (own, other) = (self.sides(&self.extent), self.sides(other));
         apart(own[0], other[0]) <= self.near() && shared(own[1], other[1]) >= AT_END

@@ -1,4 +1,4 @@
-//! Swinging doors: a leaf that stands open, or the arc of its edge.
+//! Swinging doors: an open leaf, or the arc of its edge.
 
 use super::bars::Bar;
 use super::mask::Strokes;
