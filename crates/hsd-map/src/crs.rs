@@ -1,6 +1,6 @@
 //! Coordinate reference systems: what the numbers of a map mean. The EPSG codes of Japan are in a table ([`table`]). PROJ
-//! defines all others ([`defined`]). The other files read names ([`names`]) and WKT ([`wkt`]), convert by proj4rs
-//! ([`transform`]), find the zone of a town (`zones`) and its place on the globe ([`globe`]).
+//! defines all others ([`defined`]). Files name them ([`names`]) or describe them as WKT ([`wkt`]). Conversions are by proj4rs
+//! ([`transform`]). Then come the zone of a town (`zones`) and its place on the globe ([`globe`]).
 //!
 //! Whatever order an authority gives the axes, here x is east and y is north; readers swap what their format has the
 //! other way round.
