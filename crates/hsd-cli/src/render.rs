@@ -154,17 +154,24 @@ struct Run<'a> {
     running: browser::Running,
 }
 
+/// Returns the browser that takes the images, with the folder of the images made. Fails without a page or a browser.
+fn ready(target: &Target<'_>) -> Result<Browser, Failure> {
+    check_page()?;
+    let browser = Browser::find()?;
+    if let Target::Folder(folder, _) = target {
+        std::fs::create_dir_all(folder).map_err(|e| Failure::at(folder.display(), e))?;
+    }
+    Ok(browser)
+}
+
 impl Render {
     pub(super) fn run(&self, language: Language) -> Outcome {
         self.read_args.check_folders()?;
         let target = self.target()?;
         let cameras = self.camera.as_deref().map(cameras::read).transpose()?;
         let committer = self.committer(&target, cameras.as_deref())?;
-        check_page()?;
-        let browser = Browser::find()?;
-        if let Target::Folder(folder, _) = target {
-            std::fs::create_dir_all(folder).map_err(|e| Failure::at(folder.display(), e))?;
-        }
+        // Found when the first image is due, so that mistakes are reported without a browser too.
+        let mut browser = None;
         let count = cameras.as_ref().map_or(self.count(), Vec::len);
         let mut spoiled = false;
         let mut progress = Progress::new(self.inputs.len() * count);
@@ -175,20 +182,24 @@ impl Render {
                     spoiled = true;
                 }
                 Some(seen) => {
+                    let shots = match &cameras {
+                        Some(cameras) => cameras.clone(),
+                        None => self.shots(input, &seen)?,
+                    };
+                    let browser = match &browser {
+                        Some(browser) => browser,
+                        None => browser.insert(ready(&target)?),
+                    };
                     let built = match seen.town {
                         true => Some(self.built(input, &committer, language)?),
                         false => None,
                     };
                     let input = built.as_ref().map_or(input, |built| &built.model);
-                    let shots = match &cameras {
-                        Some(cameras) => cameras.clone(),
-                        None => self.shots(input, &seen)?,
-                    };
                     committer.check(shots.iter().map(|shot| target.path(input, &shot.name)))?;
                     self.one(
                         (input, &shots),
                         (&target, &committer),
-                        &browser,
+                        browser,
                         (language, &mut progress),
                     )?;
                 }
