@@ -4,7 +4,8 @@ use crate::plan_drawings::{self, Cad, Convention, Kind, Point, Unit, Variant};
 use crate::support::{assert_none, number, on_all_processors, root};
 use hsd::plan::legend::Role;
 use hsd::plan::shape::Wall;
-use hsd::plan::vector::{self, Refused, dxf, roles::Roles, svg};
+use hsd::plan::vector::roles::{Means, Roles};
+use hsd::plan::vector::{self, Refused, dxf, paint, svg};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The same wall from both ends.
@@ -143,6 +144,58 @@ fn svg_drawn_by_hand_is_read_but_for_a_leaf() {
         });
         assert!(wrong.len() <= 2, "{wrong:?}");
     }
+}
+
+#[test]
+fn layers_of_many_languages_have_roles() {
+    let roles = Roles::read(vector::CAD).expect("the legend is sound");
+    let of = |name: &str| {
+        let drawing = format!(
+            "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n{name}\n10\n0\n20\n0\n11\n1\n21\n1\n0\nENDSEC\n0\nEOF\n"
+        );
+        let lines = dxf::read(drawing.as_bytes()).expect("it is a DXF");
+        roles.of(&lines)[0]
+    };
+    for (role, names) in [
+        (
+            Means::Wall,
+            ["_0-1__躯体", "Innenwand", "CLOISONS", "Tabiques", "A-WALL"],
+        ),
+        (
+            Means::Door,
+            ["_0-3__建具", "Türen", "PORTES", "Puertas", "A-DOOR"],
+        ),
+        (
+            Means::Glazing,
+            ["窓", "FENSTER", "Fenêtres", "Ventanas", "A-GLAZ"],
+        ),
+        (
+            Means::Grid,
+            ["_0-0__芯", "Achsen", "AXES", "壁芯", "S-GRID"],
+        ),
+        (
+            Means::Ignore,
+            ["_0-7__寸法", "Bemassung", "Cotation", "Cotas", "A-DIMS"],
+        ),
+    ] {
+        for name in names {
+            assert_eq!(of(name), Some(role), "{name}");
+        }
+    }
+}
+
+#[test]
+fn areas_keep_the_colour_of_their_fill() {
+    let drawing = r##"<svg xmlns="http://www.w3.org/2000/svg" width="300" height="200">
+      <rect x="10" y="10" width="280" height="180" fill="#ffffff" stroke="#202020" stroke-width="4"/></svg>"##;
+    let lines = svg::read(drawing).expect("it is an SVG");
+    let painted = paint::paint(&lines)
+        .expect("something is drawn")
+        .picture
+        .pixels;
+    let middle = painted.get_pixel(painted.width() / 2, painted.height() / 2);
+    assert_eq!(middle.0, [255; 3]);
+    assert!(painted.pixels().any(|p| p.0 == [32; 3]));
 }
 
 #[test]

@@ -90,7 +90,7 @@ pub(super) fn draw(
         let stroke = Stroke {
             points: path.points.iter().map(|p| moved(&matrix, *p)).collect(),
             is_closed: path.is_closed,
-            is_filled: path.is_filled,
+            fill: path.is_filled.then_some(style.colour),
             is_text: matches!(record.kind, "TEXT" | "MTEXT" | "ATTRIB" | "ATTDEF"),
             width: style.width * moved(&matrix, DVec2::X).distance(moved(&matrix, DVec2::ZERO)),
             colour: style.colour,

@@ -17,13 +17,13 @@ pub struct Stroke {
     pub points: Vec<DVec2>,
     /// Whether it ends where it starts.
     pub is_closed: bool,
-    /// Whether it is an area.
-    pub is_filled: bool,
+    /// The colour of its area, if it is one.
+    pub fill: Option<[u8; 3]>,
     /// Whether it stands for a text.
     pub is_text: bool,
     /// The width of its pen; 0 = as thin as can be.
     pub width: f64,
-    /// Its colour.
+    /// The colour of its pen; without one, of its area.
     pub colour: [u8; 3],
     /// Names of what it lies in, the nearest first: layers, groups, classes.
     pub layers: Vec<u32>,

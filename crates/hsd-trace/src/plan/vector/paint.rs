@@ -75,10 +75,9 @@ fn draw(stroke: &Stroke, at: &dyn Fn(DVec2) -> DVec2, scale: f64, map: &mut Pixm
     }
     let Some(path) = path.finish() else { return };
     let mut paint = Paint::default();
-    let [r, g, b] = stroke.colour;
-    paint.set_color_rgba8(r, g, b, 255);
     paint.anti_alias = true;
-    if stroke.is_filled {
+    if let Some([r, g, b]) = stroke.fill {
+        paint.set_color_rgba8(r, g, b, 255);
         map.fill_path(
             &path,
             &paint,
@@ -87,7 +86,9 @@ fn draw(stroke: &Stroke, at: &dyn Fn(DVec2) -> DVec2, scale: f64, map: &mut Pixm
             None,
         );
     }
-    if !stroke.is_filled || stroke.width > 0.0 {
+    if stroke.fill.is_none() || stroke.width > 0.0 {
+        let [r, g, b] = stroke.colour;
+        paint.set_color_rgba8(r, g, b, 255);
         let pen = tiny_skia::Stroke {
             width: (stroke.width * scale).clamp(PEN, LONGEST) as f32,
             line_cap: LineCap::Butt,

@@ -311,9 +311,9 @@ impl<'p> Drawn<'p> {
             self.put(Stroke {
                 points: points.iter().map(|p| moved(&state.matrix, *p)).collect(),
                 is_closed: is_closed || closes || !strokes,
-                is_filled: fills,
+                fill: fills.then_some(state.fill),
                 width: if strokes { state.width * spread } else { 0.0 },
-                colour: if fills { state.fill } else { state.stroke },
+                colour: if strokes { state.stroke } else { state.fill },
                 layers: layers.iter().rev().copied().flatten().collect(),
                 line_type: dashes,
                 ..Stroke::default()

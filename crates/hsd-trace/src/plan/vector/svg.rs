@@ -174,11 +174,11 @@ impl Drawn<'_> {
         }
         let spread = libm::sqrt(look.matrix.determinant().abs());
         for (points, is_closed) in paths {
-            let is_filled = look.fill.is_some() && !is_text;
+            let fill = look.fill.filter(|_| !is_text);
             let stroke = Stroke {
                 points: points.iter().map(|p| moved(&look.matrix, *p)).collect(),
-                is_closed: is_closed || is_filled && look.stroke.is_none(),
-                is_filled,
+                is_closed: is_closed || fill.is_some() && look.stroke.is_none(),
+                fill,
                 is_text,
                 width: if look.stroke.is_some() {
                     look.width * spread
