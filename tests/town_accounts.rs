@@ -1,6 +1,7 @@
 //! True accounts: every feature of every layer is built, skipped with a code, or unused, whatever the maps are.
 
 use super::towns::{Built, in_folder};
+use crate::support::cpu::assert_linear;
 use proptest::prelude::*;
 use std::fmt::Write;
 use std::fs;
@@ -216,6 +217,21 @@ fn something_is_built_on_every_area_of_a_feature() {
         "{:?}",
         built.told
     );
+}
+
+#[test]
+fn a_row_of_overlapping_outlines_takes_linear_time() {
+    // Each covers half of the next, so that one built decides on all after it.
+    let make = |count: usize| {
+        let outline =
+            |n: usize| rectangle([n as f64 * 2.5, 0.0], [10.0 - n as f64 * 0.001, 8.0], "");
+        (0..count).map(outline).collect::<Vec<_>>().join(",")
+    };
+    let text = r#"<Town><Layer name="a" src="a.geojson" crs="local"/><for each="a"><Place type="block" on="outline"/></for></Town>"#;
+    assert_linear("a row of outlines", 100, make, |map| {
+        let built = town(text, &[("a", map.clone())]);
+        assert!(built.built > 0 && built.skipped > 0, "{:?}", built.told);
+    });
 }
 
 #[test]
