@@ -3,7 +3,9 @@
 use super::legends;
 use crate::support::on_all_processors;
 use glam::{DVec2, dvec2};
+use hsd::plan::legend::Role;
 use hsd::plan::text::Era;
+use hsd::plan::walls::openings::pieces;
 use hsd::plan::walls::{Found, writing};
 use hsd::plan::{self, Picture, Plan};
 use serde_json::Value;
@@ -21,6 +23,8 @@ struct Judged {
     rooms: usize,
     /// The share of rooms that are labelled ones and of labelled ones that were found, as one figure (F1).
     f1: f64,
+    /// The share of labelled doors and windows that were found, if all are labelled.
+    openings: Option<f64>,
 }
 
 fn points(of: &Value) -> Vec<DVec2> {
@@ -89,6 +93,37 @@ fn rooms(found: &Found, label: &Value) -> f64 {
     2.0 * hit / (asked + read)
 }
 
+/// Returns the share of labelled doors and windows beside which one was found that is about as wide, and no window for a door.
+fn openings(found: &Found, label: &Value) -> f64 {
+    let (divided, graph) = (&found.reading.divided, &found.reading.graph);
+    let mut read = vec![];
+    for line in &graph.lines {
+        let [a, b] = line.ends.map(|k| found.in_picture(graph.corners[k]));
+        let length = graph.corners[line.ends[0]].distance(graph.corners[line.ends[1]]);
+        let mut from = 0.0;
+        for piece in pieces((divided, graph), line, found.scale.metres) {
+            let [p, q] = [from, piece.to].map(|along| a.lerp(b, along / length));
+            read.push((piece.role, p.midpoint(q), p.distance(q)));
+            from = piece.to;
+        }
+    }
+    let labelled = label["openings"].as_array().unwrap();
+    let is_found = |of: &&Value| {
+        let (at, width) = (&of["at"], of["width"].as_f64().unwrap());
+        let at = dvec2(at[0].as_f64().unwrap(), at[1].as_f64().unwrap());
+        let is_window = of["kind"] == "window";
+        read.iter().any(|(role, middle, length)| {
+            let is_kind = match role {
+                Role::Wall => false,
+                Role::Window => is_window,
+                _ => !is_window,
+            };
+            is_kind && middle.distance(at) < 0.3 * width && (0.7..1.4).contains(&(length / width))
+        })
+    };
+    labelled.iter().filter(is_found).count() as f64 / labelled.len() as f64
+}
+
 /// Reads a plan wall by wall; `None` if it was refused, or read on a grid.
 fn judge(label: &Value, folder: &Path) -> Option<Judged> {
     let bytes = std::fs::read(folder.join("inputs").join(label["input"].as_str()?)).ok()?;
@@ -116,6 +151,7 @@ fn judge(label: &Value, folder: &Path) -> Option<Judged> {
         scale: metres.map(|m| found.scale.metres / m),
         rooms: found.reading.rooms(),
         f1: rooms(&found, label),
+        openings: (label["openings_complete"] == true).then(|| openings(&found, label)),
     })
 }
 
@@ -163,5 +199,11 @@ fn real_plans_are_read_wall_by_wall() {
             "{printed:?}"
         );
         assert_eq!(printed.rooms, 7);
+    }
+    // Windows are drawn over walls in another colour.
+    for name in ["madori_c1_png", "madori_hiraya_png"] {
+        let coloured = judged.iter().find(|plan| plan.name == name);
+        let coloured = coloured.expect("the plan is read");
+        assert_eq!(coloured.openings, Some(1.0), "{coloured:?}");
     }
 }

@@ -2,7 +2,9 @@
 
 use super::{legends, picture};
 use glam::{DVec2, dvec2};
+use hsd::plan::legend::Role;
 use hsd::plan::text::Era;
+use hsd::plan::walls::openings::pieces;
 use hsd::plan::walls::scale::Evidence;
 use hsd::plan::walls::writing::{self, Traced};
 use hsd::plan::walls::{self, Found};
@@ -90,6 +92,66 @@ fn walls_keep_their_lengths_and_directions() {
     assert!((5..=6).contains(&turns.count()), "{outline:?}");
     let explained = found.reading.explained;
     assert!(explained > 0.97, "{explained}");
+}
+
+/// Draws over a wall, from 200 to 320 pixels along it.
+fn over_the_back_wall(sheet: &mut RgbImage, colour: [u8; 3]) {
+    for (x, y) in (200..320).flat_map(|x| (112..128).map(move |y| (x, y))) {
+        sheet.put_pixel(x, y, Rgb(colour));
+    }
+}
+
+/// The walls, doors and windows along the back.
+fn back_wall(found: &Found) -> Vec<(Role, f64)> {
+    let (divided, graph) = (&found.reading.divided, &found.reading.graph);
+    let mut out = vec![];
+    for line in &graph.lines {
+        let ends = line.ends.map(|k| graph.corners[k]);
+        let mut from = 0.0;
+        for piece in pieces((divided, graph), line, found.scale.metres) {
+            if ends.iter().all(|p| (p.y - 120.0).abs() < 4.0) {
+                out.push((piece.role, (piece.to - from).round()));
+            }
+            from = piece.to;
+        }
+    }
+    out
+}
+
+#[test]
+fn windows_in_a_colour_of_their_own_are_read() {
+    let blue = [90, 160, 250];
+    let mut coloured = sheet(dvec2(150.0, 120.0));
+    over_the_back_wall(&mut coloured, blue);
+    // A red line across a wall does not open it.
+    wall(&mut coloured, dvec2(380.0, 60.0), dvec2(380.0, 160.0), 3.0);
+    for y in 60..160 {
+        (378..382).for_each(|x| coloured.put_pixel(x, y, Rgb([230, 30, 30])));
+    }
+    let found = back_wall(&read(coloured, Some(50.0)));
+    let windows: Vec<f64> = found
+        .iter()
+        .filter(|(role, _)| *role != Role::Wall)
+        .map(|(role, length)| {
+            assert_eq!(*role, Role::Window);
+            *length
+        })
+        .collect();
+    assert!(
+        matches!(windows[..], [length] if (length - 120.0).abs() < 16.0),
+        "{found:?}"
+    );
+    // Where all walls are blue, blue says nothing.
+    let mut all_blue = sheet(dvec2(150.0, 120.0));
+    over_the_back_wall(&mut all_blue, blue);
+    for pixel in all_blue.pixels_mut().filter(|p| p[0] < 128) {
+        *pixel = Rgb([20, 40, 160]);
+    }
+    let found = back_wall(&read(all_blue, Some(50.0)));
+    assert!(
+        found.iter().all(|(role, _)| *role == Role::Wall),
+        "{found:?}"
+    );
 }
 
 #[test]

@@ -232,11 +232,11 @@ pub fn read(
             Ok(found) => found.stopped(Refused::NoHouse),
             Err(stopped) => stopped,
         }),
-        Some((reading, Some(scale))) => Ok(Plan::Walls(Box::new(walls::Found {
-            flat: flat.clone(),
+        Some((reading, Some(scale))) => Ok(Plan::Walls(Box::new(walls::Found::new(
+            flat.clone(),
             reading,
             scale,
-        }))),
+        )))),
         Some((_, None)) => Err(match grid {
             Ok(found) => found.stopped(Refused::NoSize),
             Err(stopped) => stopped.at(Refused::NoSize),

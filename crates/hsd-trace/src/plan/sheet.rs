@@ -160,6 +160,19 @@ impl Ink {
     }
 }
 
+/// Returns how far from grey the ink on a sheet is, 0 to 255.
+///
+/// Ink absorbs each of the three colours. The result is the greatest share less the least.
+pub fn tints(sheet: &RgbImage) -> GrayImage {
+    let paper = Paper::of(sheet);
+    GrayImage::from_fn(sheet.width(), sheet.height(), |x, y| {
+        let (pixel, tone) = (sheet.get_pixel(x, y), paper.at(x, y));
+        let taken = [0, 1, 2].map(|c| 1.0 - (f64::from(pixel[c]) / tone[c]).min(1.0));
+        let [most, least] = [f64::max, f64::min].map(|pick| taken.into_iter().reduce(pick));
+        Luma([level(most.unwrap_or(0.0) - least.unwrap_or(0.0))])
+    })
+}
+
 /// A share of 0 to 1 as a level of 0 to 255.
 fn level(share: f64) -> u8 {
     (share.clamp(0.0, 1.0) * 255.0).round() as u8

@@ -13,6 +13,7 @@
 //! | flights and landings are joined | `stairs` | the rooms |
 //! | the lines between rooms become straight walls | [`chains`], [`graph`] | [`graph::Graph`] |
 //! | printed dimensions, doors or half ken give the size | [`digits`], `measures`, [`scale`] | [`scale::Scale`] |
+//! | openings in another colour are marked | `tints` | [`Stuff::Tinted`] |
 //! | pieces of walls get their roles | [`openings`] | [`openings::Piece`]s |
 //! | the source file is written | [`writing`] | [`writing::Traced`] |
 //!
@@ -38,11 +39,12 @@ pub mod scale;
 mod stairs;
 mod swing;
 pub mod thin;
+mod tints;
 mod walks;
 pub mod writing;
 
 use super::flatten::Flat;
-use super::sheet::Ink;
+use super::sheet::{self, Ink};
 use faces::Faces;
 use field::Field;
 use gaps::Gap;
@@ -62,6 +64,8 @@ pub enum Stuff {
     Free,
     /// A wall.
     Wall,
+    /// A wall with something drawn over it in another colour.
+    Tinted,
     /// Lines that run from wall to wall.
     Thin,
     /// An opening.
@@ -84,6 +88,18 @@ pub struct Found {
     pub reading: Reading,
     /// The size of its pixels.
     pub scale: Scale,
+}
+
+impl Found {
+    /// Adds to a reading what only the colours of its sheet show.
+    pub fn new(flat: Flat, mut reading: Reading, scale: Scale) -> Found {
+        tints::mark(&mut reading.divided, &sheet::tints(&flat.sheet));
+        Found {
+            flat,
+            reading,
+            scale,
+        }
+    }
 }
 
 /// A plan as it was read.
@@ -142,12 +158,7 @@ pub fn found(flat: &Flat, ink: &Ink, given: Option<f64>) -> Option<Found> {
     let reading = read(ink).filter(Reading::is_whole)?;
     let given = given.filter(|metres| reading.is_as_large_as_a_house(*metres));
     let scale = scale::of(&reading, ink, given)?;
-    let flat = flat.clone();
-    Some(Found {
-        flat,
-        reading,
-        scale,
-    })
+    Some(Found::new(flat.clone(), reading, scale))
 }
 
 /// A plan divided into rooms.

@@ -102,21 +102,22 @@ impl Graph {
             }
         }
         let near = (NEAR * usual).max(PIXELS);
-        graph.contract(near);
-        graph.straighten(near);
+        // Straight walls bring corners together.
+        for _ in 0..2 {
+            graph.contract(near, usual.max(2.0 * PIXELS));
+            graph.straighten(near);
+        }
         graph.tidy();
         graph
     }
 
-    fn length(&self, line: &Line) -> f64 {
-        self.corners[line.ends[0]].distance(self.corners[line.ends[1]])
-    }
-
-    /// Makes one corner of those that short walls join.
-    fn contract(&mut self, near: f64) {
+    /// Makes one corner of those that short walls join: shorter than `aslant` if they run along no axis, and than `near`.
+    fn contract(&mut self, near: f64, aslant: f64) {
         let mut sets = Sets::new(self.corners.len());
         for line in &self.lines {
-            if self.length(line) < near {
+            let [a, b] = line.ends.map(|k| self.corners[k]);
+            let is_aslant = (b - a).abs().min_element() > ALONG * a.distance(b);
+            if a.distance(b) < if is_aslant { aslant } else { near } {
                 sets.join(line.ends[0], line.ends[1]);
             }
         }

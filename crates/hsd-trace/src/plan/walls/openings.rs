@@ -9,6 +9,11 @@ use glam::{DVec2, dvec2};
 
 /// The least length of a piece of a wall, in thicknesses of walls.
 const LEAST: f64 = 1.0;
+/// The greatest distance of a wall from its line, and of what is drawn over it, in thicknesses of walls.
+const REACHES: [f64; 2] = [0.75, 1.5];
+/// The least width of an opening, metres: what is narrower is between a wall and the next.
+const NARROWEST: f64 = 0.25;
+
 /// A piece of a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
@@ -33,26 +38,35 @@ pub fn swinging(divided: &Divided) -> Vec<f64> {
     doors.into_iter().map(Gap::length).collect()
 }
 
-/// Returns the pieces of a wall, from its first end on.
-pub fn pieces(divided: &Divided, graph: &Graph, line: &Line) -> Vec<Piece> {
+/// Returns the pieces of a wall, from its first end on. `metres` is the length of a pixel.
+pub fn pieces((divided, graph): (&Divided, &Graph), line: &Line, metres: f64) -> Vec<Piece> {
     let [a, b] = line.ends.map(|k| graph.corners[k]);
     let length = a.distance(b);
     let steps = length.ceil().max(1.0) as usize;
     let ahead = (b - a) / steps as f64;
     let side = ahead.normalize_or_zero().perp();
-    let reach = (divided.strokes.usual * 0.75).max(2.0) as i32;
+    let [reach, aside] = REACHES.map(|share| (divided.strokes.usual * share).max(2.0) as i32);
     let kinds = (0..steps).map(|k| {
         let at = a + ahead * (k as f64 + 0.5);
-        let near = (-reach..=reach).map(|d| at + side * f64::from(d));
-        let near = near.filter_map(|p| divided.stuff.get(p.x as isize, p.y as isize));
-        let near: Vec<Stuff> = near.collect();
+        let within = |stuff: Stuff, reach: i32| {
+            let near = (-reach..=reach).map(|d| at + side * f64::from(d));
+            let mut near = near.filter_map(|p| divided.stuff.get(p.x as isize, p.y as isize));
+            near.any(|s| s == stuff)
+        };
+        if within(Stuff::Tinted, aside) {
+            return Stuff::Tinted;
+        }
         let first = [Stuff::Wall, Stuff::Gap, Stuff::Chord, Stuff::Thin];
-        let kind = first.into_iter().find(|s| near.contains(s));
+        let kind = first.into_iter().find(|s| within(*s, reach));
         kind.unwrap_or(Stuff::Chord)
     });
     let scale = length / steps as f64;
-    let least = (LEAST * divided.strokes.usual).max(3.0) / scale;
-    let runs = runs(kinds, least);
+    let least = (LEAST * divided.strokes.usual).max(3.0);
+    let narrowest = NARROWEST / metres;
+    let runs = runs(kinds, |kind| match kind {
+        Stuff::Wall => least / scale,
+        _ => least.max(narrowest) / scale,
+    });
     let is_outer = line.rooms.contains(&0);
     let mut from = 0.0;
     let mut out = vec![];
@@ -61,6 +75,9 @@ pub fn pieces(divided: &Divided, graph: &Graph, line: &Line) -> Vec<Piece> {
         let middle = a + (b - a) * ((from + to) / 2.0 / length);
         let (role, is_doubtful) = match kind {
             Stuff::Wall => (Role::Wall, false),
+            // What is drawn over a wall begins or ends within it.
+            Stuff::Tinted if from == 0.0 && end == steps => (Role::Wall, false),
+            Stuff::Tinted => (if is_outer { Role::Window } else { Role::Slide }, !is_outer),
             Stuff::Thin => (if is_outer { Role::Window } else { Role::Slide }, false),
             Stuff::Gap => opening(divided, middle, is_outer),
             Stuff::Chord | Stuff::Free => (Role::Open, true),
@@ -76,7 +93,7 @@ pub fn pieces(divided: &Divided, graph: &Graph, line: &Line) -> Vec<Piece> {
 }
 
 /// Returns the ends of runs of one kind; those that are too short belong to what is beside them.
-fn runs(kinds: impl Iterator<Item = Stuff>, least: f64) -> Vec<(usize, Stuff)> {
+fn runs(kinds: impl Iterator<Item = Stuff>, least: impl Fn(Stuff) -> f64) -> Vec<(usize, Stuff)> {
     let mut runs: Vec<(usize, Stuff)> = vec![];
     let put = |runs: &mut Vec<(usize, Stuff)>, end: usize, kind: Stuff| match runs.last_mut() {
         Some(last) if last.1 == kind => last.0 = end,
@@ -87,7 +104,7 @@ fn runs(kinds: impl Iterator<Item = Stuff>, least: f64) -> Vec<(usize, Stuff)> {
     }
     loop {
         let length = |k: usize| runs[k].0 - if k == 0 { 0 } else { runs[k - 1].0 };
-        let short = (0..runs.len()).filter(|k| (length(*k) as f64) < least);
+        let short = (0..runs.len()).filter(|k| (length(*k) as f64) < least(runs[*k].1));
         let Some(k) = short.min_by_key(|k| length(*k)).filter(|_| runs.len() > 1) else {
             return runs;
         };

@@ -70,6 +70,7 @@ pub fn steps(found: &Found) -> Vec<(&'static str, RgbImage)> {
     let stuff = drawn(&|p| match divided.stuff[p] {
         Stuff::Free => [255; 3],
         Stuff::Wall => [0; 3],
+        Stuff::Tinted => [0, 160, 200],
         Stuff::Thin => [0, 160, 0],
         Stuff::Gap => [230, 0, 0],
         Stuff::Chord => [0, 0, 230],

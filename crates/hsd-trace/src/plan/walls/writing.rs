@@ -213,7 +213,7 @@ impl Writer<'_> {
         let length = a.distance(b);
         let mut all: Vec<(f64, f64, Piece)> = vec![];
         let mut from = 0.0;
-        for piece in pieces(self.divided, self.graph, line) {
+        for piece in pieces((self.divided, self.graph), line, self.metres) {
             all.push((from, piece.to, piece));
             from = piece.to;
         }
