@@ -74,8 +74,10 @@ fn draw(stroke: &Stroke, at: &dyn Fn(DVec2) -> DVec2, scale: f64, map: &mut Pixm
         path.close();
     }
     let Some(path) = path.finish() else { return };
-    let mut paint = Paint::default();
-    paint.anti_alias = true;
+    let mut paint = Paint {
+        anti_alias: true,
+        ..Paint::default()
+    };
     if let Some([r, g, b]) = stroke.fill {
         paint.set_color_rgba8(r, g, b, 255);
         map.fill_path(
