@@ -3,7 +3,7 @@
 pub(super) mod ground;
 
 use glam::{DVec2, dvec2};
-use image::{GrayImage, Luma, RgbImage};
+use image::{GrayImage, Luma, Rgb, RgbImage};
 
 use super::raster::{Parts, otsu_level};
 
@@ -40,9 +40,7 @@ impl Ink {
         let mut dark = GrayImage::new(width, height);
         let mut red = GrayImage::new(width, height);
         for (x, y, pixel) in sheet.enumerate_pixels() {
-            let tone = paper.at(x, y);
-            let taken = |c: usize| 1.0 - (f64::from(pixel[c]) / tone[c]).min(1.0);
-            let (r, g, b) = (taken(0), taken(1), taken(2));
+            let [r, g, b] = paper.absorbed(x, y, *pixel);
             dark.put_pixel(x, y, Luma([level(r.max(g).max(b))]));
             red.put_pixel(x, y, Luma([level(g.min(b) - r)]));
         }
@@ -162,14 +160,18 @@ impl Ink {
 
 /// Returns how far from grey the ink on a sheet is, 0 to 255.
 ///
-/// Ink absorbs each of the three colours. The result is the greatest share less the least.
+/// It differs from grey both by itself and beside the paper round it. The lesser difference counts: coloured rooms are paper, and
+/// where a thick wall hides the paper, only the ink's own colour is known.
 pub fn tints(sheet: &RgbImage) -> GrayImage {
     let paper = Paper::of(sheet);
+    let range = |shares: [f64; 3]| {
+        let most = shares.into_iter().fold(0.0, f64::max);
+        most - shares.into_iter().fold(1.0, f64::min)
+    };
     GrayImage::from_fn(sheet.width(), sheet.height(), |x, y| {
-        let (pixel, tone) = (sheet.get_pixel(x, y), paper.at(x, y));
-        let taken = [0, 1, 2].map(|c| 1.0 - (f64::from(pixel[c]) / tone[c]).min(1.0));
-        let [most, least] = [f64::max, f64::min].map(|pick| taken.into_iter().reduce(pick));
-        Luma([level(most.unwrap_or(0.0) - least.unwrap_or(0.0))])
+        let pixel = *sheet.get_pixel(x, y);
+        let own = pixel.0.map(|c| f64::from(c) / 255.0);
+        Luma([level(range(own).min(range(paper.absorbed(x, y, pixel))))])
     })
 }
 
@@ -204,6 +206,12 @@ impl Paper {
             across,
             tones,
         }
+    }
+
+    /// The share of each colour that the ink at a pixel absorbs.
+    fn absorbed(&self, x: u32, y: u32, pixel: Rgb<u8>) -> [f64; 3] {
+        let tone = self.at(x, y);
+        std::array::from_fn(|c| 1.0 - (f64::from(pixel[c]) / tone[c]).min(1.0))
     }
 
     /// Tones between the middles of blocks.
