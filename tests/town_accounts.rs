@@ -221,7 +221,7 @@ fn something_is_built_on_every_area_of_a_feature() {
 
 #[test]
 fn a_row_of_overlapping_outlines_takes_linear_time() {
-    // Each covers half of the next, so that one built decides on all after it.
+    // Each covers three quarters of the next.
     let make = |count: usize| {
         let outline =
             |n: usize| rectangle([n as f64 * 2.5, 0.0], [10.0 - n as f64 * 0.001, 8.0], "");

@@ -93,7 +93,7 @@ fn rooms(found: &Found, label: &Value) -> f64 {
     2.0 * hit / (asked + read)
 }
 
-/// Returns the share of labelled doors and windows beside which one was found that is about as wide, and no window for a door.
+/// Returns the share of labelled openings that were found: in their place, about as wide, windows as windows.
 fn openings(found: &Found, label: &Value) -> f64 {
     let (divided, graph) = (&found.reading.divided, &found.reading.graph);
     let mut read = vec![];
@@ -200,7 +200,7 @@ fn real_plans_are_read_wall_by_wall() {
         );
         assert_eq!(printed.rooms, 7);
     }
-    // Windows are drawn over walls in another colour.
+    // The windows of these plans are stretches of walls in another colour.
     for name in ["madori_c1_png", "madori_hiraya_png"] {
         let coloured = judged.iter().find(|plan| plan.name == name);
         let coloured = coloured.expect("the plan is read");
