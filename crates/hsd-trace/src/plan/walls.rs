@@ -13,7 +13,7 @@
 //! | flights and landings are joined | `stairs` | the rooms |
 //! | the lines between rooms become straight walls | [`chains`], [`graph`] | [`graph::Graph`] |
 //! | printed dimensions, doors or half ken give the size | [`digits`], `measures`, [`scale`] | [`scale::Scale`] |
-//! | openings in another colour are marked | `tints` | [`Stuff::Tinted`] |
+//! | stretches of walls in another colour are marked | `tints` | [`Stuff::Tinted`] |
 //! | pieces of walls get their roles | [`openings`] | [`openings::Piece`]s |
 //! | the source file is written | [`writing`] | [`writing::Traced`] |
 //!
@@ -64,7 +64,7 @@ pub enum Stuff {
     Free,
     /// A wall.
     Wall,
-    /// A wall with something drawn over it in another colour.
+    /// A stretch of a wall in another colour.
     Tinted,
     /// Lines that run from wall to wall.
     Thin,

@@ -102,7 +102,7 @@ pub(super) fn through(places: &[DVec2]) -> (DVec2, DVec2, f64) {
     (middle, along, rest)
 }
 
-/// The greatest coefficients of a lens (plans.md 5.3).
+/// The greatest coefficients of a lens, either way (plans.md 5.3).
 const MOST_BENT: f64 = 0.4;
 
 /// The bending of a lens with which long edges become straight; the focal length is given. `None` with fewer than four such edges.
@@ -129,6 +129,7 @@ pub fn bending(edges: &[Edge], lens: &Lens, longest: f64) -> Option<[f64; 2]> {
     };
     let none = rest([0.0; 2]);
     let mut best = ([0.0; 2], none);
+    // Up to `MOST_BENT`.
     for step in -20..=20 {
         let bend = [f64::from(step) * 0.02, 0.0];
         let r = rest(bend);
@@ -142,7 +143,7 @@ pub fn bending(edges: &[Edge], lens: &Lens, longest: f64) -> Option<[f64; 2]> {
         let near = [-1.0, 0.0, 1.0]
             .map(|i| [-2.0, -1.0, 0.0, 1.0, 2.0].map(|j| [k1 + i * width, k2 + j * width]));
         let before = best.1;
-        // Beyond this, a lens that shrinks the image to a point has the straightest edges.
+        // Without a bound, edges become ever straighter as the lens shrinks the image to a point.
         let bounded = |bend: &[f64; 2]| bend.iter().all(|k| k.abs() <= MOST_BENT);
         for bend in near.into_iter().flatten().filter(bounded) {
             let r = rest(bend);
@@ -347,7 +348,7 @@ fn least(sum: DMat3) -> Option<DVec3> {
 
 #[test]
 fn edges_that_no_lens_makes_straight_end_the_search() {
-    // The more a lens shrinks the image, the straighter waves are.
+    // Waves become straighter the more a lens shrinks the image.
     let wave = |y: f64| Edge {
         places: (0..200)
             .map(|x| DVec2::new(f64::from(x), y + 6.0 * libm::sin(f64::from(x) * 0.1)))

@@ -23,7 +23,7 @@ pub struct Stroke {
     pub is_text: bool,
     /// The width of its pen; 0 = as thin as can be.
     pub width: f64,
-    /// The colour of its pen; without one, of its area.
+    /// The colour of its pen, or of its area if it has no pen.
     pub colour: [u8; 3],
     /// Names of what it lies in, the nearest first: layers, groups, classes.
     pub layers: Vec<u32>,

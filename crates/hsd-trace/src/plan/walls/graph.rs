@@ -102,7 +102,7 @@ impl Graph {
             }
         }
         let near = (NEAR * usual).max(PIXELS);
-        // Straight walls bring corners together.
+        // Once walls are straight, more of them are short.
         for _ in 0..2 {
             graph.contract(near, usual.max(2.0 * PIXELS));
             graph.straighten(near);
@@ -111,7 +111,7 @@ impl Graph {
         graph
     }
 
-    /// Makes one corner of those that short walls join: shorter than `aslant` if they run along no axis, and than `near`.
+    /// Joins the corners at the ends of short walls: shorter than `near` along an axis, shorter than `aslant` otherwise.
     fn contract(&mut self, near: f64, aslant: f64) {
         let mut sets = Sets::new(self.corners.len());
         for line in &self.lines {

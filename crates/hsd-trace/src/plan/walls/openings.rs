@@ -9,9 +9,9 @@ use glam::{DVec2, dvec2};
 
 /// The least length of a piece of a wall, in thicknesses of walls.
 const LEAST: f64 = 1.0;
-/// The greatest distance of a wall from its line, and of what is drawn over it, in thicknesses of walls.
+/// The distances from a line within which its wall is looked for, and a colour over it, in thicknesses of walls.
 const REACHES: [f64; 2] = [0.75, 1.5];
-/// The least width of an opening, metres: what is narrower is between a wall and the next.
+/// The least width of an opening, metres. Narrower pieces join those beside them.
 const NARROWEST: f64 = 0.25;
 
 /// A piece of a wall.
@@ -75,7 +75,7 @@ pub fn pieces((divided, graph): (&Divided, &Graph), line: &Line, metres: f64) ->
         let middle = a + (b - a) * ((from + to) / 2.0 / length);
         let (role, is_doubtful) = match kind {
             Stuff::Wall => (Role::Wall, false),
-            // What is drawn over a wall begins or ends within it.
+            // An opening is shorter than its wall: a colour along the whole wall says nothing.
             Stuff::Tinted if from == 0.0 && end == steps => (Role::Wall, false),
             Stuff::Tinted => (if is_outer { Role::Window } else { Role::Slide }, !is_outer),
             Stuff::Thin => (if is_outer { Role::Window } else { Role::Slide }, false),

@@ -5,22 +5,21 @@ use image::GrayImage;
 
 /// The least difference between the tint of an opening and that of walls, of 255.
 const APART: u8 = 76;
-/// The greatest share of walls in another colour: beyond it, the colour says something else.
+/// The greatest share of walls that may have another colour. If more have it, it does not mean openings.
 const MOST: f64 = 0.5;
-
-/// The greatest distance from a wall of what is drawn over it, in thicknesses of walls.
+/// The width of the strip beside a wall in which colour belongs to it, in thicknesses of walls.
 const BESIDE: f64 = 1.0;
 
-/// Marks what is drawn over walls in a colour that walls do not have.
+/// Marks the stretches of walls that have another colour than most.
 pub(super) fn mark(divided: &mut Divided, tints: &GrayImage) {
-    let is_wall = |stuff: Stuff| stuff == Stuff::Wall;
     let tint = |(x, y): (usize, usize)| {
         let at = tints.get_pixel_checked(x as u32, y as u32);
         at.map_or(0, |p| p[0])
     };
     let walls: Vec<(usize, usize)> = {
         let stuff = &divided.stuff;
-        stuff.places().filter(|p| is_wall(stuff[*p])).collect()
+        let is_wall = |p: &(usize, usize)| stuff[*p] == Stuff::Wall;
+        stuff.places().filter(is_wall).collect()
     };
     let mut levels: Vec<u8> = walls.iter().map(|p| tint(*p)).collect();
     levels.sort_unstable();
@@ -30,7 +29,7 @@ pub(super) fn mark(divided: &mut Divided, tints: &GrayImage) {
     let is_tinted = |p: &(usize, usize)| tint(*p) >= usual.saturating_add(APART);
     let tinted = walls.iter().filter(|p| is_tinted(p)).count();
     if tinted as f64 <= MOST * walls.len() as f64 {
-        // The colour may show at the sides alone.
+        // A dark line along the middle may hide the colour there.
         let reach = (BESIDE * divided.strokes.usual).max(2.0) as isize;
         let (width, height) = (divided.stuff.width, divided.stuff.height);
         for (x, y) in &walls {
