@@ -32,7 +32,7 @@ pub fn told(scene: &Scene, skins: &[Skin], found: &[Fight]) -> Vec<String> {
 
 #[test]
 fn no_two_materials_share_a_plane() {
-    let thorough = std::env::var_os("HSD_THOROUGH").is_some();
+    let thorough = crate::support::thorough();
     let mut paths = texts("examples");
     paths.extend(texts("library"));
     assert_none(&on_all_processors(paths.len(), |index| {

@@ -1,7 +1,7 @@
 //! Drawings to scale, read again by a reader of their SVG that knows nothing of how they were made.
 
 use crate::support::{assert_none, compile, compile_file, on_all_processors, stem};
-use crate::support::{texts, texts_in_turn};
+use crate::support::{texts, texts_in_turn, thorough};
 use glam::{DVec2, DVec3, dvec2};
 use hsd::Language;
 use hsd::drawing::paper::Sheet;
@@ -212,7 +212,12 @@ fn a_section_has_the_area_of_the_cut() {
             .collect();
         let house = &run.building.houses[0].house;
         let mut found = vec![];
-        for plane in Plane::middle(&subject) {
+        let planes = Plane::middle(&subject);
+        let in_turn = planes
+            .into_iter()
+            .enumerate()
+            .filter(|(k, _)| thorough() || k % 2 == index % 2);
+        for (_, plane) in in_turn {
             let drawn = draw(&run, &scene, Wanted::Sections, &[plane]);
             let (axis, at) = match plane {
                 Plane::A(a) => (DVec3::NEG_X, a * house.unit),
@@ -478,5 +483,5 @@ fn views_on_a_sheet_do_not_overlap_and_stay_inside() {
             }
         }
     }
-    assert!(sheet_of("examples/pagoda.hsd", Some(Paper::A4), 50).is_none());
+    assert!(sheet_of("examples/machiya.hsd", Some(Paper::A4), 20).is_none());
 }

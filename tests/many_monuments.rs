@@ -1,11 +1,11 @@
-//! Gates, halls, shrines and pagodas of random measures, three hundred with `HSD_THOROUGH`: one does not see through their closed
+//! Gates, halls, shrines and pagodas of random measures, three hundred in a thorough run: one does not see through their closed
 //! bays, each storey has a floor and a ceiling, and faces of unlike materials share a plane by rare chance only.
 
 use crate::coplanar::told;
 use crate::see_through::{cut, gap};
 use crate::support::coplanar::fights;
 use crate::support::depths::{Skin, Triangle, skins_below, skins_of};
-use crate::support::{Numbers, Run, assert_none, compile, on_all_processors};
+use crate::support::{Numbers, Run, assert_none, compile, on_all_processors, part_of};
 use glam::{DVec2, DVec3, dvec2};
 use hsd::ast::StoreyKind;
 use hsd::building::{Built, Storey, Wall};
@@ -13,9 +13,8 @@ use hsd::geometry::SHAKU;
 use hsd::program::Content;
 use hsd::scene::{Detail, Kind, NodeId, Scene};
 
-/// How many there are, and how many of them are looked at each time.
+/// Number of monuments, of which a short run looks at a part.
 const COUNT: usize = 300;
-const FEW: usize = 80;
 
 /// Among how many of them there may be one in which two random measures meet, so that faces share a plane.
 const CHANCE: usize = 20;
@@ -72,16 +71,9 @@ fn text(number: usize) -> String {
     }
 }
 
-fn count() -> usize {
-    match std::env::var_os("HSD_THOROUGH") {
-        Some(_) => COUNT,
-        None => FEW,
-    }
-}
-
 /// Checks each monument; a finding is reported with the source text.
 fn findings(look: impl Fn(&Run, &Scene) -> Vec<String> + Sync) -> Vec<String> {
-    on_all_processors(count(), |number| {
+    on_all_processors(part_of(COUNT), |number| {
         let text = text(number);
         let run = compile("monument.hsd", format!("<House>{text}</House>").as_bytes());
         assert!(!run.has_errors(), "{text}{}", run.short());
@@ -247,6 +239,6 @@ fn no_two_materials_of_a_monument_share_a_plane() {
         let skins = skins_of(scene);
         told(scene, &skins, &fights(&skins))
     });
-    let most = count().div_ceil(CHANCE);
+    let most = part_of(COUNT).div_ceil(CHANCE);
     assert!(found.len() <= most, "{most} at most: {found:#?}");
 }

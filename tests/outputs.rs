@@ -1,7 +1,7 @@
 //! Models for other programs: closed bodies to print, houses as single meshes, and what they tell of their sources.
 
 use crate::support::{Run, assert_none, compile, compile_file, on_all_processors, stem};
-use crate::support::{texts, texts_in_turn};
+use crate::support::{details_in_turn, texts, texts_in_turn};
 use hsd::backend::spool::in_memory;
 use hsd::backend::{NoImages, gltf, stl};
 use hsd::driver;
@@ -37,7 +37,7 @@ fn every_body_of_every_example_is_closed_at_every_detail() {
     assert_none(&on_all_processors(examples.len(), |number| {
         let run = compile_file(&examples[number]);
         let mut found = vec![];
-        for detail in Detail::ALL {
+        for &detail in details_in_turn(number) {
             let name = format!("{} at {detail:?}", stem(&examples[number]));
             let scene = driver::scene(&run.building, &run.catalog, detail);
             let triangles = printed(&stl::stl(&scene, stl::Print::default()));

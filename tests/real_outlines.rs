@@ -173,7 +173,7 @@ fn figures(maps: &[PathBuf]) -> (Counts, Vec<String>) {
 
 /// Of so many outlines one is built.
 fn step() -> usize {
-    match asked().is_some() || std::env::var_os("HSD_THOROUGH").is_some() {
+    match asked().is_some() || crate::support::thorough() {
         true => 1,
         false => 8,
     }

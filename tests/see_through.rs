@@ -169,7 +169,7 @@ fn gaps(scene: &Scene, front: Front) -> Vec<String> {
 #[test]
 fn one_does_not_see_through_closed_bays() {
     let parts = closed();
-    let thorough = std::env::var_os("HSD_THOROUGH").is_some();
+    let thorough = crate::support::thorough();
     let findings = on_all_processors(parts.len(), |i| {
         let mut found = vec![];
         for (index, front) in FRONTS.into_iter().enumerate() {

@@ -2,7 +2,9 @@
 //! for one place.
 
 use crate::support::view::View;
-use crate::support::{assert_none, compile_file, on_all_processors, stem, texts_in_turn};
+use crate::support::{
+    assert_none, compile_file, details_in_turn, on_all_processors, stem, texts_in_turn,
+};
 use glam::{DVec3, dvec3};
 use hsd::scene::{Detail, Kind, Scene};
 use std::collections::BTreeMap;
@@ -74,7 +76,7 @@ fn nothing_of_a_roof_is_seen_from_behind_and_nothing_fights() {
     let all = on_all_processors(paths.len(), |index| {
         let path = &paths[index];
         let run = compile_file(path);
-        let all = Detail::ALL.into_iter().flat_map(|detail| {
+        let all = details_in_turn(index).iter().flat_map(|&detail| {
             let scene = hsd::driver::scene(&run.building, &run.catalog, detail);
             let of = move |f: String| format!("{} at detail {detail:?}: {f}", stem(path));
             findings(&scene, detail).into_iter().map(of)

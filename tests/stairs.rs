@@ -93,7 +93,7 @@ fn every_flight_stands_on_something() {
 
 #[test]
 fn flights_of_monuments_of_any_measure_stand() {
-    let all = on_all_processors(100, |i| {
+    let all = on_all_processors(crate::support::part_of(100), |i| {
         // Three short forms a round, their measures from its number.
         let share = |k: usize| (i * (2 * k + 7) % 23) as f64 / 22.0;
         let (platform, margin) = (6.0 * share(0), 2.0 + 14.0 * share(1));

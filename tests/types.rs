@@ -86,7 +86,7 @@ fn settings(of: &[Parameter], seed: u64) -> Vec<Setting> {
         all.extend(values(p).into_iter().map(|v| vec![(p.name.clone(), v)]));
     }
     let mut numbers = Numbers(seed);
-    for _ in 0..SAMPLES {
+    for _ in 0..crate::support::part_of(SAMPLES) {
         let draw = |p: &Parameter| {
             let value = match (&p.choices[..], p.min, p.max, p.step) {
                 ([], Some(least), Some(most), Some(step)) => {

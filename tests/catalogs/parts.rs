@@ -1,7 +1,7 @@
 //! What own parts are, and what is said about those that cannot be.
 
 use crate::catalogs::*;
-use crate::support::Words;
+use crate::support::{Words, thorough};
 
 #[test]
 fn parts_are_found_from_the_house_outwards() {
@@ -249,10 +249,7 @@ fn odd_sizes_build_or_are_refused() {
     }
     assert!(texts.len() > 300, "{}", texts.len());
     // Each value still meets many parts: there are nine of them.
-    let step = match std::env::var_os("HSD_THOROUGH") {
-        Some(_) => 1,
-        None => 4,
-    };
+    let step = if thorough() { 1 } else { 4 };
     for text in texts.into_iter().step_by(step) {
         let files = Files::default().with("a.hsd", &text);
         let (made, list) = run(&files, &["a.hsd"], &[]);

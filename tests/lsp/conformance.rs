@@ -2,7 +2,7 @@
 
 use crate::lsp::client::{Client, position, range};
 use crate::support::Words;
-use crate::support::{Numbers, OPTIMISED, number, root, texts, texts_in_turn};
+use crate::support::{Numbers, number, part_of, root, texts, texts_in_turn};
 use hsd::diagnostic::{Diagnostics, Origin, Severity};
 use hsd::driver::{self, Options};
 use hsd::fs::FolderWorld;
@@ -11,8 +11,8 @@ use hsd::town::{self, TownInput};
 use serde_json::{Value, json};
 use std::path::Path;
 
-/// Edits in all; a test that is not optimized is content with fewer.
-const EDITS: usize = if OPTIMISED { 1_000 } else { 800 };
+/// Edits in all, of which a short run does a part.
+const EDITS: usize = 1_600;
 
 /// Edits after which a text is taken anew, since it has gone to pieces.
 const ROUND: usize = 40;
@@ -166,7 +166,7 @@ fn diagnostics_are_those_of_check_after_any_edit() {
     let mut paths = texts_in_turn("examples", 2);
     paths.extend(texts("library"));
     let (edits, mut random) = (
-        number("HSD_EDITS", EDITS),
+        number("HSD_EDITS", part_of(EDITS)),
         Numbers(number("HSD_SEED", 20261121) as u64),
     );
     let mut done = 0;

@@ -4,7 +4,7 @@
 use crate::roof_shapes::common::*;
 use crate::roof_shapes::halls::{FOOTPRINTS, PITCHES, under};
 use crate::roof_shapes::random::{Draws, rings};
-use crate::support::volume;
+use crate::support::{thorough, volume};
 use glam::{DVec2, DVec3, dvec2};
 use hsd::ast::{RoofDirection, RoofMethod, RoofShape};
 use hsd::building::{Building, Finish, HouseRoofs, Roof, Solid};
@@ -304,10 +304,7 @@ fn every_example_is_massive() {
 
 /// How many random plans the lean roofs are compared on; all of them where time is no matter.
 fn many() -> u64 {
-    match std::env::var_os("HSD_THOROUGH") {
-        Some(_) => 20_000,
-        None => 300,
-    }
+    if thorough() { 20_000 } else { 300 }
 }
 
 /// The stretches of an upright line inside some solids, whose faces may have any outline, without those that are hardly

@@ -7,7 +7,7 @@ use hsd::building::{Building, Solid};
 use hsd::catalog::Catalog;
 use hsd::check::solid_flaws;
 use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
-use hsd::scene::{Kind, Mesh, Scene};
+use hsd::scene::{Detail, Kind, Mesh, Scene};
 use hsd::source::{FileId, IncludeError, NoFiles, PictureFile, Source, Span, World};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -184,11 +184,29 @@ const GREAT: [&[&str]; 3] = [
     &["ninomaru", "precinct", "street"],
 ];
 
-/// The `.hsd` files of a folder for a test that looks long at each: all with `HSD_THOROUGH`, else of the great examples those of one
+/// Returns true if tests check everything, which they do before a release (`HSD_THOROUGH`), instead of samples.
+pub fn thorough() -> bool {
+    std::env::var_os("HSD_THOROUGH").is_some()
+}
+
+/// Number of inputs of a test that could look at `all`: if [`thorough`] all, else a quarter.
+pub fn part_of(all: usize) -> usize {
+    if thorough() { all } else { all.div_ceil(4) }
+}
+
+/// Details for the model number `index` of a test that looks long at many models: all if [`thorough`], else one in turn.
+pub fn details_in_turn(index: usize) -> &'static [Detail] {
+    match thorough() {
+        true => &Detail::ALL,
+        false => &Detail::ALL[index % Detail::ALL.len()..][..1],
+    }
+}
+
+/// The `.hsd` files of a folder for a test that looks long at each: all if [`thorough`], else of the great examples those of one
 /// turn. Those of the first are in the tests that take all, and in [`texts`].
 pub fn texts_in_turn(folder: &str, turn: usize) -> Vec<PathBuf> {
     let mut files = texts(folder);
-    if std::env::var_os("HSD_THOROUGH").is_none() {
+    if !thorough() {
         let others = GREAT.iter().enumerate().filter(|(k, _)| *k != turn);
         let left_out: Vec<&str> = others
             .flat_map(|(_, names)| names.iter().copied())
