@@ -110,6 +110,9 @@ pub use hsd_driver::{fs, plan_file};
 #[cfg(feature = "drawings")]
 #[doc(hidden)]
 pub use hsd_drawing as drawing;
+#[cfg(feature = "plans")]
+#[doc(hidden)]
+pub use hsd_front as front;
 #[cfg(feature = "maps")]
 #[doc(hidden)]
 pub use hsd_map as map;
@@ -124,7 +127,7 @@ pub use hsd_town as town;
 pub use hsd_town::{survey, tiles};
 #[cfg(feature = "plans")]
 #[doc(hidden)]
-pub use hsd_trace::{front, plan};
+pub use hsd_trace::plan;
 
 // Shells.
 #[cfg(feature = "cli")]

@@ -1,5 +1,4 @@
-//! House files out of images: [`plan`] reads drawn floor plans, [`front`] reads photographs of facades.
+//! House files out of drawn floor plans: [`plan`] reads images and drawings in lines.
 
-pub mod front;
 pub mod messages;
 pub mod plan;

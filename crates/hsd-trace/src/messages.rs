@@ -1,4 +1,3 @@
-//! Messages about drawn floor plans and photographs.
+//! Messages about drawn floor plans.
 
 pub mod drawn;
-pub mod photographed;

@@ -3,7 +3,7 @@
 //! | step | file | result |
 //! |---|---|---|
 //! | bytes are told apart by their content | [`drawing`] | [`drawing::Content`] |
-//! | bytes of a picture are decoded and turned upright | `picture` | [`Picture`] |
+//! | bytes of a picture are decoded and turned upright | [`hsd_scan::picture`] | [`Picture`] |
 //! | drawings in lines | [`vector`] | the same as of a picture |
 //! | perspective and skew are taken away | [`flatten`] | [`flatten::Flat`] |
 //! | ink is parted from paper | [`sheet`] | [`sheet::Ink`] |
@@ -22,26 +22,19 @@
 
 pub mod again;
 pub mod drawing;
-pub mod flatten;
-pub mod grid;
 mod gridded;
 pub mod house;
-pub mod legend;
 pub mod marks;
-mod picture;
-pub(crate) mod raster;
 pub mod register;
 pub mod said;
-pub mod shape;
-pub mod sheet;
-pub mod strokes;
 pub mod text;
 pub mod underlay;
 pub mod vector;
 pub mod walls;
 
 pub use gridded::find;
-pub use picture::{Picture, Unreadable};
+pub use hsd_scan::picture::{Picture, Unreadable};
+pub use hsd_scan::{flatten, grid, legend, raster, shape, sheet, strokes};
 
 use flatten::{Flat, Given};
 use glam::DVec2;
@@ -142,13 +135,15 @@ impl Found {
     }
 }
 
-/// Why a picture has no plan: what was looked for, and how much of it was found (a share).
+/// Why a picture has no plan: what was looked for, and how much of it was found, mostly as a share.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Refused {
     /// Nearly no ink.
     Blank(f64),
     /// Strokes that keep to no grid.
     NoGrid(f64),
+    /// Strokes on a grid with more cells than a plan has: their number.
+    TooFine(i64),
     /// Strokes on the grid that look like nothing in any legend.
     NoSymbols(f64),
     /// No walls that close.

@@ -168,29 +168,38 @@ impl<'a> Reporter<'a> {
         self.push(|| message(span));
     }
 
-    /// Reports a message. It is built only if it will be kept.
+    /// Reports a message. It is built only if something of it is kept. Messages have unlike types, so what does not depend on them is
+    /// compiled once, in other functions.
     pub(super) fn push(&mut self, message: impl FnOnce() -> Diagnostic) {
         self.told += 1;
-        let instead = self.instead;
-        let message = || {
-            let mut message = message();
-            if let Some((file, place)) = instead {
-                message.leave(file, place);
-            }
-            message
-        };
+        if self.keeps() {
+            self.keep(message());
+        } else {
+            self.said += 1;
+        }
+    }
+
+    /// Returns true if the next message changes the result.
+    fn keeps(&self) -> bool {
+        let room = ENOUGH + usize::from(self.once.is_some());
+        self.said < room || self.worst < Some(Severity::Error)
+    }
+
+    fn keep(&mut self, mut message: Diagnostic) {
+        if let Some((file, place)) = self.instead {
+            message.leave(file, place);
+        }
         if self.once.is_some() {
-            if self.said > ENOUGH && self.worst == Some(Severity::Error) {
-                self.said += 1;
+            self.note_problem(&message);
+            if !self.is_news(&message) {
                 return;
             }
-            let message = message();
-            self.note_problem(&message);
-            if self.is_news(&message) {
-                self.count(|| message);
-            }
+        }
+        self.said += 1;
+        if self.said <= ENOUGH {
+            self.out.push(message);
         } else {
-            self.count(message);
+            self.worst = self.worst.max(Some(message.severity));
         }
     }
 
@@ -207,15 +216,6 @@ impl<'a> Reporter<'a> {
             said.push(message.message.clone());
         }
         news
-    }
-
-    fn count(&mut self, message: impl FnOnce() -> Diagnostic) {
-        self.said += 1;
-        if self.said <= ENOUGH {
-            self.out.push(message());
-        } else if self.worst < Some(Severity::Error) {
-            self.worst = self.worst.max(Some(message().severity));
-        }
     }
 
     /// Reports a message that is already built.

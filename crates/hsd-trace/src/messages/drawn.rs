@@ -64,6 +64,18 @@ pub fn no_grid(span: Span, share: f64) -> Diagnostic {
     )
 }
 
+/// An image whose strokes keep to a grid of `cells` cells; at most `most` are read.
+#[cold]
+pub fn too_fine(span: Span, cells: i64, most: i64) -> Diagnostic {
+    no_plan(
+        span,
+        text!([cells, most]
+            "its strokes keep to a grid of {cells} cells, and at most {most} are read",
+            "線が {cells} マスの格子に合いますが、読めるのは {most} マスまでです"
+        ),
+    )
+}
+
 /// A picture whose strokes are those of no legend; `share` is how far they agree with the best.
 #[cold]
 pub fn no_symbols(span: Span, share: f64) -> Diagnostic {

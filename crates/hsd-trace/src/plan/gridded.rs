@@ -1,7 +1,7 @@
 //! Reads a plan on the grid of half ken to which its strokes keep.
 
 use super::flatten::{self, Flat};
-use super::grid::Grid;
+use super::grid::{Grid, MOST_CELLS};
 use super::legend::Legend;
 use super::shape::{self, Shape};
 use super::sheet::{self, Ink};
@@ -51,8 +51,6 @@ const THIN: f64 = 0.58;
 /// Such a share for windows and lattices between rooms. On scans of survey drawings most such edges have less, and hardly any true
 /// one. Board plans draw whole walls with little more.
 const THIN_PANE: f64 = 0.44;
-/// The most cells of a grid, since each unit is sampled: plans that can be read have up to 84 by 84.
-const MOST_CELLS: i64 = 10_000;
 /// The fewest cells of a house.
 const LEAST_CELLS: usize = 4;
 
@@ -90,8 +88,9 @@ impl Gridded {
             true => Err((Refused::Blank(share), None)),
             false => match Grid::find(&ink, options.unit, aspect) {
                 None => Err((Refused::NoGrid(0.0), None)),
-                Some(grid) if grid.fit < LEAST_FIT || cells(&grid) > MOST_CELLS => {
-                    Err((Refused::NoGrid(grid.fit), Some(grid)))
+                Some(grid) if grid.fit < LEAST_FIT => Err((Refused::NoGrid(grid.fit), Some(grid))),
+                Some(grid) if grid.cells() > MOST_CELLS => {
+                    Err((Refused::TooFine(grid.cells()), Some(grid)))
                 }
                 Some(grid) => Ok(grid),
             },
@@ -162,12 +161,6 @@ impl Gridded {
 }
 
 /// Returns the number of cells of a grid.
-fn cells(grid: &Grid) -> i64 {
-    let [wide, high] =
-        [grid.across, grid.down].map(|(first, last)| i64::from(last) - i64::from(first));
-    wide * high
-}
-
 /// Reads the units of a grid by each legend, from all ink and from that which does not run aslant. Returns those that agree best,
 /// of two that agree equally the first. The sheet shows what it is made of.
 fn by_best_legend<'l>(

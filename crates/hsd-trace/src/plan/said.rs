@@ -1,6 +1,7 @@
 //! What is said of a plan: refusals, and walls in doubt.
 
 use super::drawing::Unopened;
+use super::grid::MOST_CELLS;
 use super::legend::Role;
 use super::text::Doubt;
 use super::{Refused, Unreadable, vector};
@@ -15,6 +16,7 @@ pub fn refused(span: Span, refused: Refused) -> Diagnostic {
     match refused {
         Refused::Blank(share) => say::blank(span, share),
         Refused::NoGrid(share) => say::no_grid(span, share),
+        Refused::TooFine(cells) => say::too_fine(span, cells, MOST_CELLS),
         Refused::NoSymbols(share) => say::no_symbols(span, share),
         Refused::NoHouse => say::no_house(span),
         Refused::NoSize => say::no_size(span),

@@ -8,9 +8,9 @@ use hsd_base::diagnostic::{Diagnostics, Text, noun};
 use hsd_base::source::{FileId, Source, Span};
 use hsd_base::text;
 use hsd_driver::fs::FolderWorld;
+use hsd_front::messages as say;
+use hsd_front::{self as front, Front, Given, Lattice, Photo, Told, exif, record, sheet, whole};
 use hsd_scene::texture::{Packing, png};
-use hsd_trace::front::{self, Front, Given, Lattice, Photo, Told, exif, record, sheet, whole};
-use hsd_trace::messages::photographed as say;
 use hsd_trace::plan::Picture;
 use std::path::{Path, PathBuf};
 

@@ -2,9 +2,9 @@
 
 use hsd_base::diagnostic::Diagnostic;
 use hsd_base::source::{Source, Span};
-use hsd_trace::front::wall::Lost;
-use hsd_trace::front::{MOST_CELLS, Refused};
-use hsd_trace::messages::photographed as say;
+use hsd_front::messages as say;
+use hsd_front::wall::Lost;
+use hsd_front::{MOST_CELLS, Refused};
 use hsd_trace::plan::Unreadable;
 
 /// Says why there is no front; `sources` are the photographs.

@@ -4,7 +4,6 @@ mod unpacked;
 
 use super::lines::{Lines, MOST, Stroke, cubic, moved};
 use super::refused::Refused;
-use crate::plan::picture::MOST_BYTES;
 use crate::plan::{Picture, Unreadable};
 use glam::{DMat3, DVec2, dvec2, dvec3};
 use hayro_syntax::Pdf;
@@ -12,6 +11,7 @@ use hayro_syntax::content::UntypedIter;
 use hayro_syntax::object::{Array, Dict, Name, Object, Stream};
 use hayro_syntax::page::Resources;
 use hsd_base::budget::{Account, Budget, Resource};
+use hsd_scan::picture::MOST_BYTES;
 use std::sync::Arc;
 
 /// The largest file, bytes.
