@@ -55,21 +55,22 @@ impl Parts {
         set: impl Fn(u32, u32) -> bool,
         diagonal: bool,
     ) -> Parts {
-        let place = |x: u32, y: u32| y as usize * width as usize + x as usize;
-        let mut of = vec![0_u32; width as usize * height as usize];
+        let row = width as usize;
+        let mut of = vec![0_u32; row * height as usize];
         // Provisional labels, each with a label of its part that is not larger: a forest of disjoint sets.
         let mut parents = vec![0_u32];
         for y in 0..height {
             for x in (0..width).filter(|x| set(*x, y)) {
+                let at = y as usize * row + x as usize;
+                let label_at = |is_in: bool, back: usize| if is_in { of[at - back] } else { 0 };
                 let before = [
-                    (x > 0).then(|| (x - 1, y)),
-                    (y > 0).then(|| (x, y - 1)),
-                    (diagonal && x > 0 && y > 0).then(|| (x - 1, y - 1)),
-                    (diagonal && x + 1 < width && y > 0).then(|| (x + 1, y - 1)),
+                    label_at(x > 0, 1),
+                    label_at(y > 0, row),
+                    label_at(diagonal && x > 0 && y > 0, row + 1),
+                    label_at(diagonal && x + 1 < width && y > 0, row - 1),
                 ];
                 let mut label = 0;
-                for (x, y) in before.into_iter().flatten() {
-                    let near = of[place(x, y)];
+                for near in before {
                     if near == 0 || near == label {
                         continue;
                     }
@@ -89,7 +90,7 @@ impl Parts {
                     label = parents.len() as u32;
                     parents.push(label);
                 }
-                of[place(x, y)] = label;
+                of[at] = label;
             }
         }
         let mut numbers = vec![0_u32; parents.len()];
@@ -125,9 +126,11 @@ impl Parts {
 
     /// Returns the pixels of all parts: column, row and part.
     pub fn pixels(&self) -> impl Iterator<Item = (u32, u32, u32)> {
-        let width = self.width as usize;
-        let all = self.of.iter().enumerate().filter(|(_, part)| **part > 0);
-        all.map(move |(k, part)| ((k % width) as u32, (k / width) as u32, *part))
+        let rows = (0..).zip(self.of.chunks(self.width.max(1) as usize));
+        rows.flat_map(|(y, row)| {
+            let all = (0..).zip(row).filter(|(_, part)| **part > 0);
+            all.map(move |(x, part)| (x, y, *part))
+        })
     }
 }
 

@@ -54,6 +54,8 @@ pub use hsd_grammar::LEGENDS;
 const SURE_FIT: f64 = 0.7;
 /// Half a ken where something else says how large a plan is, metres: edo-ma to kyo-ma.
 const HALF_KEN: std::ops::RangeInclusive<f64> = 0.86..=1.03;
+/// Units of a grid are longer than this, metres, by a scale in doubt too: shorter ones are those of tiles and mats.
+const FINE: f64 = 0.3;
 /// The least share of the ink of walls that a reading wall by wall explains beyond that of the grid: above that agreement and below
 /// it. `NEARLY_ALL` and `ALL` are shares it explains where less is enough.
 const MUCH_MORE: f64 = 0.25;
@@ -256,14 +258,15 @@ fn explained(found: &Found) -> f64 {
     strokes.explained(walls.map(|w| [at(w.from), at(w.to)]))
 }
 
-/// Returns true if no legend need be tried: a reading wall by wall explains a sheet off the grid, or contradicts the grid's scale.
+/// Returns true if no legend need be tried: a reading wall by wall explains a sheet off the grid, or contradicts its scale.
 fn surpasses(reading: &walls::Reading, scale: Option<walls::scale::Scale>, grid: &Grid) -> bool {
     let Some(scale) = scale.filter(|_| reading.is_whole()) else {
         return false;
     };
     let contradicts = scale.is_sure() && !HALF_KEN.contains(&(grid.unit * scale.metres));
     let is_on_grid = scale.is_sure() && scale.evidence != Evidence::Given;
-    contradicts || !is_on_grid && grid.fit < SURE_FIT && reading.explained >= ALL
+    let is_in_doubt = grid.fit < SURE_FIT || grid.unit * scale.metres < FINE;
+    contradicts || !is_on_grid && is_in_doubt && reading.explained >= ALL
 }
 
 /// Returns true if a reading wall by wall explains more of a sheet than one on a grid, or the grid contradicts printed dimensions.

@@ -171,6 +171,84 @@ pub(super) struct Line {
     likeness: Vec<Vec<(f32, [f32; 2])>>,
 }
 
+/// The likeness of each stamp to a run that grows unit by unit.
+struct Means<'a> {
+    stamps: &'a [Stamp],
+    units: usize,
+    /// True if each unit has ink.
+    is_inked: bool,
+    sums: Vec<Mean>,
+}
+
+/// The likeness of a stamp to a run.
+#[derive(Clone, Copy)]
+struct Mean {
+    likeness: f64,
+    /// The proof that each half shows where the stamp is drawn for the last time.
+    shown: [f64; 2],
+    /// The least share of proof of each half of each time that it is drawn.
+    least: f64,
+}
+
+impl Mean {
+    const NONE: Mean = Mean {
+        likeness: 0.0,
+        shown: [0.0; 2],
+        least: f64::INFINITY,
+    };
+}
+
+impl Means<'_> {
+    fn of(stamps: &[Stamp]) -> Means<'_> {
+        Means {
+            stamps,
+            units: 0,
+            is_inked: true,
+            sums: vec![Mean::NONE; stamps.len()],
+        }
+    }
+
+    /// Begins another run.
+    fn clear(&mut self) {
+        (self.units, self.is_inked) = (0, true);
+        self.sums.fill(Mean::NONE);
+    }
+
+    /// Adds a unit, given as in [`Line::likeness`].
+    fn add(&mut self, likeness: &[(f32, [f32; 2])]) {
+        self.is_inked &= !likeness.is_empty();
+        if !self.is_inked {
+            return;
+        }
+        let mut first = 0;
+        for (stamp, sum) in self.stamps.iter().zip(&mut self.sums) {
+            let (likeness, shown) = likeness[first + self.units % stamp.units];
+            first += stamp.units;
+            sum.likeness += f64::from(likeness);
+            if let Some(Proof { whole, .. }) = &stamp.proof {
+                let halves = sum.shown.iter_mut().zip(shown);
+                halves.for_each(|(sum, shown)| *sum += f64::from(shown));
+                if (self.units + 1).is_multiple_of(stamp.units) {
+                    for (shown, whole) in sum.shown.iter().zip(whole) {
+                        let share = (shown - NEEDED * whole) / (whole + NOISE);
+                        sum.least = sum.least.min(share);
+                    }
+                    sum.shown = [0.0; 2];
+                }
+            }
+        }
+        self.units += 1;
+    }
+
+    /// Returns the mean likeness of a stamp and its least share of proof, if the stamp is drawn a whole number of times.
+    fn get(&self, k: usize) -> Option<(f64, Option<f64>)> {
+        let (stamp, sum) = (&self.stamps[k], &self.sums[k]);
+        let is_whole = self.units.is_multiple_of(stamp.units);
+        let least = stamp.proof.as_ref().map(|_| sum.least);
+        is_whole.then(|| (sum.likeness / self.units as f64, least))
+    }
+}
+
 impl Line {
     pub(super) fn of(strip: &Strip, stamps: &[Stamp], nib: Nib) -> Line {
         let patches = &strip.patches;
@@ -218,14 +296,17 @@ impl Line {
     pub(super) fn best(&self, stamps: &[Stamp], habits: &Habits) -> Vec<Run> {
         let n = self.empty.len();
         let mut table: Vec<Option<(f64, Run)>> = vec![None; n + 1];
-        for end in 1..=n {
-            for from in end.saturating_sub(LONGEST)..end {
-                let before = if from == 0 {
-                    0.0
-                } else {
-                    table[from].map_or(f64::MIN, |t| t.0)
-                };
-                let run = self.run(from, end, stamps, habits);
+        let mut means = Means::of(stamps);
+        for from in 0..n {
+            let before = match from {
+                0 => 0.0,
+                _ => table[from].map_or(f64::MIN, |t| t.0),
+            };
+            means.clear();
+            for (unit, likeness) in self.likeness.iter().enumerate().skip(from).take(LONGEST) {
+                let end = unit + 1;
+                means.add(likeness);
+                let run = self.run(from, end, &means, habits);
                 let total = before + run.value * (end - from) as f64 - CHANGE
                     + (CHANGE - AT_POST) * self.posts[from];
                 if table[end].is_none_or(|t| total > t.0) {
@@ -242,35 +323,8 @@ impl Line {
         runs
     }
 
-    /// How well each stamp agrees with a run, and the share of its proof that is there, if it is drawn over so many units.
-    fn means(&self, from: usize, end: usize, stamps: &[Stamp]) -> Vec<Option<(f64, Option<f64>)>> {
-        let mut at = 0;
-        let mean = |stamp: &Stamp| {
-            let first = at;
-            at += stamp.units;
-            if !(end - from).is_multiple_of(stamp.units) {
-                return None;
-            }
-            let unit = |k: usize| self.likeness[from + k][first + k % stamp.units];
-            let sum: f64 = (0..end - from).map(|k| f64::from(unit(k).0)).sum();
-            // Each half of each time that it is drawn.
-            let least = |p: &Proof| {
-                let times = (0..end - from).step_by(stamp.units);
-                let half = |from: usize, h: usize| {
-                    let shown = (from..from + stamp.units).map(|k| f64::from(unit(k).1[h]));
-                    (shown.sum::<f64>() - NEEDED * p.whole[h]) / (p.whole[h] + NOISE)
-                };
-                let halves = times.flat_map(|from| [half(from, 0), half(from, 1)]);
-                halves.fold(f64::INFINITY, f64::min)
-            };
-            let share = stamp.proof.as_ref().map(least);
-            Some((sum / (end - from) as f64, share))
-        };
-        stamps.iter().map(mean).collect()
-    }
-
     /// The best way to read a run.
-    fn run(&self, from: usize, end: usize, stamps: &[Stamp], habits: &Habits) -> Run {
+    fn run(&self, from: usize, end: usize, means: &Means<'_>, habits: &Habits) -> Run {
         let length = (end - from) as f64;
         let mut best: Vec<(Role, f64, Option<usize>)> = vec![(
             Role::Empty,
@@ -281,14 +335,15 @@ impl Line {
         let beyond = |unlike: &f64| ((unlike - FARTHER) / SURELY).clamp(0.0, 1.0);
         let unlike = self.unlike[from..end].iter().map(beyond).sum::<f64>();
         let unlike = UNLIKE * unlike / length;
-        if self.likeness[from..end].iter().all(|l| !l.is_empty()) {
-            let means = self.means(from, end, stamps);
-            for (k, stamp) in stamps.iter().enumerate() {
-                let Some((mean, shown)) = means[k] else {
+        if means.is_inked {
+            for (k, stamp) in means.stamps.iter().enumerate() {
+                let Some((mean, shown)) = means.get(k) else {
                     continue;
                 };
                 let proof = shown.map_or(0.0, |s| proven(mean, s));
-                let against = stamp.mirrored.and_then(|m| means[k.wrapping_add_signed(m)]);
+                let against = stamp
+                    .mirrored
+                    .and_then(|m| means.get(k.wrapping_add_signed(m)));
                 let proof = proof + against.map_or(0.0, |a| CLEAR * (mean - a.0 - LEAST_CLEAR));
                 let bare = if stamp.role.parts() { bare_ends } else { 0.0 };
                 let foreign = if stamp.role == Role::Wall {

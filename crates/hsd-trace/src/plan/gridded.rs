@@ -160,7 +160,6 @@ impl Gridded {
     }
 }
 
-/// Returns the number of cells of a grid.
 /// Reads the units of a grid by each legend, from all ink and from that which does not run aslant. Returns those that agree best,
 /// of two that agree equally the first. The sheet shows what it is made of.
 fn by_best_legend<'l>(

@@ -50,6 +50,7 @@ use field::Field;
 use gaps::Gap;
 use graph::Graph;
 use mask::Strokes;
+use rayon::prelude::*;
 use scale::Scale;
 
 /// Radii of the discs by which the outside is found, as shares of the plan's diagonal.
@@ -224,7 +225,7 @@ pub fn divide(ink: &Ink) -> Divided {
 /// Closes the network of walls against the outside by the smallest disc that leaves nothing out, and divides it.
 fn enclosed(network: &Field<bool>, diagonal: f64) -> (Faces, Field<bool>) {
     let free = outside::distances(network);
-    let tried = RADII.map(|share| {
+    let tried = RADII.par_iter().map(|share| {
         let chords = outside::chords((network, &free), share * diagonal);
         let mut network = network.clone();
         for chord in chords {
@@ -232,6 +233,7 @@ fn enclosed(network: &Field<bool>, diagonal: f64) -> (Faces, Field<bool>) {
         }
         (Faces::of(&network, diagonal), network)
     });
+    let tried: Vec<_> = tried.collect();
     let area = |faces: &Faces| faces.of.iter().filter(|f| *f != 0).count() as f64;
     let most = tried.iter().map(|t| area(&t.0)).fold(0.0, f64::max);
     let mut tried = tried.into_iter();

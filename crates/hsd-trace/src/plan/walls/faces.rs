@@ -99,10 +99,11 @@ impl Faces {
         };
         let mut open: VecDeque<_> = of.places().filter(at_rim).collect();
         while let Some(place) = open.pop_front() {
-            let next: Vec<_> = of.beside(place).filter(|p| of[*p] == u32::MAX).collect();
-            for p in next {
-                of[p] = of[place];
-                open.push_back(p);
+            for p in of.beside(place) {
+                if of[p] == u32::MAX {
+                    of[p] = of[place];
+                    open.push_back(p);
+                }
             }
         }
         // Without any outside there is nothing to grow.

@@ -16,11 +16,14 @@ pub struct Field<T> {
 impl<T: Copy> Field<T> {
     /// Fills a field.
     pub fn new(width: usize, height: usize, mut value: impl FnMut(usize, usize) -> T) -> Field<T> {
-        let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+        let mut values = Vec::with_capacity(width * height);
+        for y in 0..height {
+            values.extend((0..width).map(|x| value(x, y)));
+        }
         Field {
             width,
             height,
-            values: places.map(|(x, y)| value(x, y)).collect(),
+            values,
         }
     }
 
@@ -51,7 +54,7 @@ impl<T: Copy> Field<T> {
     }
 
     /// Returns the places beside a place, of the four directions.
-    pub fn beside(&self, (x, y): (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
+    pub fn beside(&self, (x, y): (usize, usize)) -> impl Iterator<Item = (usize, usize)> + use<T> {
         let (width, height) = (self.width, self.height);
         let steps = [(1, 0), (0, 1), (usize::MAX, 0), (0, usize::MAX)];
         let places = steps

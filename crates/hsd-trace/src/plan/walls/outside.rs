@@ -54,13 +54,11 @@ fn reached((walls, free): (&Field<bool>, &Field<f32>), radius: f64) -> Field<boo
         }
     }
     while let Some(p) = open.pop_front() {
-        let next: Vec<_> = core
-            .beside(p)
-            .filter(|n| !core[*n] && is_free(*n))
-            .collect();
-        for n in next {
-            core[n] = true;
-            open.push_back(n);
+        for n in core.beside(p) {
+            if !core[n] && is_free(n) {
+                core[n] = true;
+                open.push_back(n);
+            }
         }
     }
     let near = distances(&core);
@@ -91,8 +89,7 @@ pub fn chords((walls, free): (&Field<bool>, &Field<f32>), radius: f64) -> Vec<Ch
             while at < part.len() {
                 let p = part[at];
                 at += 1;
-                let next: Vec<_> = walls.beside(p).collect();
-                for n in next {
+                for n in walls.beside(p) {
                     if outside[n] {
                         open.push(p);
                         rim += 1;

@@ -57,17 +57,23 @@ pub(super) fn swings(strokes: &Strokes, bar: &Bar, diagonal: f64) -> bool {
                 side,
                 width,
             };
-            (quarter.has_arc() || quarter.has_leaf()) && quarter.is_empty()
+            quarter.is_empty() && (quarter.has_arc() || quarter.has_leaf())
         })
     })
 }
 
 impl Quarter<'_> {
-    /// Returns true if a thin stroke runs through a place: the angle from the wall, radians, and the distance from the hinge, pixels.
-    fn is_inked(&self, angle: f64, radius: f64) -> bool {
-        let along = self.hinge[0] + self.ahead * libm::cos(angle) * radius;
-        let across = self.hinge[1] + self.side * libm::sin(angle) * radius;
-        self.is_inked_at(along, across)
+    /// Returns the direction at an angle from the wall, radians: along it and across.
+    fn direction(&self, angle: f64) -> [f64; 2] {
+        [self.ahead * libm::cos(angle), self.side * libm::sin(angle)]
+    }
+
+    /// Returns true if a thin stroke runs through a place: its direction and its distance from the hinge, pixels.
+    fn is_inked(&self, [ahead, side]: [f64; 2], radius: f64) -> bool {
+        self.is_inked_at(
+            self.hinge[0] + ahead * radius,
+            self.hinge[1] + side * radius,
+        )
     }
 
     fn is_inked_at(&self, along: f64, across: f64) -> bool {
@@ -82,14 +88,16 @@ impl Quarter<'_> {
 
     /// Returns true if a stroke keeps to one distance from the hinge.
     fn has_arc(&self) -> bool {
-        let angles = || (0..BINS).map(|k| (k as f64 + 1.0) / (BINS as f64 + 1.0) * FRAC_PI_2);
+        let angles = (0..BINS).map(|k| (k as f64 + 1.0) / (BINS as f64 + 1.0) * FRAC_PI_2);
+        let directions: Vec<_> = angles.map(|angle| self.direction(angle)).collect();
         let sways = (SWAYS * self.width).max(1.5) as i32;
         let drawn = |radius: f64| {
-            let near = |angle: f64| {
+            let near = |direction: [f64; 2]| {
                 let mut around = -sways..=sways;
-                around.any(|off| self.is_inked(angle, radius + f64::from(off)))
+                around.any(|off| self.is_inked(direction, radius + f64::from(off)))
             };
-            angles().filter(|angle| near(*angle)).count() as f64 >= SWINGS * BINS as f64
+            let drawn = directions.iter().filter(|direction| near(**direction));
+            drawn.count() as f64 >= SWINGS * BINS as f64
         };
         let steps = ((ARC[1] - ARC[0]) * self.width).ceil() as usize;
         (0..=steps).any(|n| drawn(self.width * ARC[0] + n as f64))
@@ -101,16 +109,17 @@ impl Quarter<'_> {
         let from = (LEAF[0] * steps) as usize;
         let to = (LEAF[1] * steps) as usize;
         let [near, far] = LENGTH.map(|l| (l * self.width) as usize);
-        let drawn = |angle: f64| {
-            let at = (near..=far).filter(|r| self.is_inked(angle, *r as f64));
+        let drawn = |direction: [f64; 2]| {
+            let at = (near..=far).filter(|r| self.is_inked(direction, *r as f64));
             at.count() as f64 >= DRAWN * (far + 1 - near) as f64
         };
-        let ends = |angle: f64| {
+        let ends = |direction: [f64; 2]| {
             let beyond = (END * self.width) as usize;
-            !(beyond..beyond + 3).any(|r| self.is_inked(angle, r as f64))
+            !(beyond..beyond + 3).any(|r| self.is_inked(direction, r as f64))
         };
         let angles = (from..=to).map(|k| k as f64 / steps * FRAC_PI_2);
-        angles.into_iter().any(|a| drawn(a) && ends(a))
+        let mut directions = angles.map(|angle| self.direction(angle));
+        directions.any(|direction| drawn(direction) && ends(direction))
     }
 
     /// Returns true if next to nothing is drawn within the arc.
