@@ -161,7 +161,7 @@ impl Ink {
 /// Returns how far from grey the ink on a sheet is, 0 to 255.
 ///
 /// It differs from grey both by itself and beside the paper round it. The lesser difference counts: coloured rooms are paper, and
-/// where a thick wall hides the paper, only the ink's own colour is known.
+/// the tone of paper is unknown inside a thick wall.
 pub fn tints(sheet: &RgbImage) -> GrayImage {
     let paper = Paper::of(sheet);
     let range = |shares: [f64; 3]| {

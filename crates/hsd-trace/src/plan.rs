@@ -3,13 +3,8 @@
 //! | step | file | result |
 //! |---|---|---|
 //! | bytes are told apart by their content | [`drawing`] | [`drawing::Content`] |
-//! | bytes of a picture are decoded and turned upright | [`hsd_scan::picture`] | [`Picture`] |
 //! | drawings in lines | [`vector`] | the same as of a picture |
-//! | perspective and skew are taken away | [`flatten`] | [`flatten::Flat`] |
-//! | ink is parted from paper | [`sheet`] | [`sheet::Ink`] |
-//! | the grid of half ken is found | [`grid`] | [`grid::Grid`] |
-//! | the strokes on each unit are compared with a legend | [`strokes`], [`legend`] | [`strokes::Units`] |
-//! | outline and rooms follow | [`shape`] | [`shape::Shape`] |
+//! | an image is read on the grid of half ken, by a legend | [`hsd_scan`] | [`shape::Shape`] |
 //! | floors, stairs and fixtures are recognised | [`shape::inside`] | the shape with them |
 //! | storeys are laid over each other | [`register`] | a move in units |
 //! | the source file is written | [`house`], [`text`] | [`house::House`] |
@@ -54,7 +49,7 @@ pub use hsd_grammar::LEGENDS;
 const SURE_FIT: f64 = 0.7;
 /// Half a ken where something else says how large a plan is, metres: edo-ma to kyo-ma.
 const HALF_KEN: std::ops::RangeInclusive<f64> = 0.86..=1.03;
-/// Units of a grid are longer than this, metres, by a scale in doubt too: shorter ones are those of tiles and mats.
+/// Units of a grid are longer than this, metres, even by a scale in doubt. Shorter ones belong to tiles or mats.
 const FINE: f64 = 0.3;
 /// The least share of the ink of walls that a reading wall by wall explains beyond that of the grid: above that agreement and below
 /// it. `NEARLY_ALL` and `ALL` are shares it explains where less is enough.
@@ -137,7 +132,7 @@ impl Found {
     }
 }
 
-/// Why a picture has no plan: what was looked for, and how much of it was found, mostly as a share.
+/// The reason why there is no plan in an image. Numbers are shares of what is needed, if nothing else is stated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Refused {
     /// Nearly no ink.
@@ -258,7 +253,8 @@ fn explained(found: &Found) -> f64 {
     strokes.explained(walls.map(|w| [at(w.from), at(w.to)]))
 }
 
-/// Returns true if no legend need be tried: a reading wall by wall explains a sheet off the grid, or contradicts its scale.
+/// Returns true if no legend need be tried. Either the grid contradicts the scale of a reading wall by wall, or it is doubtful or
+/// too fine. Then the reading has to explain the sheet.
 fn surpasses(reading: &walls::Reading, scale: Option<walls::scale::Scale>, grid: &Grid) -> bool {
     let Some(scale) = scale.filter(|_| reading.is_whole()) else {
         return false;
