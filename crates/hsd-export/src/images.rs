@@ -196,24 +196,15 @@ pub fn ktx2_size(bytes: &[u8]) -> Option<(u32, u32)> {
     Some((number(20)?, number(24)?))
 }
 
-/// Returns the width and height of a PNG or JPEG in pixels, from its first bytes.
+/// Returns the width and height of an image file in pixels, from its first bytes.
 pub fn size(mut file: impl BufRead + Seek) -> Option<(u32, u32)> {
-    size_of_any(&mut file)
-}
-
-/// A file that can be read from any place.
-trait SeekableFile: BufRead + Seek {}
-
-impl<T: BufRead + Seek> SeekableFile for T {}
-
-/// Does the work of [`size`] for all kinds of files, so that the decoders are compiled once.
-fn size_of_any(file: &mut dyn SeekableFile) -> Option<(u32, u32)> {
-    if let Some(size) = png::size(file.fill_buf().ok()?) {
-        return Some(size);
+    let start = file.fill_buf().ok()?;
+    if start.starts_with(PNG) {
+        return png::size(start);
     }
-    let reader = image::ImageReader::new(file).with_guessed_format().ok()?;
-    let is_png = reader.format() == Some(image::ImageFormat::Png);
-    reader.into_dimensions().ok().filter(|_| !is_png)
+    let format = image::guess_format(start).ok()?;
+    let decoder = hsd_image::decoder(&mut file, format, image::Limits::no_limits()).ok()?;
+    Some(decoder.dimensions())
 }
 
 /// Converts a file to a format that glTF supports, named after its content.
@@ -233,10 +224,12 @@ fn fit(path: &str, bytes: Vec<u8>, limit: u64) -> Result<(String, Vec<u8>), Pict
         return Ok((format!("{stem}.jpg"), bytes));
     }
     let picture = image::load_from_memory(&bytes).map_err(|_| PictureError::NoPicture)?;
-    let mut encoded = Cursor::new(vec![]);
-    let written = picture.write_to(&mut encoded, image::ImageFormat::Png);
-    written.map_err(|_| PictureError::NoPicture)?;
-    Ok((format!("{stem}.png"), encoded.into_inner()))
+    let encoded = if picture.color().has_alpha() {
+        texture::png(&picture.into_rgba8(), texture::Packing::Quick)
+    } else {
+        texture::png(&picture.into_rgb8(), texture::Packing::Quick)
+    };
+    Ok((format!("{stem}.png"), encoded))
 }
 
 /// Returns true if a PNG or JPEG is truncated.

@@ -4,7 +4,7 @@ use hsd_base::budget::Budget;
 use image::error::{ImageError, LimitErrorKind};
 use image::imageops;
 use image::metadata::Orientation;
-use image::{ColorType, DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits, RgbImage};
+use image::{ColorType, DynamicImage, ImageDecoder, ImageFormat, Limits, RgbImage};
 use std::io::Cursor;
 
 /// The most bytes that an image may take while it is decoded.
@@ -92,10 +92,7 @@ pub const fn most_bytes(memory: u64) -> u64 {
 /// The picture of a file, turned as its camera was held, and its Exif block.
 fn upright(bytes: &[u8], most: u64) -> Result<(DynamicImage, Option<Vec<u8>>), Unreadable> {
     let damaged = |e: &ImageError| Unreadable::Damaged(e.to_string());
-    let mut reader = ImageReader::new(Cursor::new(bytes))
-        .with_guessed_format()
-        .map_err(|_| Unreadable::Format)?;
-    let format = reader.format().ok_or(Unreadable::Format)?;
+    let format = image::guess_format(bytes).map_err(|_| Unreadable::Format)?;
     if format == ImageFormat::Jpeg && !is_whole(bytes) {
         return Err(Unreadable::Damaged(
             "the picture ends before its end mark".to_owned(),
@@ -107,8 +104,8 @@ fn upright(bytes: &[u8], most: u64) -> Result<(DynamicImage, Option<Vec<u8>>), U
         ImageFormat::Png => MOST_BESIDE,
         _ => most,
     });
-    reader.limits(limits);
-    let mut decoder = reader.into_decoder().map_err(|e| refused(&e))?;
+    let mut file = Cursor::new(bytes);
+    let mut decoder = hsd_image::decoder(&mut file, format, limits).map_err(|e| refused(&e))?;
     let exif = decoder.exif_metadata().ok().flatten();
     let orientation = decoder.orientation().map_err(|e| damaged(&e))?;
     if bytes_of(&decoder, orientation) > most {

@@ -202,14 +202,15 @@ impl Lines {
                 posts: (0..=count).map(post).collect(),
             }
         };
-        let level = (v0..=v1)
-            .into_par_iter()
-            .map(|v| strip((u0, v), u1 - u0, false));
-        let upright = (u0..=u1)
-            .into_par_iter()
-            .map(|u| strip((u, v0), v1 - v0, true));
+        let level = (v0..=v1).map(|v| ((u0, v), u1 - u0, false));
+        let lines: Vec<_> = level
+            .chain((u0..=u1).map(|u| ((u, v0), v1 - v0, true)))
+            .collect();
+        let strips = lines.par_iter();
+        let mut level: Vec<RawStrip> = strips.map(|line| strip(line.0, line.1, line.2)).collect();
+        let upright = level.split_off((v1 - v0) as usize + 1);
         Lines {
-            sides: [level.collect(), upright.collect()],
+            sides: [level, upright],
         }
     }
 
