@@ -15,6 +15,8 @@ use libfuzzer_sys::fuzz_target;
 
 /// Memory of a run, bytes.
 const MEMORY: u64 = 64 << 20;
+/// The most pixels that are read: larger images take too long to find anything.
+const PIXELS: u32 = 250_000;
 
 fuzz_target!(|bytes: &[u8]| {
     let legends = LEGENDS
@@ -23,7 +25,13 @@ fuzz_target!(|bytes: &[u8]| {
     let legends: Vec<Legend> = legends.collect();
     let roles = Roles::read(vector::CAD).expect("is a legend");
     let found = match drawing::open(bytes, 1, MEMORY) {
-        Ok(Content::Picture(picture)) => plan::read(&picture, &legends, &Options::default()).ok(),
+        Ok(Content::Picture(picture)) => {
+            let (width, height) = picture.pixels.dimensions();
+            if width.saturating_mul(height) > PIXELS {
+                return;
+            }
+            plan::read(&picture, &legends, &Options::default()).ok()
+        }
         Ok(Content::Lines(lines)) => {
             let drawn = drawing::find(lines, &roles, None, &legends, Front::Bottom);
             drawn.ok().map(|drawn| Plan::Grid(Box::new(drawn.found)))
