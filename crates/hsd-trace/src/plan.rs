@@ -86,6 +86,8 @@ pub struct Options {
     pub unit: Option<f64>,
     /// The length of a pixel, metres, if the file says it.
     pub metres: Option<f64>,
+    /// The units that a drawing without one may have: each its millimetres and the length of a pixel, metres.
+    pub units: Vec<(f64, f64)>,
     /// Where the street is.
     pub front: Front,
 }
@@ -128,6 +130,7 @@ impl Found {
             grid: Some(self.grid),
             units: Some(self.units),
             shape: Some(self.shape),
+            reading: None,
         })
     }
 }
@@ -164,11 +167,18 @@ pub struct Stopped {
     pub units: Option<Units>,
     /// What walls enclose.
     pub shape: Option<Shape>,
+    /// The plan read wall by wall, which leaves walls out or has no size.
+    pub reading: Option<walls::Reading>,
 }
 
 impl Stopped {
     fn at(self, why: Refused) -> Box<Stopped> {
         Box::new(Stopped { why, ..self })
+    }
+
+    fn with(self, reading: walls::Reading) -> Box<Stopped> {
+        let reading = Some(reading);
+        Box::new(Stopped { reading, ..self })
     }
 }
 
@@ -179,6 +189,15 @@ pub enum Plan {
     Grid(Box<Found>),
     /// Wall by wall.
     Walls(Box<walls::Found>),
+}
+
+impl Plan {
+    fn flat_mut(&mut self) -> &mut Flat {
+        match self {
+            Plan::Grid(found) => &mut found.flat,
+            Plan::Walls(found) => &mut found.flat,
+        }
+    }
 }
 
 /// Reads the plan on an image on a grid of half ken and wall by wall; returns the result that explains more walls.
@@ -201,6 +220,9 @@ pub fn read(
             .metres
             .filter(|metres| reading.is_as_large_as_a_house(*metres));
         let scale = walls::scale::of(&reading, ink, by_unit.or(by_file));
+        let is_sure = scale.is_some_and(|scale| scale.is_sure());
+        let by_unit = || walls::scale::by_unit(&reading, &options.units);
+        let scale = if is_sure { scale } else { by_unit().or(scale) };
         (reading, scale)
     });
     let grid = sheet.and_then(|sheet| {
@@ -220,19 +242,25 @@ pub fn read(
     let better = reading.filter(|(reading, scale)| is_better(reading, *scale, &grid));
     match better {
         // Both ways lose a part of the house.
-        Some((reading, _)) if !reading.is_whole() => Err(match grid {
-            Ok(found) => found.stopped(Refused::NoHouse),
-            Err(stopped) => stopped,
-        }),
+        Some((reading, _)) if !reading.is_whole() => {
+            let stopped = match grid {
+                Ok(found) => found.stopped(Refused::NoHouse),
+                Err(stopped) => stopped,
+            };
+            Err(stopped.with(reading))
+        }
         Some((reading, Some(scale))) => Ok(Plan::Walls(Box::new(walls::Found::new(
             flat.clone(),
             reading,
             scale,
         )))),
-        Some((_, None)) => Err(match grid {
-            Ok(found) => found.stopped(Refused::NoSize),
-            Err(stopped) => stopped.at(Refused::NoSize),
-        }),
+        Some((reading, None)) => {
+            let stopped = match grid {
+                Ok(found) => found.stopped(Refused::NoSize),
+                Err(stopped) => stopped.at(Refused::NoSize),
+            };
+            Err(stopped.with(reading))
+        }
         None => {
             let found = grid?;
             // A house is missing if hardly any of the walls of a sheet belong to it.

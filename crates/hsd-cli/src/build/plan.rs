@@ -16,7 +16,9 @@ use hsd_scene::texture::{Packing, jpeg, png};
 use hsd_trace::messages::drawn as say;
 use hsd_trace::plan::house::{self, House, Wanted};
 use hsd_trace::plan::text::{Doubt, Era, Written};
-use hsd_trace::plan::{again, marks, said, underlay};
+use hsd_trace::plan::walls::pictures;
+use hsd_trace::plan::{Stopped, again, marks, said, underlay};
+use image::RgbImage;
 use sheets::{Read, Sheet};
 use std::io::{self, Write};
 use std::ops::Range;
@@ -395,15 +397,39 @@ impl Plan {
         sheet: usize,
         seen: marks::Seen<'_>,
     ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+        self.kept(sheet, "", || marks::steps(seen))
+    }
+
+    /// Returns the images of what the steps found on a sheet without a plan, if they are asked for, with their paths.
+    fn steps_of_stopped(
+        &self,
+        sheet: usize,
+        stopped: &Stopped,
+    ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+        let mut files = self.steps(sheet, stopped.into())?;
+        if let Some(reading) = &stopped.reading {
+            let steps = || pictures::steps(&stopped.flat, reading);
+            files.extend(self.kept(sheet, "walls-", steps)?);
+        }
+        Ok(files)
+    }
+
+    /// Returns images of steps, if they are asked for, with their paths.
+    fn kept(
+        &self,
+        sheet: usize,
+        prefix: &str,
+        pictures: impl FnOnce() -> Vec<(&'static str, RgbImage)>,
+    ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
         let Some(folder) = &self.steps else {
             return Ok(vec![]);
         };
         std::fs::create_dir_all(folder).map_err(|e| Failure::at(folder.display(), e))?;
         let named = |name: &str| match self.inputs.len() {
-            1 => name.to_owned(),
-            _ => format!("{}-{name}", sheet + 1),
+            1 => format!("{prefix}{name}"),
+            _ => format!("{}-{prefix}{name}", sheet + 1),
         };
-        let pictures = marks::steps(seen).into_iter();
+        let pictures = pictures().into_iter();
         Ok(pictures
             .map(|(name, picture)| (folder.join(named(name)), png(&picture, Packing::Quick)))
             .collect())

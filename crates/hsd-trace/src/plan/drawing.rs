@@ -3,8 +3,10 @@
 
 use super::legend::Legend;
 use super::text::is_doubtful;
-use super::vector::{self, dxf, lines::Lines, own, paint, pdf, roles::Roles, svg};
-use super::{Flat, Found, Front, Grid, Ink, Options, Picture, Plan, Unreadable, walls};
+use super::vector::fit::UNITS;
+use super::vector::roles::{Means, Roles};
+use super::vector::{self, dxf, hollow, lines::Lines, own, paint, pdf, svg};
+use super::{Flat, Found, Front, Grid, Ink, Options, Picture, Plan, Stopped, Unreadable, walls};
 use glam::{DMat3, DVec2, dvec2};
 
 /// Bytes at the start of a file that tell what it is.
@@ -13,6 +15,9 @@ const HEAD: usize = 4096;
 /// The directions of lines that are distinguished in a quarter of a turn, and the least turn that is taken back, radians.
 const DIRECTIONS: usize = 180;
 const LEAST_SKEW: f64 = 0.002;
+
+/// The fewest strokes of known walls that a plan is read from alone.
+const KNOWN_WALLS: usize = 20;
 
 /// What a file holds.
 #[derive(Clone, Debug)]
@@ -106,6 +111,16 @@ pub enum DrawnPlan {
     Walls(Box<walls::Found>),
 }
 
+impl DrawnPlan {
+    /// Returns the plan on an image of a drawing.
+    fn of(plan: Plan) -> DrawnPlan {
+        match plan {
+            Plan::Walls(found) => DrawnPlan::Walls(found),
+            Plan::Grid(found) => DrawnPlan::Grid(Box::new(Drawn::mute(*found))),
+        }
+    }
+}
+
 /// What was found in a drawing.
 #[derive(Clone, Debug)]
 pub struct Drawn {
@@ -128,6 +143,15 @@ impl Drawn {
     }
 }
 
+/// A drawing without a plan.
+#[derive(Clone, Debug)]
+pub struct NoPlan {
+    /// Why it has none.
+    pub why: vector::Refused,
+    /// What was found on its image.
+    pub stopped: Option<Box<Stopped>>,
+}
+
 /// Finds the plan in the lines of a drawing, as [`find`] does, otherwise wall by wall.
 ///
 /// # Errors
@@ -138,8 +162,8 @@ pub fn read(
     unit_mm: Option<f64>,
     legends: &[Legend],
     front: Front,
-) -> Result<DrawnPlan, vector::Refused> {
-    let refused = match by_roles(lines.clone(), roles, unit_mm, front) {
+) -> Result<DrawnPlan, NoPlan> {
+    let why = match by_roles(lines.clone(), roles, unit_mm, front) {
         Ok(drawn) => return Ok(DrawnPlan::Grid(Box::new(drawn))),
         Err(refused) => refused,
     };
@@ -156,32 +180,80 @@ pub fn read(
         }
     }
     let back = turn(&mut lines, front);
+    let to_drawing = turned_back * back;
+    // Furniture and gardens look like walls, so layers that are known come first.
+    let is_off_grid = matches!(why, vector::Refused::NoGrid(_) | vector::Refused::NoHouse);
+    if is_off_grid && let Some((known, means)) = known(&lines, roles) {
+        return match painted(known, Some(&means), &[]) {
+            Ok(mut plan) => {
+                let flat = plan.flat_mut();
+                flat.to_picture = to_drawing * flat.to_picture;
+                Ok(DrawnPlan::of(plan))
+            }
+            Err(stopped) => Err(NoPlan { why, stopped }),
+        };
+    }
+    let mut plan = painted(lines, None, legends).map_err(|stopped| NoPlan { why, stopped })?;
+    let flat = plan.flat_mut();
+    flat.to_picture = to_drawing * flat.to_picture;
+    Ok(DrawnPlan::of(plan))
+}
+
+/// Returns the lines that stand for walls and for what is in them, with their meanings; `None` if few are walls.
+fn known(lines: &Lines, roles: &Roles) -> Option<(Lines, Vec<Means>)> {
+    let all = roles.of(lines);
+    let is_known = |m: &Means| m.is_opening() || matches!(m, Means::Wall | Means::Post);
+    let mut known = lines.clone();
+    let mut means = all.iter();
+    known.strokes.retain(|_| {
+        means
+            .next()
+            .copied()
+            .flatten()
+            .is_some_and(|m| is_known(&m))
+    });
+    let means: Vec<Means> = all.into_iter().flatten().filter(is_known).collect();
+    let walls = means.iter().filter(|m| **m == Means::Wall).count();
+    (walls >= KNOWN_WALLS).then_some((known, means))
+}
+
+/// Reads the plan on an image of the lines, with its hollow walls filled.
+///
+/// `means` has the meanings of all strokes if they are known.
+///
+/// # Errors
+/// If there is none; with what was found, if anything was drawn.
+fn painted(
+    mut lines: Lines,
+    means: Option<&[Means]>,
+    legends: &[Legend],
+) -> Result<Plan, Option<Box<Stopped>>> {
+    hollow::fill(&mut lines, means);
     let Some(painted) = paint::paint(&lines) else {
-        return Err(refused);
+        return Err(None);
     };
     let drawing = painted.to_drawing.transform_vector2(DVec2::X).length();
     let options = Options {
         metres: lines.unit_mm.map(|mm| mm / 1000.0 * drawing),
+        units: if lines.is_model && lines.unit_mm.is_none() {
+            UNITS.map(|mm| (mm, mm / 1000.0 * drawing)).to_vec()
+        } else {
+            vec![]
+        },
         ..Options::default()
     };
-    let plan = match super::read(&painted.picture, legends, &options) {
+    let mut plan = match super::read(&painted.picture, legends, &options) {
         Ok(Plan::Grid(found)) if !is_clear(&found) => {
-            let walls = walls::found(&found.flat, &found.ink, options.metres);
-            walls.map(|walls| Plan::Walls(Box::new(walls)))
+            match walls::found(&found.flat, &found.ink, options.metres) {
+                Some(walls) => Plan::Walls(Box::new(walls)),
+                None => return Err(Some(found.stopped(super::Refused::NoHouse))),
+            }
         }
-        plan => plan.ok(),
+        plan => plan?,
     };
-    let to_drawing = turned_back * back * painted.to_drawing;
-    match plan.ok_or(refused)? {
-        Plan::Walls(mut found) => {
-            found.flat.to_picture = to_drawing * found.flat.to_picture;
-            Ok(DrawnPlan::Walls(found))
-        }
-        Plan::Grid(mut found) => {
-            found.flat.to_picture = to_drawing * found.flat.to_picture;
-            Ok(DrawnPlan::Grid(Box::new(Drawn::mute(*found))))
-        }
-    }
+    let flat = plan.flat_mut();
+    flat.to_picture = painted.to_drawing * flat.to_picture;
+    Ok(plan)
 }
 
 /// Returns how far most of the lines of a drawing are turned from its axes, radians; 0 if hardly.

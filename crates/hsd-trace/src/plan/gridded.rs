@@ -104,6 +104,7 @@ impl Gridded {
                 grid,
                 units: None,
                 shape: None,
+                reading: None,
             })),
         }
     }
@@ -156,6 +157,7 @@ impl Gridded {
             grid: Some(self.grid),
             units: None,
             shape: None,
+            reading: None,
         })
     }
 }

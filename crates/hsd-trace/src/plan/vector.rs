@@ -13,6 +13,7 @@ pub mod dxf;
 mod edges;
 mod entity;
 pub mod fit;
+pub(super) mod hollow;
 mod leaves;
 pub mod lines;
 pub mod own;

@@ -9,7 +9,7 @@ use hsd_base::diagnostic::Diagnostics;
 use hsd_base::source::{FileId, Source};
 use hsd_base::text;
 use hsd_trace::messages::drawn as say;
-use hsd_trace::plan::drawing::{self, Content, DrawnPlan, Unopened};
+use hsd_trace::plan::drawing::{self, Content, DrawnPlan, NoPlan, Unopened};
 use hsd_trace::plan::flatten::{Given, project};
 use hsd_trace::plan::legend::Legend;
 use hsd_trace::plan::vector::{self, lines::Lines, roles::Roles};
@@ -175,7 +175,7 @@ impl Plan {
                             return Ok(Some(whole));
                         }
                         Err(stopped) => {
-                            committer.write_all(self.steps(k, (&*stopped).into())?)?;
+                            committer.write_all(self.steps_of_stopped(k, &stopped)?)?;
                             out.push(said::refused(source.span(0..0), stopped.why));
                         }
                     }
@@ -188,7 +188,12 @@ impl Plan {
                             sources.push(source);
                             return Ok(Some(whole));
                         }
-                        Err(refused) => out.push(said::drawing(&source, &refused)),
+                        Err(none) => {
+                            if let Some(stopped) = &none.stopped {
+                                committer.write_all(self.steps_of_stopped(k, stopped)?)?;
+                            }
+                            out.push(said::drawing(&source, &none.why));
+                        }
                     }
                 }
             }
@@ -249,19 +254,15 @@ impl Plan {
         )))
     }
 
-    fn drawing(
-        &self,
-        lines: Lines,
-        file: String,
-        legends: &Legends,
-    ) -> Result<Read, vector::Refused> {
+    fn drawing(&self, lines: Lines, file: String, legends: &Legends) -> Result<Read, NoPlan> {
         let unit_mm = self.unit.map(|shaku| shaku * SHAKU * 1000.0);
         let front = self.front.into();
         let (roles, symbols) = (&legends.roles, &legends.symbols);
         let drawn = match self.inputs.len() {
             1 if self.legends.is_empty() => drawing::read(lines, roles, unit_mm, symbols, front)?,
             _ => {
-                let drawn = drawing::find(lines, roles, unit_mm, symbols, front)?;
+                let drawn = drawing::find(lines, roles, unit_mm, symbols, front);
+                let drawn = drawn.map_err(|why| NoPlan { why, stopped: None })?;
                 DrawnPlan::Grid(Box::new(drawn))
             }
         };
@@ -292,6 +293,7 @@ impl Plan {
             },
             unit: unit.map(|u| u / shrink),
             metres: None,
+            units: vec![],
             front: self.front.into(),
         }
     }

@@ -73,6 +73,7 @@ fn evidence(of: Evidence) -> String {
         Evidence::Printed(count) => format!("from {count} printed dimensions"),
         Evidence::Doors(count) => format!("if its {count} swinging doors are 0.85 m wide"),
         Evidence::Openings => "if its usual opening is 0.85 m wide".to_owned(),
+        Evidence::Unit(mm) => format!("if a unit of the drawing is {mm} mm"),
         Evidence::HalfKen => "if its walls stand at quarters of a ken of 1.818 m".to_owned(),
     }
 }
@@ -173,15 +174,13 @@ impl Plan {
             (path, jpeg(&under, QUALITY)),
             (
                 self.review_path(1),
-                png(&pictures::review(found, &doubts), Packing::Quick),
+                png(
+                    &pictures::review(&found.flat, &found.reading, &doubts),
+                    Packing::Quick,
+                ),
             ),
         ];
-        if let Some(folder) = &self.steps {
-            std::fs::create_dir_all(folder).map_err(|e| Failure::at(folder.display(), e))?;
-            for (name, picture) in pictures::steps(found) {
-                files.push((folder.join(name), png(&picture, Packing::Quick)));
-            }
-        }
+        files.extend(self.kept(0, "", || pictures::steps(&found.flat, &found.reading))?);
         let record = PlanFile::new(vec![kept], traced.text.clone());
         files.push((self.beside("plan.json"), record.json().into_bytes()));
         Ok(Some((traced, files)))
@@ -204,6 +203,10 @@ impl Plan {
             Evidence::Openings => Some(text!(
                 "its usual openings, if they are 0.85 m wide,",
                 "よくある開口の幅を 0.85 m と見て、そこ"
+            )),
+            Evidence::Unit(mm) => Some(text!([mm]
+                "its lines, if a unit of the drawing is {mm} mm,",
+                "図面の一単位を {mm} mm と見ると壁の厚さが合うので、そこ"
             )),
             Evidence::HalfKen => Some(text!(
                 "its walls, if they stand at quarters of a ken of 1.818 m,",

@@ -7,7 +7,7 @@ use glam::{DVec2, dvec2};
 /// Half a ken of usual houses, millimetres: Edo-ma, Chukyo-ma, Kyo-ma, and modules of our days.
 pub const HALF_KEN: [f64; 6] = [909.0909, 954.5455, 984.8485, 910.0, 900.0, 1000.0];
 /// Millimetres in the units that drawings without a unit are made in.
-const UNITS: [f64; 5] = [1.0, 10.0, 1000.0, 25.4, 304.8];
+pub(in crate::plan) const UNITS: [f64; 5] = [1.0, 10.0, 1000.0, 25.4, 304.8];
 /// How far a grid may be from a usual one.
 const NEAR: f64 = 0.004;
 /// The least agreement of walls with a usual grid, and with any.

@@ -42,7 +42,13 @@ pub fn paint(lines: &Lines) -> Option<Painted> {
     for stroke in drawn {
         let is_near = |p: &DVec2| at(*p).abs().max_element() < LONGEST * 4.0;
         if stroke.points.iter().all(is_near) {
-            draw(stroke, &at, scale, &mut map);
+            // CAD programs show layers in colours for a dark screen.
+            let colour = if lines.is_model {
+                [0; 3]
+            } else {
+                stroke.colour
+            };
+            draw((stroke, colour), &at, scale, &mut map);
         }
     }
     let pixels = RgbImage::from_fn(map.width(), map.height(), |x, y| {
@@ -61,7 +67,12 @@ pub fn paint(lines: &Lines) -> Option<Painted> {
     })
 }
 
-fn draw(stroke: &Stroke, at: &dyn Fn(DVec2) -> DVec2, scale: f64, map: &mut Pixmap) {
+fn draw(
+    (stroke, [r, g, b]): (&Stroke, [u8; 3]),
+    at: &dyn Fn(DVec2) -> DVec2,
+    scale: f64,
+    map: &mut Pixmap,
+) {
     let mut path = PathBuilder::new();
     for (k, p) in stroke.points.iter().map(|p| at(*p)).enumerate() {
         if k == 0 {
@@ -89,7 +100,6 @@ fn draw(stroke: &Stroke, at: &dyn Fn(DVec2) -> DVec2, scale: f64, map: &mut Pixm
         );
     }
     if stroke.fill.is_none() || stroke.width > 0.0 {
-        let [r, g, b] = stroke.colour;
         paint.set_color_rgba8(r, g, b, 255);
         let pen = tiny_skia::Stroke {
             width: (stroke.width * scale).clamp(PEN, LONGEST) as f32,

@@ -1,8 +1,8 @@
 //! Images of a plan that was read wall by wall.
 
 use super::writing::Traced;
-use super::{Found, Stuff};
-use crate::plan::flatten::warp;
+use super::{Found, Reading, Stuff};
+use crate::plan::flatten::{Flat, warp};
 use crate::plan::marks;
 use glam::{DMat3, DVec2, dvec2};
 use image::{Rgb, RgbImage};
@@ -28,10 +28,10 @@ pub fn underlay(found: &Found, traced: &Traced) -> (RgbImage, [f64; 6]) {
 }
 
 /// Returns the sheet, pale, with the walls that were found on it, ink of walls that none of them explains, and rings round doubts.
-pub fn review(found: &Found, doubts: &[DVec2]) -> RgbImage {
-    let mut out = marks::pale(&found.flat.sheet);
-    let divided = &found.reading.divided;
-    let graph = &found.reading.graph;
+pub fn review(flat: &Flat, reading: &Reading, doubts: &[DVec2]) -> RgbImage {
+    let mut out = marks::pale(&flat.sheet);
+    let divided = &reading.divided;
+    let graph = &reading.graph;
     for (x, y, pixel) in out.enumerate_pixels_mut() {
         let place = (x as usize, y as usize);
         let is_wall = f64::from(divided.strokes.thickness[place]) >= divided.strokes.wall;
@@ -55,8 +55,8 @@ pub fn review(found: &Found, doubts: &[DVec2]) -> RgbImage {
 }
 
 /// Returns images of what each step found, with the names of their files.
-pub fn steps(found: &Found) -> Vec<(&'static str, RgbImage)> {
-    let divided = &found.reading.divided;
+pub fn steps(flat: &Flat, reading: &Reading) -> Vec<(&'static str, RgbImage)> {
+    let divided = &reading.divided;
     let strokes = &divided.strokes.thickness;
     let size = (strokes.width as u32, strokes.height as u32);
     let drawn = |colour: &dyn Fn((usize, usize)) -> [u8; 3]| {
@@ -80,11 +80,11 @@ pub fn steps(found: &Found) -> Vec<(&'static str, RgbImage)> {
         room => [131, 57, 211].map(|k| (120 + room * 97 % 255 * k % 135) as u8),
     });
     vec![
-        ("1-flat.png", found.flat.sheet.clone()),
+        ("1-flat.png", flat.sheet.clone()),
         ("2-strokes.png", thick),
         ("3-walls.png", stuff),
         ("4-rooms.png", rooms),
-        ("5-house.png", review(found, &[])),
+        ("5-house.png", review(flat, reading, &[])),
     ]
 }
 

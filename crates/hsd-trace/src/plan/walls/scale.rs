@@ -20,6 +20,10 @@ const STEP: f64 = 1.002;
 const FEWEST_WALLS: usize = 8;
 const AGREE: f64 = 0.85;
 
+/// The diagonals of houses and the thicknesses of their walls, metres.
+const HOUSES: std::ops::RangeInclusive<f64> = 4.0..=80.0;
+const WALLS: std::ops::RangeInclusive<f64> = 0.04..=0.7;
+
 /// The evidence for the size of a plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Evidence {
@@ -33,6 +37,8 @@ pub enum Evidence {
     Openings,
     /// Walls at quarters of a ken, at a scale near to that by doors.
     HalfKen,
+    /// A drawing as large as the house, in the only unit that makes its walls as thick as walls: the length of that unit, millimetres.
+    Unit(f64),
 }
 
 /// The size of a pixel.
@@ -71,6 +77,23 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
         Some(by_half_ken(&reading.graph, about.metres).unwrap_or(about))
     };
     given.or_else(printed).or_else(by_doors)
+}
+
+/// Returns the scale by the only unit of a drawing in which its plan is a house; `None` if there are several or none.
+///
+/// Each unit is its millimetres and the metres of a pixel.
+pub fn by_unit(reading: &Reading, units: &[(f64, f64)]) -> Option<Scale> {
+    let Divided {
+        strokes, diagonal, ..
+    } = &reading.divided;
+    let mut fitting = units.iter().filter(|(_, metres)| {
+        HOUSES.contains(&(metres * diagonal)) && WALLS.contains(&(metres * strokes.usual))
+    });
+    let (unit, metres) = *fitting.next()?;
+    fitting.next().is_none().then_some(Scale {
+        metres,
+        evidence: Evidence::Unit(unit),
+    })
 }
 
 /// Returns the scale by the commonest opening, taken for a door.
