@@ -12,7 +12,7 @@
 //! | what walls and openings enclose are rooms | [`faces`] | [`faces::Faces`] |
 //! | flights and landings are joined | `stairs` | the rooms |
 //! | the lines between rooms become straight walls | [`chains`], [`graph`] | [`graph::Graph`] |
-//! | printed dimensions, doors or half ken give the size | [`digits`], `measures`, [`scale`] | [`scale::Scale`] |
+//! | printed dimensions, sizes of rooms, doors or half ken give the size | [`digits`], `measures`, `sizes`, [`scale`] | [`scale::Scale`] |
 //! | stretches of walls in another colour are marked | `tints` | [`Stuff::Tinted`] |
 //! | pieces of walls get their roles | [`openings`] | [`openings::Piece`]s |
 //! | the source file is written | [`writing`] | [`writing::Traced`] |
@@ -36,6 +36,7 @@ pub mod openings;
 pub mod outside;
 pub mod pictures;
 pub mod scale;
+mod sizes;
 mod stairs;
 mod swing;
 pub mod thin;

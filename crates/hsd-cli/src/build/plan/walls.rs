@@ -71,6 +71,7 @@ fn evidence(of: Evidence) -> String {
     match of {
         Evidence::Given => "as it was given".to_owned(),
         Evidence::Printed(count) => format!("from {count} printed dimensions"),
+        Evidence::Rooms(count) => format!("from the printed sizes of {count} rooms"),
         Evidence::Doors(count) => format!("if its {count} swinging doors are 0.85 m wide"),
         Evidence::Openings => "if its usual opening is 0.85 m wide".to_owned(),
         Evidence::Unit(mm) => format!("if a unit of the drawing is {mm} mm"),
@@ -195,7 +196,7 @@ impl Plan {
         out: &mut Diagnostics,
     ) {
         let by = match sheet.found.scale.evidence {
-            Evidence::Given | Evidence::Printed(_) => None,
+            Evidence::Given | Evidence::Printed(_) | Evidence::Rooms(_) => None,
             Evidence::Doors(count) => Some(text!([count]
                 "its {count} swinging doors, if they are 0.85 m wide,",
                 "開き戸 {count} か所の幅を 0.85 m と見て、そこ"

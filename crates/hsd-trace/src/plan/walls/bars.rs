@@ -27,6 +27,11 @@ impl Bar {
     pub fn thickness(&self) -> usize {
         self.across[1] - self.across[0] + 1
     }
+
+    /// Returns its length.
+    pub fn length(&self) -> f64 {
+        (self.along[1] - self.along[0] + 1) as f64
+    }
 }
 
 /// Finds the straight walls of one direction.

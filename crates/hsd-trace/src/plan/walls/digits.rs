@@ -64,10 +64,20 @@ pub struct Number {
 }
 
 /// A small part of the ink, in the direction in which it is read.
-struct Glyph {
-    x: [usize; 2],
-    y: [usize; 2],
-    value: Option<u32>,
+pub(super) struct Glyph {
+    /// First and last column.
+    pub(super) x: [usize; 2],
+    /// First and last row.
+    pub(super) y: [usize; 2],
+    /// The digit that it is, if it is one.
+    pub(super) value: Option<u32>,
+}
+
+impl Glyph {
+    /// Returns its height, pixels.
+    pub(super) fn height(&self) -> f64 {
+        (self.y[1] - self.y[0] + 1) as f64
+    }
 }
 
 /// Finds the numbers of three digits and more on a sheet with a plan of the given diagonal.
@@ -94,7 +104,7 @@ pub fn numbers(ink: &Ink, diagonal: f64) -> Vec<Number> {
 }
 
 /// Finds what may be digits.
-fn glyphs(dark: &GrayImage, threshold: u8, diagonal: f64) -> Vec<Glyph> {
+pub(super) fn glyphs(dark: &GrayImage, threshold: u8, diagonal: f64) -> Vec<Glyph> {
     let black = |x: u32, y: u32| dark.get_pixel(x, y)[0] > threshold;
     let extents = Parts::of_set(dark.dimensions(), black, true).extents();
     let most = (HEIGHT.1 * diagonal) as usize;

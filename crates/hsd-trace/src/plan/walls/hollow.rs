@@ -1,4 +1,4 @@
-//! Fills hollow walls: two lines with nothing between, as thick as all other lines.
+//! Fills hollow walls: two lines with nothing between, drawn with the pen of all lines or with a thicker one.
 
 use super::bars::{Bar, bars, widened};
 use super::mask::Strokes;
@@ -7,14 +7,21 @@ use super::mask::Strokes;
 const PEN: usize = 1;
 /// The least distance of the two lines of a wall, pixels. Then the greatest, as a share of the diagonal of all ink.
 const APART: (f64, f64) = (3.0, 0.03);
-/// The least length of a wall, in the distance of its lines.
+/// The least length of a wall where thicknesses are measured, and of any wall, in the distance of its lines.
 const LONG: f64 = 2.5;
+const SHORT: f64 = 1.0;
 /// The greatest ratio of the thicknesses of walls of one kind.
 const ALIKE: f64 = 1.2;
-/// The thinnest and thickest walls of a plan, in thicknesses of most walls.
+/// The thinnest and thickest walls of a plan, in thicknesses of most walls: drawn with the pen of all lines, and with a thicker one.
 const KINDS: [f64; 2] = [0.55, 2.2];
-/// The least share of the length of all lines that belongs to hollow walls, if a plan has them.
-const LEAST: f64 = 0.35;
+const KINDS_BY_PEN: [f64; 2] = [0.25, 3.5];
+/// The least length of all walls of a kind that are drawn with a thicker pen, as a share of the commonest kind.
+const COMMON: f64 = 0.15;
+/// The greatest distance from the end of a wall to the wall that it meets, in the thickness of that.
+const CORNER: f64 = 0.6;
+/// The least share of the length of all lines that belongs to hollow walls, if a plan has them: of all lines, and of those of a
+/// thicker pen.
+const LEAST: [f64; 2] = [0.35, 0.25];
 /// The share of a wall's length along which nothing may be drawn between its lines.
 const FREE: f64 = 0.8;
 
@@ -41,39 +48,70 @@ impl Pair {
     fn place(&self, line: usize, k: usize) -> (usize, usize) {
         if self.upright { (line, k) } else { (k, line) }
     }
+
+    /// Returns this pair, longer where it ends at one that crosses it.
+    fn to_corners(self, others: &[Pair]) -> Pair {
+        let mut out = self;
+        for other in others.iter().filter(|o| o.upright != self.upright) {
+            let reach = |pair: &Pair| (CORNER * pair.apart()) as usize + 2;
+            let meets = self.across[0] <= other.along[1] + reach(&self)
+                && other.along[0] <= self.across[1] + reach(&self);
+            if meets && self.along[0].abs_diff(other.across[1]) <= reach(other) {
+                out.along[0] = out.along[0].min(other.across[0]);
+            }
+            if meets && self.along[1].abs_diff(other.across[0]) <= reach(other) {
+                out.along[1] = out.along[1].max(other.across[1]);
+            }
+        }
+        out
+    }
 }
 
-/// Fills the hollow walls of a plan drawn with one pen; `drawn` is the diagonal of all ink.
+/// Fills the hollow walls of a plan; `drawn` is the diagonal of all ink.
 pub fn fill(strokes: &mut Strokes, drawn: f64) {
-    if !strokes.has_one_pen() {
-        return;
-    }
-    let all = strokes.all();
-    let (mut pairs, mut lines) = (vec![], 0.0);
-    for upright in [false, true] {
-        let wide = widened(&all, PEN, upright);
-        let bars = bars(&wide, strokes.usual, upright);
-        lines += bars
+    let has_one_pen = strokes.has_one_pen();
+    let ink = if has_one_pen {
+        strokes.all()
+    } else {
+        strokes.walls()
+    };
+    let sides = [false, true].map(|upright| {
+        let wide = widened(&ink, PEN, upright);
+        bars(&wide, strokes.usual, upright)
+    });
+    let found = |long: f64| -> Vec<Pair> {
+        let apart = [APART.0, APART.1 * drawn];
+        let sides = sides.iter().cloned();
+        sides
+            .flat_map(|lines| paired(strokes, lines, (apart, long)))
+            .collect()
+    };
+    let measured = found(LONG);
+    let alike = |from: f64, to: f64| {
+        let alike = measured
             .iter()
-            .map(|bar| (bar.along[1] - bar.along[0] + 1) as f64)
-            .sum::<f64>();
-        pairs.extend(paired(strokes, bars, [APART.0, APART.1 * drawn]));
-    }
-    let alike = |from: f64| {
-        let range = from..=ALIKE * from;
-        let alike = pairs.iter().filter(|pair| range.contains(&pair.apart()));
+            .filter(|pair| (from..=to).contains(&pair.apart()));
         alike.map(Pair::length).sum::<f64>()
     };
-    let usual = pairs.iter().map(Pair::apart);
-    let Some(usual) = usual.max_by(|a, b| alike(*a).total_cmp(&alike(*b))) else {
+    let of_kind = |apart: f64| alike(apart, ALIKE * apart);
+    let usual = measured.iter().map(Pair::apart);
+    let Some(usual) = usual.max_by(|a, b| of_kind(*a).total_cmp(&of_kind(*b))) else {
         return;
     };
-    if 2.0 * alike(usual) < LEAST * lines {
+    let lengths = sides.iter().flatten().map(Bar::length);
+    // Strokes of letters are shorter.
+    let lines: f64 = lengths.filter(|length| *length >= LONG * usual).sum();
+    let least = LEAST[usize::from(!has_one_pen)];
+    if 2.0 * of_kind(usual) < least * lines {
         return;
     }
-    let kinds = KINDS.map(|ratio| ratio * usual);
-    pairs.retain(|pair| (kinds[0]..=kinds[1]).contains(&pair.apart()));
-    for pair in &pairs {
+    let kinds = if has_one_pen { KINDS } else { KINDS_BY_PEN }.map(|ratio| ratio * usual);
+    let is_common =
+        |apart: f64| has_one_pen || alike(apart / ALIKE, ALIKE * apart) >= COMMON * of_kind(usual);
+    let mut pairs = found(if has_one_pen { LONG } else { SHORT });
+    pairs.retain(|pair| (kinds[0]..=kinds[1]).contains(&pair.apart()) && is_common(pair.apart()));
+    let met: Vec<Pair> = pairs.iter().map(|pair| pair.to_corners(&pairs)).collect();
+    for pair in &met {
         let thickness = (pair.across[1] - pair.across[0] + 1) as f32;
         for line in pair.across[0]..=pair.across[1] {
             for k in pair.along[0]..=pair.along[1] {
@@ -86,7 +124,11 @@ pub fn fill(strokes: &mut Strokes, drawn: f64) {
 }
 
 /// Finds pairs of parallel lines with nothing between.
-fn paired(strokes: &Strokes, mut lines: Vec<Bar>, [least, most]: [f64; 2]) -> Vec<Pair> {
+fn paired(
+    strokes: &Strokes,
+    mut lines: Vec<Bar>,
+    ([least, most], long): ([f64; 2], f64),
+) -> Vec<Pair> {
     let middle = |line: &Bar| (line.across[0] + line.across[1]) / 2;
     lines.sort_by_key(|line| (middle(line), line.along));
     let mut out = vec![];
@@ -106,7 +148,7 @@ fn paired(strokes: &Strokes, mut lines: Vec<Bar>, [least, most]: [f64; 2]) -> Ve
             let overlaps = pair.along[1] > pair.along[0];
             if overlaps
                 && pair.apart() >= least
-                && pair.length() >= LONG * pair.apart()
+                && pair.length() >= long * pair.apart()
                 && is_free(strokes, &pair)
             {
                 out.push(pair);

@@ -2,7 +2,7 @@
 
 use super::graph::Graph;
 use super::writing::UNIT;
-use super::{Divided, Reading, digits, gaps, openings};
+use super::{Divided, Reading, digits, gaps, openings, sizes};
 use crate::plan::sheet::Ink;
 use glam::{DVec2, dvec2};
 
@@ -31,6 +31,8 @@ pub enum Evidence {
     Given,
     /// Printed dimensions, by their number.
     Printed(usize),
+    /// Sizes printed in rooms, by their number.
+    Rooms(usize),
     /// Swinging doors, by their number, taken for usual ones.
     Doors(usize),
     /// The commonest opening, taken for a door.
@@ -71,12 +73,20 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
             evidence: Evidence::Printed(count),
         })
     };
+    let by_rooms = || {
+        let glyphs = digits::glyphs(&ink.dark, ink.threshold, reading.divided.diagonal);
+        let (metres, count) = sizes::metres(&glyphs, &reading.divided)?;
+        Some(Scale {
+            metres,
+            evidence: Evidence::Rooms(count),
+        })
+    };
     let by_doors = || {
         let divided = &reading.divided;
         let about = by_doors(divided).or_else(|| by_openings(divided))?;
         Some(by_half_ken(&reading.graph, about.metres).unwrap_or(about))
     };
-    given.or_else(printed).or_else(by_doors)
+    given.or_else(printed).or_else(by_rooms).or_else(by_doors)
 }
 
 /// Returns the scale by the only unit of a drawing in which its plan is a house; `None` if there are several or none.
