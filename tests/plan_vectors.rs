@@ -1,11 +1,17 @@
 //! Plans as vectors, against drawings of houses of which all is known (`plan_drawings`).
 
 use crate::plan_drawings::{self, Cad, Convention, Kind, Point, Unit, Variant};
+use crate::plans::legends;
 use crate::support::{assert_none, number, on_all_processors, root};
+use hsd::plan::Front;
+use hsd::plan::drawing::{self, DrawnPlan};
 use hsd::plan::legend::Role;
 use hsd::plan::shape::Wall;
+use hsd::plan::text::Era;
 use hsd::plan::vector::roles::{Means, Roles};
 use hsd::plan::vector::{self, Refused, dxf, paint, svg};
+use hsd::plan::walls::scale::Evidence;
+use hsd::plan::walls::writing;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The same wall from both ends.
@@ -246,4 +252,104 @@ fn files_of_other_programs_are_opened_or_refused_in_words() {
         let found = dxf::read(&bytes).and_then(|lines| vector::find(lines, &roles, None));
         assert!(found.is_err(), "{}", path.display());
     }
+}
+
+/// A house of two rooms off every grid with walls of 140 mm as two lines: 7130 by 5270 mm. Lines are a layer and two places.
+fn hollow() -> Vec<(&'static str, [f64; 4])> {
+    let mut lines = vec![];
+    let mut bar = |layer: &'static str, [x, y, right, top]: [f64; 4]| {
+        lines.push((layer, [x, y, right, y]));
+        lines.push((layer, [right, y, right, top]));
+        lines.push((layer, [right, top, x, top]));
+        lines.push((layer, [x, top, x, y]));
+    };
+    let walls = [
+        [0.0, 0.0, 1230.0, 140.0],
+        [2410.0, 0.0, 4480.0, 140.0],
+        [6020.0, 0.0, 7130.0, 140.0],
+        [0.0, 5130.0, 7130.0, 5270.0],
+        [0.0, 140.0, 140.0, 5130.0],
+        [6990.0, 140.0, 7130.0, 5130.0],
+        // The inner wall has a door.
+        [2950.0, 140.0, 3090.0, 3070.0],
+        [2950.0, 3880.0, 3090.0, 5130.0],
+    ];
+    walls.into_iter().for_each(|wall| bar("Walls", wall));
+    for [from, to] in [[1230.0, 2410.0], [4480.0, 6020.0]] {
+        bar("Windows", [from, 15.0, to, 125.0]);
+        bar("Windows", [from, 60.0, to, 80.0]);
+    }
+    lines
+}
+
+fn drawn(lines: &[(&str, [f64; 4])]) -> vector::lines::Lines {
+    let mut text = "0\nSECTION\n2\nENTITIES\n".to_owned();
+    for (layer, [x, y, to_x, to_y]) in lines {
+        text += &format!("0\nLINE\n8\n{layer}\n10\n{x}\n20\n{y}\n11\n{to_x}\n21\n{to_y}\n");
+    }
+    dxf::read((text + "0\nENDSEC\n0\nEOF\n").as_bytes()).expect("it is a DXF")
+}
+
+/// Reads a drawing wall by wall, and returns the number of rooms, the size and the windows.
+fn by_walls(lines: &[(&str, [f64; 4])]) -> (usize, [f64; 2], usize) {
+    let roles = Roles::read(vector::CAD).expect("the legend is sound");
+    let read = drawing::read(drawn(lines), &roles, None, &legends(), Front::Bottom);
+    let found = match read {
+        Ok(DrawnPlan::Walls(found)) => found,
+        Ok(DrawnPlan::Grid(_)) => panic!("read on a grid"),
+        Err(none) => panic!("{:?}", none.why),
+    };
+    assert_eq!(found.scale.evidence, Evidence::Unit(1.0));
+    let plan = (&found.reading.divided, &found.reading.graph);
+    let head = ("h", &[][..], 10.0, Era::named("edo").unwrap());
+    let traced = writing::write(plan, found.scale.metres, head).expect("a house");
+    let windows = traced.text.matches("MRE").count();
+    (
+        found.reading.rooms(),
+        found.size(&traced).to_array(),
+        windows,
+    )
+}
+
+fn assert_is_hollow((rooms, [width, depth], windows): (usize, [f64; 2], usize)) {
+    assert_eq!((rooms, windows), (2, 2));
+    // From the middle of a wall to that of the other.
+    assert!(
+        (width - 6.99).abs() < 0.06 && (depth - 5.13).abs() < 0.06,
+        "{width} x {depth}"
+    );
+}
+
+#[test]
+fn wall_layers_off_the_grid_are_read_without_furniture() {
+    let mut lines = hollow();
+    // A bed against a wall, cupboards and a path look like walls.
+    for [x, y, right, top] in [
+        [140.0, 3200.0, 1400.0, 5130.0],
+        [3090.0, 4800.0, 6990.0, 4960.0],
+        [-3000.0, -2000.0, -2850.0, 9000.0],
+    ] {
+        for side in [
+            [x, y, right, y],
+            [right, y, right, top],
+            [x, top, right, top],
+            [x, y, x, top],
+        ] {
+            lines.push(("Furniture", side));
+        }
+    }
+    assert_is_hollow(by_walls(&lines));
+}
+
+#[test]
+fn axes_of_hollow_walls_on_one_layer_are_no_walls() {
+    let mut lines = hollow();
+    lines.iter_mut().for_each(|line| line.0 = "0");
+    for at in [70.0, 3020.0, 7060.0] {
+        lines.push(("0", [at, -1500.0, at, 6800.0]));
+    }
+    for at in [70.0, 5200.0] {
+        lines.push(("0", [-1500.0, at, 8600.0, at]));
+    }
+    assert_is_hollow(by_walls(&lines));
 }

@@ -11,7 +11,7 @@ use hsd::plan::{self, Found, LEGENDS, Picture, Refused, Unreadable};
 use std::io::Cursor;
 
 /// All legends of the program.
-fn legends() -> Vec<Legend> {
+pub(crate) fn legends() -> Vec<Legend> {
     LEGENDS
         .iter()
         .map(|(name, text)| Legend::read(text).unwrap_or_else(|e| panic!("{name}: {e:?}")))

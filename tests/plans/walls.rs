@@ -181,6 +181,30 @@ fn what_is_read_builds_and_says_where_its_size_is_from() {
 }
 
 #[test]
+fn hollow_walls_of_a_thicker_pen_are_filled() {
+    // Only the faces of the walls are drawn, with a pen of 2 pixels; a bed in one of 1.
+    let solid = sheet(dvec2(150.0, 120.0));
+    let is_wall = |x: i64, y: i64| {
+        let inside = (0..1000).contains(&x) && (0..700).contains(&y);
+        inside && solid.get_pixel(x as u32, y as u32)[0] < 128
+    };
+    let mut hollow = RgbImage::from_fn(1000, 700, |x, y| {
+        let (x, y) = (i64::from(x), i64::from(y));
+        let within = (-2..=2).all(|dx| (-2..=2).all(|dy| is_wall(x + dx, y + dy)));
+        Rgb([if is_wall(x, y) && !within { 20 } else { 250 }; 3])
+    });
+    for (x, y) in (180..240).flat_map(|x| [(x, 300), (x, 380)]) {
+        hollow.put_pixel(x, y, Rgb([60; 3]));
+    }
+    let found = read(hollow, Some(50.0));
+    let size = found.size(&written(&found));
+    let metres = walls::writing::UNIT / 50.0;
+    let off = size - dvec2(613.0, 437.0) * metres;
+    assert!(off.abs().max_element() < 0.1, "{size}");
+    assert_eq!(found.reading.rooms(), 6);
+}
+
+#[test]
 fn another_house_on_the_sheet_is_counted() {
     let mut two = sheet(dvec2(40.0, 40.0));
     let p = |x: f64, y: f64| dvec2(725.0, 300.0) + dvec2(x, y);

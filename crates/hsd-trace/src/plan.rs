@@ -222,15 +222,8 @@ pub fn read(
         Ok(sheet) => &sheet.ink,
         Err(stopped) => &stopped.ink,
     };
-    let by_unit = options.unit.map(|unit| walls::writing::UNIT / unit);
     let reading = walls::read(ink).map(|reading| {
-        let by_file = options
-            .metres
-            .filter(|metres| reading.is_as_large_as_a_house(*metres));
-        let scale = walls::scale::of(&reading, ink, by_unit.or(by_file));
-        let is_sure = scale.is_some_and(|scale| scale.is_sure());
-        let by_unit = || walls::scale::by_unit(&reading, &options.units);
-        let scale = if is_sure { scale } else { by_unit().or(scale) };
+        let scale = reading.scale(ink, options);
         (reading, scale)
     });
     let grid = sheet.and_then(|sheet| {
@@ -247,13 +240,6 @@ pub fn read(
         Ok(found) => &found.flat,
         Err(stopped) => &stopped.flat,
     };
-    eprintln!(
-        "DBG reading {:?} grid {:?}",
-        reading.as_ref().map(|r| (r.0.explained, r.0.rooms(), r.1)),
-        grid.as_ref()
-            .map(|f| (f.grid.fit, f.doubtful(), explained(f)))
-            .map_err(|s| s.why)
-    );
     let better = reading.filter(|(reading, scale)| is_better(reading, *scale, &grid));
     match better {
         // Both ways lose a part of the house.
@@ -332,8 +318,12 @@ fn is_better(
     match found.grid.fit >= SURE_FIT {
         true => {
             let is_doubtful = found.doubtful() > DOUBTFUL && reading.explained >= NEARLY_ALL;
-            let least = if is_doubtful { 0.0 } else { MORE };
-            more > MUCH_MORE || more > least && (is_doubtful || reading.explained >= ALL)
+            let explains = if is_doubtful {
+                more >= 0.0
+            } else {
+                more > MORE && reading.explained >= ALL
+            };
+            more > MUCH_MORE || explains
         }
         false => {
             let is_unlike = found.is_unlike() && reading.is_whole();

@@ -404,8 +404,11 @@ impl Plan {
     fn steps_of_stopped(
         &self,
         sheet: usize,
-        stopped: &Stopped,
+        stopped: Option<&Stopped>,
     ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+        let Some(stopped) = stopped else {
+            return Ok(vec![]);
+        };
         let mut files = self.steps(sheet, stopped.into())?;
         if let Some(reading) = &stopped.reading {
             let steps = || pictures::steps(&stopped.flat, reading);

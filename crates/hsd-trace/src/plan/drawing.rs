@@ -148,7 +148,7 @@ impl Drawn {
 pub struct NoPlan {
     /// Why it has none.
     pub why: vector::Refused,
-    /// What was found on its image.
+    /// The findings on its image.
     pub stopped: Option<Box<Stopped>>,
 }
 
@@ -244,7 +244,7 @@ fn painted(
     };
     let mut plan = match super::read(&painted.picture, legends, &options) {
         Ok(Plan::Grid(found)) if !is_clear(&found) => {
-            match walls::found(&found.flat, &found.ink, options.metres) {
+            match walls::found(&found.flat, &found.ink, &options) {
                 Some(walls) => Plan::Walls(Box::new(walls)),
                 None => return Err(Some(found.stopped(super::Refused::NoHouse))),
             }

@@ -44,6 +44,7 @@ mod tints;
 mod walks;
 pub mod writing;
 
+use super::Options;
 use super::flatten::Flat;
 use super::sheet::{self, Ink};
 use faces::Faces;
@@ -123,6 +124,24 @@ impl Reading {
         rooms.len()
     }
 
+    /// Returns the size of its pixels: as the author, the file, what is printed, its unit or its doors say it.
+    pub(super) fn scale(&self, ink: &Ink, options: &Options) -> Option<Scale> {
+        let by_unit = options.unit.map(|unit| writing::UNIT / unit);
+        let by_file = options.metres.filter(|m| self.is_as_large_as_a_house(*m));
+        let scale = scale::of(self, ink, by_unit.or(by_file));
+        if scale.is_some_and(|scale| scale.is_sure()) {
+            return scale;
+        }
+        scale::by_unit(self, &options.units).or(scale)
+    }
+
+    /// Returns the mean area of its rooms, pixels.
+    fn room(&self) -> f64 {
+        let faces = &self.divided.faces.of;
+        let inside = faces.iter().filter(|face| *face != 0).count();
+        inside as f64 / self.rooms().max(1) as f64
+    }
+
     /// Returns true if most walls belong to the house.
     pub fn is_whole(&self) -> bool {
         self.explained >= EXPLAINED
@@ -155,11 +174,10 @@ pub fn read(ink: &Ink) -> Option<Reading> {
 
 /// Reads the plan on a sheet and its size; `None` if either is missing or walls are left out.
 ///
-/// `given` is the length of a pixel by the file, metres.
-pub fn found(flat: &Flat, ink: &Ink, given: Option<f64>) -> Option<Found> {
+/// The options give the length of a pixel or the units that a drawing may have.
+pub fn found(flat: &Flat, ink: &Ink, options: &Options) -> Option<Found> {
     let reading = read(ink).filter(Reading::is_whole)?;
-    let given = given.filter(|metres| reading.is_as_large_as_a_house(*metres));
-    let scale = scale::of(&reading, ink, given)?;
+    let scale = reading.scale(ink, options)?;
     Some(Found::new(flat.clone(), reading, scale))
 }
 

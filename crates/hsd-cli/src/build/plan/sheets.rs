@@ -157,47 +157,37 @@ impl Plan {
             // What is told of a picture has no place in its bytes.
             let is_text = matches!(opened, Ok(Content::Lines(_)) | Err(Unopened::Drawing(_)));
             let text = if is_text { &bytes[..] } else { b"" };
-            let name = path.display().to_string();
-            let source = Source::new(FileId(sources.len() as u32), name, text);
+            let number = FileId(sources.len() as u32);
+            let source = Source::new(number, path.display().to_string(), text);
             let file = name_of(path);
-            match (opened, legends) {
-                (Err(why), _) => out.push(said::unopened(&source, &why)),
-                (Ok(_), None) => {}
-                (Ok(Content::House(text)), _) if self.inputs.len() == 1 => {
-                    return Ok(Some(Read::House(text)));
-                }
-                (Ok(Content::House(_)), _) => out.push(say::whole_house(source.span(0..0))),
+            let read = match (opened, legends) {
+                (Err(why), _) => Err((None, said::unopened(&source, &why))),
+                (Ok(Content::House(text)), _) if self.inputs.len() == 1 => Ok(Read::House(text)),
+                (Ok(Content::House(_)), _) => Err((None, say::whole_house(source.span(0..0)))),
+                // What is wrong with the legends is told already.
+                (Ok(_), None) => Ok(Read::Sheets(vec![])),
                 (Ok(Content::Picture(picture)), Some(legends)) => {
-                    match self.picture(&picture, file, legends) {
-                        Ok(Read::Sheets(read)) => sheets.extend(read),
-                        Ok(whole) => {
-                            sources.push(source);
-                            return Ok(Some(whole));
-                        }
-                        Err(stopped) => {
-                            committer.write_all(self.steps_of_stopped(k, &stopped)?)?;
-                            out.push(said::refused(source.span(0..0), stopped.why));
-                        }
-                    }
+                    let read = self.picture(&picture, file, legends);
+                    read.map_err(|stopped| {
+                        let why = said::refused(source.span(0..0), stopped.why);
+                        (Some(stopped), why)
+                    })
                 }
                 (Ok(Content::Lines(lines)), Some(legends)) => {
                     self.is_for_drawings(&file)?;
-                    match self.drawing(lines, file, legends) {
-                        Ok(Read::Sheets(read)) => sheets.extend(read),
-                        Ok(whole) => {
-                            sources.push(source);
-                            return Ok(Some(whole));
-                        }
-                        Err(none) => {
-                            if let Some(stopped) = &none.stopped {
-                                committer.write_all(self.steps_of_stopped(k, stopped)?)?;
-                            }
-                            out.push(said::drawing(&source, &none.why));
-                        }
-                    }
+                    let read = self.drawing(lines, file, legends);
+                    read.map_err(|none| (none.stopped, said::drawing(&source, &none.why)))
+                }
+            };
+            sources.push(source);
+            match read {
+                Ok(Read::Sheets(read)) => sheets.extend(read),
+                Ok(whole) => return Ok(Some(whole)),
+                Err((stopped, why)) => {
+                    committer.write_all(self.steps_of_stopped(k, stopped.as_deref())?)?;
+                    out.push(why);
                 }
             }
-            sources.push(source);
         }
         Ok((sheets.len() == self.inputs.len()).then_some(Read::Sheets(sheets)))
     }

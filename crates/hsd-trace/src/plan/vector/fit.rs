@@ -6,6 +6,8 @@ use glam::{DVec2, dvec2};
 
 /// Half a ken of usual houses, millimetres: Edo-ma, Chukyo-ma, Kyo-ma, and modules of our days.
 pub const HALF_KEN: [f64; 6] = [909.0909, 954.5455, 984.8485, 910.0, 900.0, 1000.0];
+/// Lengths of half a ken, millimetres.
+const PLAUSIBLE: std::ops::RangeInclusive<f64> = 860.0..=1030.0;
 /// Millimetres in the units that drawings without a unit are made in.
 pub(in crate::plan) const UNITS: [f64; 5] = [1.0, 10.0, 1000.0, 25.4, 304.8];
 /// How far a grid may be from a usual one.
@@ -265,12 +267,17 @@ pub(super) fn find(lines: &Lines, means: &[Option<Means>], given: Option<f64>) -
     let scales: Vec<f64> = lines.unit_mm.map_or(UNITS.to_vec(), |mm| vec![mm]);
     let usual = given.map_or(HALF_KEN.to_vec(), |mm| vec![mm]);
     // The first unit of length in which walls agree with a usual grid.
-    let scales = scales.iter().filter(|_| lines.is_model);
-    let best = scales.filter_map(|scale| both.usual(&usual, *scale)).next();
+    let tried = scales.iter().filter(|_| lines.is_model);
+    let best = tried.filter_map(|scale| both.usual(&usual, *scale)).next();
     let (turns, unit_mm) = match best {
         Some((turns, unit_mm)) => (turns, Some(unit_mm)),
         None => (both.any()?.1, given),
     };
+    // Few walls agree with some grid or other. On one as large as the house its unit has to be half a ken.
+    let is_half_ken = |scale: &f64| PLAUSIBLE.contains(&(scale / turns));
+    if lines.is_model && unit_mm.is_none() && !scales.iter().any(is_half_ken) {
+        return None;
+    }
     let phase = |k: usize| {
         let sum = both.axes[k].sum(turns);
         libm::atan2(sum.y, sum.x) / std::f64::consts::TAU / turns

@@ -21,7 +21,7 @@ const LONG: f64 = 2.5;
 const ALIKE: f64 = 1.2;
 /// The thinnest and thickest walls of a plan, in thicknesses of most walls.
 const KINDS: [f64; 2] = [0.55, 2.2];
-/// The same where the walls are known.
+/// The thinnest and thickest walls where the walls are known.
 const KNOWN: [f64; 2] = [0.3, 3.5];
 /// The narrowest and widest frame, in thicknesses of most walls.
 const FRAMES: [f64; 2] = [0.5, 1.2];
@@ -138,9 +138,9 @@ fn directions(strokes: &[Stroke], is_wall: &dyn Fn(usize) -> bool) -> Vec<Side> 
 /// A straight line.
 #[derive(Clone, Debug)]
 struct Line {
-    /// Its place across its direction.
+    /// The place across its direction.
     at: f64,
-    /// Its ends along its direction.
+    /// The ends along its direction.
     along: [f64; 2],
     /// The numbers of the strokes that it is part of.
     strokes: Vec<usize>,
@@ -293,7 +293,7 @@ impl Side {
         strokes
     }
 
-    /// Returns the hollow walls whose thickness lies in a range, and whose length is at least so many times their thickness.
+    /// Returns the hollow walls whose thickness lies in a range, and whose length is at least that multiple of their thickness.
     fn walls(&self, apart: [f64; 2], same: f64, long: f64) -> Vec<Pair> {
         let is_wall = |pair: &Pair| {
             pair.length() >= long * pair.apart() && self.between(pair, same).next().is_none()

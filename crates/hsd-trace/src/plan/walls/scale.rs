@@ -8,6 +8,8 @@ use glam::{DVec2, dvec2};
 
 /// The width of the opening of a door, metres.
 const DOOR: f64 = 0.85;
+/// The least mean area of the rooms of a house where doors show its size, square metres: with cupboards, small flats reach 1.4.
+const LEAST_ROOM: f64 = 1.0;
 /// The fewest doors, and the fewest openings of one width, that say how large a plan is.
 const FEWEST: usize = 2;
 const FEWEST_OPENINGS: usize = 3;
@@ -84,7 +86,10 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
     let by_doors = || {
         let divided = &reading.divided;
         let about = by_doors(divided).or_else(|| by_openings(divided))?;
-        Some(by_half_ken(&reading.graph, about.metres).unwrap_or(about))
+        let scale = by_half_ken(&reading.graph, about.metres).unwrap_or(about);
+        // Openings of tiny rooms are no doors.
+        let room = reading.room() * scale.metres * scale.metres;
+        (room >= LEAST_ROOM).then_some(scale)
     };
     given.or_else(printed).or_else(by_rooms).or_else(by_doors)
 }

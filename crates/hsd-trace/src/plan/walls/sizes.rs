@@ -18,11 +18,11 @@ const LEVEL: f64 = 0.2;
 /// The greatest difference of the ratio of two numbers and that of two sides.
 const RATIO: f64 = 0.08;
 /// The greatest difference of the scales of rooms that agree.
-const AGREE: f64 = 0.06;
-/// The same of rooms with an area alone.
+const AGREE: f64 = 0.05;
+/// The greatest difference of the scales of rooms with an area alone.
 const AGREE_BY_AREA: f64 = 0.03;
 /// The fewest rooms that agree: by two sides, by an area with a decimal point, by an area.
-const FEWEST: [usize; 3] = [2, 3, 4];
+const FEWEST: [usize; 3] = [3, 3, 4];
 /// The shortest and longest side of a room, metres.
 const SIDES: [f64; 2] = [0.6, 25.0];
 /// The least share of its box that a room with a size fills.
