@@ -146,7 +146,7 @@ impl Drawn {
 /// A drawing without a plan.
 #[derive(Clone, Debug)]
 pub struct NoPlan {
-    /// Why it has none.
+    /// The reason.
     pub why: vector::Refused,
     /// The findings on its image.
     pub stopped: Option<Box<Stopped>>,

@@ -1,7 +1,7 @@
 //! Fills the hollow walls of a drawing whose layers say nothing: two parallel lines with nothing between.
 //!
 //! Axes are removed first: lines along the middle of walls that run beyond them. A frame of a window or of sliding doors is about as
-//! wide as a wall, with lines between that end within it; the spaces between its lines are no walls.
+//! wide as a wall. Lines between its two end within it, and the spaces between them are no walls.
 
 use super::fit::sides;
 use super::lines::{Lines, Stroke};

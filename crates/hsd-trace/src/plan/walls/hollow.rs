@@ -19,8 +19,8 @@ const KINDS_BY_PEN: [f64; 2] = [0.25, 3.5];
 const COMMON: f64 = 0.15;
 /// The greatest distance from the end of a wall to the wall that it meets, in the thickness of that.
 const CORNER: f64 = 0.6;
-/// The least share of the length of all lines that belongs to hollow walls, if a plan has them: of all lines, and of those of a
-/// thicker pen.
+/// The least share of the length of lines that belongs to hollow walls, if a plan has them. First for one pen, then for lines of a
+/// thicker one.
 const LEAST: [f64; 2] = [0.35, 0.25];
 /// The share of a wall's length along which nothing may be drawn between its lines.
 const FREE: f64 = 0.8;
