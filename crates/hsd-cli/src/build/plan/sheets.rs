@@ -164,7 +164,7 @@ impl Plan {
                 (Err(why), _) => Err((None, said::unopened(&source, &why))),
                 (Ok(Content::House(text)), _) if self.inputs.len() == 1 => Ok(Read::House(text)),
                 (Ok(Content::House(_)), _) => Err((None, say::whole_house(source.span(0..0)))),
-                // What is wrong with the legends is told already.
+                // What is wrong with the legends is reported already.
                 (Ok(_), None) => Ok(Read::Sheets(vec![])),
                 (Ok(Content::Picture(picture)), Some(legends)) => {
                     let read = self.picture(&picture, file, legends);

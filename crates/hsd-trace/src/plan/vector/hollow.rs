@@ -1,7 +1,7 @@
 //! Fills the hollow walls of a drawing whose layers say nothing: two parallel lines with nothing between.
 //!
 //! Axes are removed first: lines along the middle of walls that run beyond them. A frame of a window or of sliding doors is about as
-//! wide as a wall. Lines between its two end within it, and the spaces between them are no walls.
+//! wide as a wall. Lines between its two end within it, and the spaces between them are not walls.
 
 use super::fit::sides;
 use super::lines::{Lines, Stroke};
@@ -30,7 +30,7 @@ const LEAST: f64 = 0.35;
 /// The most lines of one direction. A drawing with more is not searched, so that time stays bounded.
 const MOST_LINES: usize = 4_000;
 
-/// Fills the hollow walls of a drawing and removes their axes; leaves a drawing without such walls as it is.
+/// Fills the hollow walls of a drawing and removes their axes; leaves a drawing without such walls unchanged.
 ///
 /// `means` has the meanings of all strokes if they are known. Then only those of walls are filled.
 pub(in crate::plan) fn fill(lines: &mut Lines, means: Option<&[Means]>) {

@@ -87,7 +87,7 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
         let divided = &reading.divided;
         let about = by_doors(divided).or_else(|| by_openings(divided))?;
         let scale = by_half_ken(&reading.graph, about.metres).unwrap_or(about);
-        // Openings of tiny rooms are no doors.
+        // Openings of tiny rooms are not doors.
         let room = reading.room() * scale.metres * scale.metres;
         (room >= LEAST_ROOM).then_some(scale)
     };

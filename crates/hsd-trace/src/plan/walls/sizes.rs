@@ -110,7 +110,7 @@ fn rows(glyphs: &[Glyph]) -> Vec<Row<'_>> {
     out
 }
 
-/// Returns the digits of a number, of which the first is not 0; `None` if a sign is no digit or they stand apart.
+/// Returns the digits of a number, of which the first is not 0; `None` if a sign is not a digit or they stand apart.
 fn digits(glyphs: &[&Glyph]) -> Option<Vec<u32>> {
     digits_after(glyphs).filter(|digits| digits.first().is_some_and(|first| *first != 0))
 }
