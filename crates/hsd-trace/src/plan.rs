@@ -23,6 +23,7 @@ pub mod marks;
 pub mod register;
 pub mod said;
 pub mod text;
+mod thicknesses;
 pub mod underlay;
 pub mod vector;
 pub mod walls;

@@ -6,6 +6,7 @@
 use super::fit::sides;
 use super::lines::{Lines, Stroke};
 use super::roles::Means;
+use crate::plan::thicknesses::Thicknesses;
 use glam::DVec2;
 use std::collections::BTreeSet;
 
@@ -17,8 +18,6 @@ const SAME: f64 = 5e-5;
 const APART: [f64; 2] = [1e-3, 0.03];
 /// The least length of a wall where its thickness is measured, in its thickness.
 const LONG: f64 = 2.5;
-/// The greatest ratio of the thicknesses of walls of one kind.
-const ALIKE: f64 = 1.2;
 /// The thinnest and thickest walls of a plan, in thicknesses of most walls.
 const KINDS: [f64; 2] = [0.55, 2.2];
 /// The thinnest and thickest walls where the walls are known.
@@ -27,8 +26,10 @@ const KNOWN: [f64; 2] = [0.3, 3.5];
 const FRAMES: [f64; 2] = [0.5, 1.2];
 /// The least share of the length of all lines that belongs to hollow walls and frames, if a drawing has them.
 const LEAST: f64 = 0.35;
-/// The most lines of one direction. A drawing with more is not searched, so that time stays bounded.
-const MOST_LINES: usize = 4_000;
+/// The most lines. A drawing with more is not searched, so that time stays bounded.
+const MOST_LINES: usize = 20_000;
+/// The most lines of one direction that may stand between those of a wall.
+const MOST_BETWEEN: usize = 100;
 
 /// Fills the hollow walls of a drawing and removes their axes; leaves a drawing without such walls unchanged.
 ///
@@ -43,27 +44,21 @@ pub(in crate::plan) fn fill(lines: &mut Lines, means: Option<&[Means]>) {
     let apart = APART.map(|share| share * diagonal);
     let mut sides = directions(strokes, &is_wall);
     sides.iter_mut().for_each(|side| side.join(same));
-    if sides.iter().any(|side| side.lines.len() > MOST_LINES) {
+    if sides.iter().map(|side| side.lines.len()).sum::<usize>() > MOST_LINES {
         return;
     }
     let axes: BTreeSet<usize> = sides
         .iter_mut()
         .flat_map(|side| side.take_axes(apart, same))
         .collect();
-    let usual = sides.iter().flat_map(|side| side.walls(apart, same, LONG));
-    let usual: Vec<(f64, f64)> = usual.map(|wall| (wall.apart(), wall.length())).collect();
-    let alike = |from: f64| {
-        let range = from..=ALIKE * from;
-        let alike = usual.iter().filter(|(apart, _)| range.contains(apart));
-        alike.map(|(_, length)| length).sum::<f64>()
-    };
-    let thicknesses = usual.iter().map(|(apart, _)| *apart);
-    let Some(usual) = thicknesses.max_by(|a, b| alike(*a).total_cmp(&alike(*b))) else {
+    let measured = sides.iter().flat_map(|side| side.walls(apart, same, LONG));
+    let thicknesses = Thicknesses::of(measured.map(|wall| (wall.apart(), wall.length())));
+    let Some((usual, length)) = thicknesses.commonest() else {
         return;
     };
     let frames = |side: &Side| side.frames(FRAMES.map(|ratio| ratio * usual), same);
     let framed: Vec<Vec<Pair>> = sides.iter().map(frames).collect();
-    let found = alike(usual) + framed.iter().flatten().map(Pair::length).sum::<f64>();
+    let found = length + framed.iter().flatten().map(Pair::length).sum::<f64>();
     let all = sides.iter().flat_map(|side| &side.lines);
     if means.is_none() && 2.0 * found < LEAST * all.map(Line::length).sum::<f64>() {
         return;
@@ -237,7 +232,7 @@ impl Side {
     fn pairs(&self, [least, most]: [f64; 2], same: f64) -> Vec<Pair> {
         let mut out = vec![];
         for (k, a) in self.lines.iter().enumerate() {
-            for b in &self.lines[k + 1..] {
+            for b in self.lines[k + 1..].iter().take(MOST_BETWEEN) {
                 let pair = Pair {
                     across: [a.at, b.at],
                     along: [a.along[0].max(b.along[0]), a.along[1].min(b.along[1])],

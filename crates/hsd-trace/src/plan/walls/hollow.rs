@@ -2,6 +2,7 @@
 
 use super::bars::{Bar, bars, widened};
 use super::mask::Strokes;
+use crate::plan::thicknesses::{ALIKE, Thicknesses};
 
 /// Half of what the pen is widened by, so that lines that are not quite straight are one, pixels.
 const PEN: usize = 1;
@@ -10,8 +11,6 @@ const APART: (f64, f64) = (3.0, 0.03);
 /// The least length of a wall where thicknesses are measured, and of any wall, in the distance of its lines.
 const LONG: f64 = 2.5;
 const SHORT: f64 = 1.0;
-/// The greatest ratio of the thicknesses of walls of one kind.
-const ALIKE: f64 = 1.2;
 /// The thinnest and thickest walls of a plan, in thicknesses of most walls: drawn with the pen of all lines, and with a thicker one.
 const KINDS: [f64; 2] = [0.55, 2.2];
 const KINDS_BY_PEN: [f64; 2] = [0.25, 3.5];
@@ -50,9 +49,9 @@ impl Pair {
     }
 
     /// Returns this pair, longer where it ends at one that crosses it.
-    fn to_corners(self, others: &[Pair]) -> Pair {
+    fn to_corners<'p>(self, crossing: impl Iterator<Item = &'p Pair>) -> Pair {
         let mut out = self;
-        for other in others.iter().filter(|o| o.upright != self.upright) {
+        for other in crossing {
             let reach = |pair: &Pair| (CORNER * pair.apart()) as usize + 2;
             let meets = self.across[0] <= other.along[1] + reach(&self)
                 && other.along[0] <= self.across[1] + reach(&self);
@@ -87,31 +86,24 @@ pub fn fill(strokes: &mut Strokes, drawn: f64) {
             .collect()
     };
     let measured = found(LONG);
-    let alike = |from: f64, to: f64| {
-        let alike = measured
-            .iter()
-            .filter(|pair| (from..=to).contains(&pair.apart()));
-        alike.map(Pair::length).sum::<f64>()
-    };
-    let of_kind = |apart: f64| alike(apart, ALIKE * apart);
-    let usual = measured.iter().map(Pair::apart);
-    let Some(usual) = usual.max_by(|a, b| of_kind(*a).total_cmp(&of_kind(*b))) else {
+    let thicknesses = Thicknesses::of(measured.iter().map(|pair| (pair.apart(), pair.length())));
+    let Some((usual, length)) = thicknesses.commonest() else {
         return;
     };
     let lengths = sides.iter().flatten().map(Bar::length);
     // Strokes of letters are shorter.
     let lines: f64 = lengths.filter(|length| *length >= LONG * usual).sum();
     let least = LEAST[usize::from(!has_one_pen)];
-    if 2.0 * of_kind(usual) < least * lines {
+    if 2.0 * length < least * lines {
         return;
     }
     let kinds = if has_one_pen { KINDS } else { KINDS_BY_PEN }.map(|ratio| ratio * usual);
-    let is_common =
-        |apart: f64| has_one_pen || alike(apart / ALIKE, ALIKE * apart) >= COMMON * of_kind(usual);
+    let is_common = |apart: f64| {
+        has_one_pen || thicknesses.length(apart / ALIKE, ALIKE * apart) >= COMMON * length
+    };
     let mut pairs = found(if has_one_pen { LONG } else { SHORT });
     pairs.retain(|pair| (kinds[0]..=kinds[1]).contains(&pair.apart()) && is_common(pair.apart()));
-    let met: Vec<Pair> = pairs.iter().map(|pair| pair.to_corners(&pairs)).collect();
-    for pair in &met {
+    for pair in &to_corners(&pairs) {
         let thickness = (pair.across[1] - pair.across[0] + 1) as f32;
         for line in pair.across[0]..=pair.across[1] {
             for k in pair.along[0]..=pair.along[1] {
@@ -121,6 +113,28 @@ pub fn fill(strokes: &mut Strokes, drawn: f64) {
         }
     }
     strokes.set_walls(kinds[0], usual + 1.0);
+}
+
+/// Returns walls, longer where they end at others that cross them, so that corners are filled.
+fn to_corners(pairs: &[Pair]) -> Vec<Pair> {
+    let mut sides = [false, true].map(|upright| {
+        let side = pairs.iter().filter(|pair| pair.upright == upright);
+        side.copied().collect::<Vec<Pair>>()
+    });
+    let of_place = |pair: &Pair| pair.across[0];
+    sides.iter_mut().for_each(|side| side.sort_by_key(of_place));
+    let widest = pairs.iter().map(Pair::apart).fold(0.0, f64::max);
+    let reach = (2.0 * widest) as usize + 2;
+    let longer = |pair: &Pair| {
+        let others = &sides[usize::from(!pair.upright)];
+        let near = |end: usize| {
+            let first = others.partition_point(|o| of_place(o) + reach < end);
+            let end = others.partition_point(|o| of_place(o) <= end + reach);
+            others[first..end].iter()
+        };
+        pair.to_corners(near(pair.along[0]).chain(near(pair.along[1])))
+    };
+    pairs.iter().map(longer).collect()
 }
 
 /// Finds pairs of parallel lines with nothing between.
