@@ -61,7 +61,7 @@ const ALL: f64 = 0.97;
 /// The share of doubtful walls above which a reading on a grid yields to walls that explain nearly all. Plans of the drawn
 /// conventions have up to 0.1.
 const DOUBTFUL: f64 = 0.15;
-/// The share of doubtful walls above which a house is not read on a grid that agrees with few strokes. Western plans reach 0.59 to
+/// The share of doubtful walls above which a reading is rejected if few strokes agree with its grid. Western plans reach 0.59 to
 /// 0.64 on a grid of agreement 0.6.
 const MOSTLY_DOUBTFUL: f64 = 0.5;
 /// The least share of the ink of walls that a house on a grid explains: streets reach 0.28, plans of the drawn conventions 0.53.

@@ -397,7 +397,7 @@ impl Plan {
         sheet: usize,
         seen: marks::Seen<'_>,
     ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
-        self.kept(sheet, "", || marks::steps(seen))
+        self.step_files(sheet, "", || marks::steps(seen))
     }
 
     /// Returns the images of what the steps found on a sheet without a plan, if they are asked for, with their paths.
@@ -412,13 +412,13 @@ impl Plan {
         let mut files = self.steps(sheet, stopped.into())?;
         if let Some(reading) = &stopped.reading {
             let steps = || pictures::steps(&stopped.flat, reading);
-            files.extend(self.kept(sheet, "walls-", steps)?);
+            files.extend(self.step_files(sheet, "walls-", steps)?);
         }
         Ok(files)
     }
 
     /// Returns images of steps, if they are asked for, with their paths.
-    fn kept(
+    fn step_files(
         &self,
         sheet: usize,
         prefix: &str,

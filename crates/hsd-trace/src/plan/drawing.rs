@@ -199,7 +199,7 @@ pub fn read(
     Ok(DrawnPlan::of(plan))
 }
 
-/// Returns the lines that stand for walls and for what is in them, with their meanings; `None` if few are walls.
+/// Returns the lines of walls, posts and openings with their meanings; `None` if there are few walls.
 fn known(lines: &Lines, roles: &Roles) -> Option<(Lines, Vec<Means>)> {
     let all = roles.of(lines);
     let is_known = |m: &Means| m.is_opening() || matches!(m, Means::Wall | Means::Post);

@@ -19,7 +19,7 @@ impl Thicknesses {
         Thicknesses(walls)
     }
 
-    /// Returns the length of all walls whose thickness lies in a range.
+    /// Returns the length of all walls with a thickness in a range.
     pub(super) fn length(&self, from: f64, to: f64) -> f64 {
         let before = |count: usize| count.checked_sub(1).map_or(0.0, |last| self.0[last].1);
         let start = self.0.partition_point(|wall| wall.0 < from);

@@ -53,7 +53,7 @@ use gaps::Gap;
 use graph::Graph;
 use mask::Strokes;
 use rayon::prelude::*;
-use scale::Scale;
+use scale::{Evidence, Scale};
 
 /// Radii of the discs by which the outside is found, as shares of the plan's diagonal.
 const RADII: [f64; 4] = [0.04, 0.055, 0.075, 0.1];
@@ -124,12 +124,13 @@ impl Reading {
         rooms.len()
     }
 
-    /// Returns the size of its pixels: as the author, the file, what is printed, its unit or its doors say it.
+    /// Returns the size of its pixels: by the author, the file, printed numbers, the unit of the drawing or doors, in this order.
     pub(super) fn scale(&self, ink: &Ink, options: &Options) -> Option<Scale> {
         let by_unit = options.unit.map(|unit| writing::UNIT / unit);
         let by_file = options.metres.filter(|m| self.is_as_large_as_a_house(*m));
         let scale = scale::of(self, ink, by_unit.or(by_file));
-        if scale.is_some_and(|scale| scale.is_sure()) {
+        let is_printed = |scale: Scale| matches!(scale.evidence, Evidence::Rooms(_));
+        if scale.is_some_and(|scale| scale.is_sure() || is_printed(scale)) {
             return scale;
         }
         scale::by_unit(self, &options.units).or(scale)

@@ -181,7 +181,7 @@ impl Plan {
                 ),
             ),
         ];
-        files.extend(self.kept(0, "", || pictures::steps(&found.flat, &found.reading))?);
+        files.extend(self.step_files(0, "", || pictures::steps(&found.flat, &found.reading))?);
         let record = PlanFile::new(vec![kept], traced.text.clone());
         files.push((self.beside("plan.json"), record.json().into_bytes()));
         Ok(Some((traced, files)))

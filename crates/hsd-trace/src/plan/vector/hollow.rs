@@ -1,7 +1,7 @@
-//! Fills the hollow walls of a drawing whose layers say nothing: two parallel lines with nothing between.
+//! Fills the hollow walls of a drawing: two parallel lines with nothing between.
 //!
-//! Axes are removed first: lines along the middle of walls that run beyond them. A frame of a window or of sliding doors is about as
-//! wide as a wall. Lines between its two end within it, and the spaces between them are not walls.
+//! Axes are removed first: lines along the middle of walls that run beyond them. Windows and sliding doors have frames about as wide
+//! as a wall. The lines inside a frame stop at its ends, and the spaces between them are left empty.
 
 use super::fit::sides;
 use super::lines::{Lines, Stroke};
@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 
 /// The greatest angle between parallel lines, radians.
 const PARALLEL: f64 = 8e-3;
-/// The distance of places that are one, as a share of the diagonal of the drawing.
+/// The greatest distance of two places that count as the same, as a share of the diagonal of the drawing.
 const SAME: f64 = 5e-5;
 /// The least and greatest distance of the two lines of a wall, as shares of the diagonal.
 const APART: [f64; 2] = [1e-3, 0.03];
@@ -28,7 +28,7 @@ const FRAMES: [f64; 2] = [0.5, 1.2];
 const LEAST: f64 = 0.35;
 /// The most lines. A drawing with more is not searched, so that time stays bounded.
 const MOST_LINES: usize = 20_000;
-/// The most lines of one direction that may stand between those of a wall.
+/// The number of neighbours with which each line is tried as a wall.
 const MOST_BETWEEN: usize = 100;
 
 /// Fills the hollow walls of a drawing and removes their axes; leaves a drawing without such walls unchanged.
@@ -125,6 +125,7 @@ fn directions(strokes: &[Stroke], is_wall: &dyn Fn(usize) -> bool) -> Vec<Side> 
             at: f64::midpoint(ends[0].dot(side.way.perp()), ends[1].dot(side.way.perp())),
             along: [along[0].min(along[1]), along[0].max(along[1])],
             strokes: vec![stroke],
+            is_whole: strokes[stroke].points.len() == 2,
         });
     }
     out
@@ -139,6 +140,8 @@ struct Line {
     along: [f64; 2],
     /// The numbers of the strokes that it is part of.
     strokes: Vec<usize>,
+    /// True if none of these strokes has other sides.
+    is_whole: bool,
 }
 
 impl Line {
@@ -167,7 +170,7 @@ impl Pair {
         self.along[1] - self.along[0]
     }
 
-    /// Returns the pieces that lie in no frame.
+    /// Returns the pieces outside all frames.
     fn without(&self, frames: &[Pair], same: f64) -> Vec<Pair> {
         let mut pieces = vec![*self];
         for frame in frames {
@@ -198,7 +201,7 @@ struct Side {
 }
 
 impl Side {
-    /// Joins lines that lie in one line and touch.
+    /// Joins collinear lines that touch.
     fn join(&mut self, same: f64) {
         let order = |a: &Line, b: &Line| {
             let (a, b) = ([a.at, a.along[0]], [b.at, b.along[0]]);
@@ -220,6 +223,7 @@ impl Side {
                     Some(last) if line.along[0] <= last.along[1] + same => {
                         last.along[1] = last.along[1].max(line.along[1]);
                         last.strokes.extend(line.strokes);
+                        last.is_whole &= line.is_whole;
                     }
                     _ => out.push(line),
                 }
@@ -274,7 +278,8 @@ impl Side {
                 line.along[0] <= pair.along[0] + same && line.along[1] >= pair.along[1] - same;
             let runs_on = line.along[0] < pair.along[0] - pair.apart()
                 || line.along[1] > pair.along[1] + pair.apart();
-            if is_middle && covers && runs_on {
+            // An outline is more than its side that may be an axis.
+            if line.is_whole && is_middle && covers && runs_on {
                 axes.insert(number);
             }
         }
@@ -288,7 +293,7 @@ impl Side {
         strokes
     }
 
-    /// Returns the hollow walls whose thickness lies in a range, and whose length is at least that multiple of their thickness.
+    /// Returns the hollow walls with a thickness in a range that are at least `long` times as long as thick.
     fn walls(&self, apart: [f64; 2], same: f64, long: f64) -> Vec<Pair> {
         let is_wall = |pair: &Pair| {
             pair.length() >= long * pair.apart() && self.between(pair, same).next().is_none()
@@ -297,7 +302,7 @@ impl Side {
         pairs.filter(is_wall).collect()
     }
 
-    /// Returns the frames whose width lies in a range, each as long as the lines between.
+    /// Returns the frames with a width in a range, each as long as the lines inside it.
     fn frames(&self, apart: [f64; 2], same: f64) -> Vec<Pair> {
         let frame = |pair: Pair| {
             let slack = pair.apart() / 2.0;

@@ -1,7 +1,7 @@
 //! Sizes that are printed in rooms, such as `15 x 20` in feet, `4.94 x 4.63` in metres or `18 m2`.
 //!
-//! A size counts if its two numbers have the ratio of the sides of the room, and a scale if several rooms agree on it. So the
-//! unit need not be read, nor what stands between the numbers.
+//! A size counts if its two numbers have the ratio of the sides of the room, and a scale if several rooms agree on it. So neither
+//! the unit nor the sign between the numbers has to be recognised.
 
 use super::digits::Glyph;
 use super::{Divided, Stuff};
@@ -25,10 +25,12 @@ const AGREE_BY_AREA: f64 = 0.03;
 const FEWEST: [usize; 3] = [3, 3, 4];
 /// The shortest and longest side of a room, metres.
 const SIDES: [f64; 2] = [0.6, 25.0];
+/// The most scales that are compared. A sheet with more numbers is a table.
+const MOST_VOTES: usize = 1_000;
 /// The least share of its box that a room with a size fills.
 const FILLED: f64 = 0.85;
 
-/// A row of signs that stand side by side.
+/// Signs side by side.
 type Row<'g> = Vec<&'g Glyph>;
 
 /// A scale that a room has by its size.
@@ -37,7 +39,7 @@ struct Vote {
     /// Metres of a pixel.
     metres: f64,
     room: u32,
-    /// The number as it is read, for sizes of several rooms that are the same.
+    /// The area, or the product of both numbers: equal sizes count once.
     value: u64,
 }
 
@@ -110,46 +112,83 @@ fn rows(glyphs: &[Glyph]) -> Vec<Row<'_>> {
     out
 }
 
-/// Returns the digits of a number, of which the first is not 0; `None` if a sign is not a digit or they stand apart.
-fn digits(glyphs: &[&Glyph]) -> Option<Vec<u32>> {
-    digits_after(glyphs).filter(|digits| digits.first().is_some_and(|first| *first != 0))
+/// A number: its digits before and after the widest space, where a decimal point or the mark of feet may be.
+struct Number {
+    whole: Vec<u32>,
+    part: Vec<u32>,
 }
 
-/// Returns the digits after a decimal point.
-fn digits_after(glyphs: &[&Glyph]) -> Option<Vec<u32>> {
-    let is_near = glyphs.windows(2).all(|pair| {
-        let space = pair[1].x[0] as f64 - pair[0].x[1] as f64;
-        space <= SPACE[0] * pair[0].height() + 1.0
-    });
-    let digits = glyphs.iter().map(|g| g.value).collect::<Option<Vec<u32>>>();
-    digits.filter(|_| is_near)
+impl Number {
+    /// Reads signs as a number; `None` if one is not a digit, the first is 0 or they stand apart.
+    fn read(glyphs: &[&Glyph]) -> Option<Number> {
+        let mut number = Number {
+            whole: vec![],
+            part: vec![],
+        };
+        let mut is_part = false;
+        for (k, glyph) in glyphs.iter().enumerate() {
+            let space = k
+                .checked_sub(1)
+                .map_or(0.0, |last| space(glyphs[last], glyph));
+            if space > SPACE[0] {
+                if is_part || space > SPACE[1] {
+                    return None;
+                }
+                is_part = true;
+            }
+            let digits = if is_part {
+                &mut number.part
+            } else {
+                &mut number.whole
+            };
+            digits.push(glyph.value?);
+        }
+        number
+            .whole
+            .first()
+            .is_some_and(|first| *first != 0)
+            .then_some(number)
+    }
+
+    /// Returns the value with a decimal point in the space.
+    fn decimal(&self) -> f64 {
+        value(&self.whole) + value(&self.part) / 10_f64.powi(self.part.len() as i32)
+    }
+
+    /// Returns the lengths that it may stand for, metres, each with the number of its unit.
+    fn lengths(&self) -> Vec<(usize, f64)> {
+        let whole = value(&self.whole);
+        let inches = |feet: &[u32], inches: &[u32]| {
+            let is_inches = value(inches) < 12.0 && (inches.len() == 1 || inches[0] != 0);
+            is_inches.then(|| (0, value(feet) * FOOT + value(inches) * INCH))
+        };
+        if !self.part.is_empty() {
+            let feet = inches(&self.whole, &self.part).into_iter();
+            return feet.chain([(1, self.decimal())]).collect();
+        }
+        let split = |at: usize| inches(&self.whole[..at], &self.whole[at..]);
+        match self.whole.len() {
+            1 | 2 => vec![(0, whole * FOOT)],
+            3 => {
+                let feet = [1, 2].into_iter().filter_map(split);
+                feet.chain([(1, whole / 100.0)]).collect()
+            }
+            4 => split(2).into_iter().chain([(2, whole / 1000.0)]).collect(),
+            _ => vec![],
+        }
+    }
+}
+
+/// Returns the space between two signs, in the height of the first.
+fn space(a: &Glyph, b: &Glyph) -> f64 {
+    // A pixel more is no space in small letters.
+    (b.x[0] as f64 - a.x[1] as f64 - 1.0) / a.height()
 }
 
 fn value(digits: &[u32]) -> f64 {
     digits
         .iter()
         .fold(0.0, |sum, digit| sum * 10.0 + f64::from(*digit))
-}
-
-/// Returns the lengths that a number may stand for, each with the number of its unit, metres.
-fn lengths(digits: &[u32]) -> Vec<(usize, f64)> {
-    let inches = |at: usize| {
-        let (feet, inches) = digits.split_at(at);
-        let is_inches = value(inches) < 12.0 && (inches.len() == 1 || inches[0] != 0);
-        is_inches.then(|| (0, value(feet) * FOOT + value(inches) * INCH))
-    };
-    match digits.len() {
-        1 | 2 => vec![(0, value(digits) * FOOT)],
-        3 => {
-            let feet = [1, 2].into_iter().filter_map(inches);
-            feet.chain([(1, value(digits) / 100.0)]).collect()
-        }
-        4 => inches(2)
-            .into_iter()
-            .chain([(2, value(digits) / 1000.0)])
-            .collect(),
-        _ => vec![],
-    }
 }
 
 /// Returns the scales at which two numbers of a row are the sides of its room.
@@ -163,20 +202,15 @@ fn sides(row: &[&Glyph], room: u32, extent: &Extent) -> Vec<Vote> {
     for between in 1..row.len().saturating_sub(1) {
         for from in between.saturating_sub(4)..between {
             for to in between + 2..=(between + 5).min(row.len()) {
-                let is_apart = |a: usize, b: usize| {
-                    let space = row[b].x[0] as f64 - row[a].x[1] as f64;
-                    space > SPACE[0] * row[a].height()
-                };
-                let starts = from == 0 || is_apart(from - 1, from) || row[from - 1].value.is_none();
-                let ends = to == row.len() || is_apart(to - 1, to) || row[to].value.is_none();
-                let both = [&row[from..between], &row[between + 1..to]].map(digits);
-                let [Some(a), Some(b)] = both else { continue };
-                if !starts || !ends {
+                if !stands_alone(row, from, to) {
                     continue;
                 }
-                for ((unit, a), (other, b)) in lengths(&a)
+                let both = [&row[from..between], &row[between + 1..to]].map(Number::read);
+                let [Some(a), Some(b)] = both else { continue };
+                for ((unit, a), (other, b)) in a
+                    .lengths()
                     .into_iter()
-                    .flat_map(|a| lengths(&b).into_iter().map(move |b| (a, b)))
+                    .flat_map(|a| b.lengths().into_iter().map(move |b| (a, b)))
                 {
                     let is_side = |length: f64| (SIDES[0]..=SIDES[1]).contains(&length);
                     if unit != other || !is_side(a) || !is_side(b) {
@@ -199,28 +233,27 @@ fn sides(row: &[&Glyph], room: u32, extent: &Extent) -> Vec<Vote> {
     out
 }
 
-/// Returns the scales at which a number of a row is the area of its room. A decimal point is too small to be seen, but for its space.
+/// Returns true if no further digit follows or precedes some signs of a row.
+fn stands_alone(row: &[&Glyph], from: usize, to: usize) -> bool {
+    let is_end = |a: usize, b: usize, outer: usize| {
+        row[outer].value.is_none() || space(row[a], row[b]) > SPACE[1]
+    };
+    (from == 0 || is_end(from - 1, from, from - 1)) && (to == row.len() || is_end(to - 1, to, to))
+}
+
+/// Returns the scales at which a number of a row, with or without a decimal point, is the area of its room.
 fn areas(row: &[&Glyph], room: u32, (extent, decimal): (&Extent, bool)) -> Vec<Vote> {
-    let space = |at: usize| (row[at].x[0] - row[at - 1].x[1]) as f64 / row[at].height();
-    let is_point = |at: usize| (SPACE[0]..=SPACE[1]).contains(&space(at));
     let mut out = vec![];
     for from in 0..row.len() {
         for to in from + 1..=(from + 4).min(row.len()) {
-            let starts = from == 0 || row[from - 1].value.is_none() || space(from) > SPACE[1];
-            let ends = to == row.len() || row[to].value.is_none() || space(to) > SPACE[1];
-            if !starts || !ends {
+            if !stands_alone(row, from, to) {
                 continue;
             }
-            let point = (from + 1..to).find(|at| decimal && is_point(*at));
-            if decimal && point.is_none() {
-                continue;
-            }
-            let whole = digits(&row[from..point.unwrap_or(to)]);
-            let part = point.map(|at| digits_after(&row[at..to]));
-            let (Some(whole), Some(part)) = (whole, part.unwrap_or(Some(vec![]))) else {
+            let number = Number::read(&row[from..to]);
+            let Some(number) = number.filter(|number| number.part.is_empty() != decimal) else {
                 continue;
             };
-            let square = value(&whole) + value(&part) / 10f64.powi(part.len() as i32);
+            let square = number.decimal();
             if (SIDES[0] * SIDES[0]..=SIDES[1] * SIDES[1]).contains(&square) {
                 out.push(Vote {
                     metres: (square / extent.area as f64).sqrt(),
@@ -235,6 +268,9 @@ fn areas(row: &[&Glyph], room: u32, (extent, decimal): (&Extent, bool)) -> Vec<V
 
 /// Returns the scale on which most rooms agree, and their number.
 fn agreed(votes: &[Vote], (most, fewest): (f64, usize)) -> Option<(f64, usize)> {
+    if votes.len() > MOST_VOTES {
+        return None;
+    }
     let near = |metres: f64| {
         votes
             .iter()
@@ -253,4 +289,85 @@ fn agreed(votes: &[Vote], (most, fewest): (f64, usize)) -> Option<(f64, usize)> 
     let mut scales: Vec<f64> = near(metres).map(|vote| vote.metres).collect();
     scales.sort_by(f64::total_cmp);
     Some((scales[scales.len() / 2], rooms))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The signs of a text 10 pixels high; a point leaves its space, and other letters are no digits.
+    fn row(text: &str) -> Vec<Glyph> {
+        let mut x = 0;
+        let mut out = vec![];
+        for letter in text.chars() {
+            match letter {
+                '.' => x += 5,
+                ' ' => x += 6,
+                _ => {
+                    out.push(Glyph {
+                        x: [x, x + 5],
+                        y: [0, 9],
+                        value: letter.to_digit(10),
+                    });
+                    x += 8;
+                }
+            }
+        }
+        out
+    }
+
+    fn room(width: usize, depth: usize) -> Extent {
+        Extent {
+            x: [0, width - 1],
+            y: [0, depth - 1],
+            area: width * depth,
+        }
+    }
+
+    /// The scale of rooms with a size each.
+    fn scale(rooms: &[(&str, Extent)], fewest: usize) -> Option<f64> {
+        let mut votes = vec![];
+        for (k, (text, extent)) in rooms.iter().enumerate() {
+            let glyphs = row(text);
+            let signs: Vec<&Glyph> = glyphs.iter().collect();
+            votes.extend(sides(&signs, k as u32 + 1, extent));
+            votes.extend(areas(&signs, k as u32 + 1, (extent, true)));
+        }
+        agreed(&votes, (AGREE, fewest)).map(|found| found.0)
+    }
+
+    #[test]
+    fn sides_and_areas_of_three_rooms_give_a_scale() {
+        // 3 cm a pixel.
+        let feet = [
+            ("15 x 20", room(152, 203)),
+            ("10 x 12", room(122, 102)),
+            ("9.6 x 8", room(97, 81)),
+        ];
+        let metric = [
+            ("4.94 x 4.63", room(165, 154)),
+            ("3.60 x 2.10", room(120, 70)),
+            ("1.80 x 2.70", room(60, 90)),
+        ];
+        let areas = [
+            ("17.3 m", room(160, 120)),
+            ("6.9 m", room(80, 96)),
+            ("12.1 m", room(112, 120)),
+        ];
+        for rooms in [feet, metric, areas] {
+            let found = scale(&rooms, 3).expect("the rooms agree");
+            assert!((found / 0.03 - 1.0).abs() < 0.03, "{found}: {rooms:?}");
+            assert_eq!(scale(&rooms[..2], 3), None);
+        }
+    }
+
+    #[test]
+    fn numbers_that_do_not_suit_their_rooms_give_none() {
+        let rooms = [
+            ("15 x 20", room(150, 150)),
+            ("30 x 12", room(120, 100)),
+            ("FL 250", room(100, 80)),
+        ];
+        assert_eq!(scale(&rooms, 3), None);
+    }
 }
