@@ -181,7 +181,7 @@ impl Number {
 
 /// Returns the space between two signs, in the height of the first.
 fn space(a: &Glyph, b: &Glyph) -> f64 {
-    // A pixel more is no space in small letters.
+    // Signs side by side are a pixel apart.
     (b.x[0] as f64 - a.x[1] as f64 - 1.0) / a.height()
 }
 
@@ -295,7 +295,7 @@ fn agreed(votes: &[Vote], (most, fewest): (f64, usize)) -> Option<(f64, usize)> 
 mod tests {
     use super::*;
 
-    /// The signs of a text 10 pixels high; a point leaves its space, and other letters are no digits.
+    /// The signs of a text 10 pixels high; a point leaves its space, and other letters have no value.
     fn row(text: &str) -> Vec<Glyph> {
         let mut x = 0;
         let mut out = vec![];
