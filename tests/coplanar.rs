@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 const MOST: f64 = 0.03;
 
 /// Scenes with more triangles are left to `HSD_THOROUGH`.
-const LARGE: usize = 120_000;
+const LARGE: usize = 60_000;
 
 /// What is more than that, by materials.
 pub fn told(scene: &Scene, skins: &[Skin], found: &[Fight]) -> Vec<String> {

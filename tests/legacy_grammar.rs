@@ -48,7 +48,7 @@ fn what_the_grammar_allows_is_read() {
     let grammar = grammar();
     let mut numbers = Numbers(7);
     let mut wrong = vec![];
-    for _ in 0..1000 {
+    for _ in 0..crate::support::part_of(4000) {
         let text = sentences::make(&grammar, &mut numbers);
         assert!(recognise::allows(&grammar, &text), "not its own:\n{text}");
         let codes = mistakes(&text);

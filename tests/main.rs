@@ -7,6 +7,7 @@
 mod support;
 
 mod age;
+mod backend;
 mod bake;
 mod catalog;
 mod catalogs;

@@ -14,7 +14,7 @@ use hsd::program::Content;
 use hsd::scene::{Detail, Kind, NodeId, Scene};
 
 /// Number of monuments, of which a short run looks at a part.
-const COUNT: usize = 300;
+const COUNT: usize = 600;
 
 /// Among how many of them there may be one in which two random measures meet, so that faces share a plane.
 const CHANCE: usize = 20;

@@ -63,7 +63,7 @@ fn examples_cut_anywhere() {
     let cuts: Vec<(&str, &[u8])> = examples
         .iter()
         .flat_map(|(name, bytes)| {
-            let step = 1 + bytes.len() / share(120); // the long ones in steps
+            let step = 1 + bytes.len() / share(60); // the long ones in steps
             let ends = (0..bytes.len()).step_by(step);
             ends.map(|end| (name.as_str(), &bytes[..end]))
         })
@@ -79,7 +79,7 @@ fn examples_cut_anywhere() {
 #[test]
 fn examples_changed_at_random() {
     let examples = examples();
-    assert_none(&on_all_processors(share(800), |index| {
+    assert_none(&on_all_processors(share(400), |index| {
         let (name, bytes) = mutation(&examples, index);
         let (_, findings) = findings_of(&name, &bytes);
         findings
@@ -93,7 +93,7 @@ fn examples_changed_at_random() {
 #[test]
 fn changed_examples_become_files() {
     let examples = examples();
-    assert_none(&on_all_processors(200, |index| {
+    assert_none(&on_all_processors(100, |index| {
         let (name, bytes) = mutation(&examples, index * 7);
         hsd::driver::compile_bytes(&name, &bytes);
         vec![]

@@ -5,4 +5,5 @@ mod least_cut_check;
 mod outlines;
 mod page;
 mod properties;
+mod search_budget;
 mod shapes;

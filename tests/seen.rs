@@ -27,8 +27,12 @@ fn ways() -> Vec<DVec3> {
 fn findings(scene: &Scene, detail: Detail) -> Vec<String> {
     let mut found: BTreeMap<String, (usize, DVec3)> = BTreeMap::new();
     let mut lines = 0;
-    // Less detail is looked at from every fourth way, which is from above.
-    let step = if detail == Detail::Everything { 1 } else { 4 };
+    // Every way if thorough. Less detail is looked at from every fourth way, which is from above.
+    let step = match detail {
+        Detail::Everything if crate::support::thorough() => 1,
+        Detail::Everything => 2,
+        _ => 4,
+    };
     for way in ways().into_iter().step_by(step) {
         let view = View::of(scene, way, 220);
         lines += view.hits.len();

@@ -1,5 +1,8 @@
 //! The catalogue to look at: `hsd parts --sheet`.
 
+use hsd::catalog::PartDef;
+use hsd::scene::{Detail, Kind};
+use hsd::tessellate::part_sheet;
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -57,4 +60,25 @@ fn other_endings_are_wrong_usage() {
     assert_eq!(output.status.code(), Some(2));
     let told = String::from_utf8_lossy(&output.stderr);
     assert!(told.contains(".html or .glb"), "{told}");
+}
+
+#[test]
+fn every_part_but_the_void_is_pictured() {
+    for part in hsd::parse::builtin().parts() {
+        let picture = part_sheet::picture(part, 40.0);
+        assert_eq!(picture.is_some(), part.class() != ' ', "{}", part.code());
+        let Some(picture) = picture else { continue };
+        let paper = *picture.get_pixel(0, 0);
+        let drawn = picture.pixels().filter(|p| **p != paper).count();
+        let share = drawn as f64 / f64::from(picture.width() * picture.height());
+        assert!(share > 0.02, "{}: {share}", part.code());
+    }
+}
+
+#[test]
+fn every_part_stands_apart_from_its_neighbours() {
+    let all: Vec<&PartDef> = hsd::parse::builtin().parts().iter().collect();
+    let scene = part_sheet::scene(&all, Detail::Everything);
+    let parts = scene.nodes.iter().filter(|n| n.kind == Kind::Part);
+    assert_eq!(parts.count(), all.len() - 1);
 }

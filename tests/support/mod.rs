@@ -189,9 +189,9 @@ pub fn thorough() -> bool {
     std::env::var_os("HSD_THOROUGH").is_some()
 }
 
-/// Number of inputs of a test that could look at `all`: if [`thorough`] all, else a quarter.
+/// Number of inputs of a test that could look at `all`: if [`thorough`] all, else an eighth.
 pub fn part_of(all: usize) -> usize {
-    if thorough() { all } else { all.div_ceil(4) }
+    if thorough() { all } else { all.div_ceil(8) }
 }
 
 /// Details for the model number `index` of a test that looks long at many models: all if [`thorough`], else one in turn.

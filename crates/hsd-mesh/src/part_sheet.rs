@@ -157,32 +157,3 @@ fn lit(picture: &Picture) -> RgbImage {
         Rgb([r, g, b].map(|c| (f64::from(c) * light).min(255.0) as u8))
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::part_sheet::*;
-    use hsd_syntax::parse;
-
-    fn all() -> Vec<&'static PartDef> {
-        parse::builtin().parts().iter().collect()
-    }
-
-    #[test]
-    fn every_part_but_the_void_is_pictured() {
-        for part in all() {
-            let picture = picture(part, 40.0);
-            assert_eq!(picture.is_some(), part.class() != ' ', "{}", part.code());
-            let Some(picture) = picture else { continue };
-            let drawn = picture.pixels().filter(|p| p.0 != PAPER).count();
-            let share = drawn as f64 / f64::from(picture.width() * picture.height());
-            assert!(share > 0.02, "{}: {share}", part.code());
-        }
-    }
-
-    #[test]
-    fn every_part_stands_apart_from_its_neighbours() {
-        let scene = scene(&all(), Detail::Everything);
-        let parts = scene.nodes.iter().filter(|n| n.kind == Kind::Part);
-        assert_eq!(parts.count(), all().len() - 1);
-    }
-}

@@ -59,7 +59,7 @@ impl SearchBudget {
     }
 
     /// Returns true once per house, if a search was given up.
-    pub(super) fn is_news(&self) -> bool {
+    pub fn is_news(&self) -> bool {
         self.gave_up.get() && !self.reported.replace(true)
     }
 }

@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used)] // a test that panics has failed
 
 mod fmt;
+mod outline;
 mod parse_legacy;
 mod parse_legacy_robust;
 mod parse_xml;

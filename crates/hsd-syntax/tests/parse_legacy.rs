@@ -9,6 +9,7 @@ use hsd_testing::Words;
 use std::path::Path;
 
 mod fixes;
+mod line;
 
 /// The example of docs/evidence.md 2.6.
 const TOWN_HOUSE: &str = "\

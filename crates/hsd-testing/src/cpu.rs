@@ -43,11 +43,11 @@ pub fn growth<I, T>(
     let time = |input| spent(|| work(input)).1;
     let (mut least, mut most) = (time(&small), Duration::MAX);
     for _ in 0..ROUNDS {
-        least = least.min(time(&small));
         most = most.min(time(&large));
         if most <= least * LINEAR + NOISE {
             return None;
         }
+        least = least.min(time(&small));
     }
     let times = most.as_secs_f64() / least.as_secs_f64().max(1e-9);
     Some(format!(

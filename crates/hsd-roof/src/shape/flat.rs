@@ -250,7 +250,6 @@ fn profile_run(points: Vec<DVec3>, n: usize, closed: bool) -> Solid {
 
 #[cfg(test)]
 mod tests {
-    use crate::partition::{Method, partition};
     use crate::shape::flat::*;
     use hsd_ir::check::solid_flaws;
 
@@ -271,7 +270,11 @@ mod tests {
             (4_000_000, 9_000_000),
             (0, 9_000_000),
         ]]);
-        let cells = partition(&l, Method::Kd);
+        let cell = |a1, b0, b1| Cell { a0: 0, b0, a1, b1 };
+        let cells = [
+            cell(6_000_000, 0, 4_000_000),
+            cell(4_000_000, 4_000_000, 9_000_000),
+        ];
         let slab = slab_of_cells(&cells, 0.9, 3.0, RoofKind::Metal, 0.15);
         assert_eq!(slab.len(), 1);
         sound(&slab);

@@ -16,7 +16,7 @@
 
 mod cells;
 mod header;
-mod line;
+pub mod line;
 mod places;
 mod roof_words;
 mod roofs;

@@ -107,7 +107,7 @@ fn ten_thousand_mutations_are_survived() {
     }
 }
 
-/// A quarter of a mebibyte of one thing: linear time, and a bounded number of messages.
+/// An eighth of a mebibyte of one thing: linear time, and a bounded number of messages.
 #[test]
 fn a_heap_of_anything_is_read_in_linear_time() {
     let mut findings = vec![];
@@ -182,7 +182,7 @@ fn a_heap_of_anything_is_read_in_linear_time() {
                 xml::parse(source, &Limits::default(), &mut out);
                 assert!(out.iter().count() <= 501);
             };
-            let faster = growth(1 << 16, make, read);
+            let faster = growth(1 << 15, make, read);
             findings.extend(faster.map(|f| format!("{before:?} {bit:?} {f}")));
         }
     }

@@ -12,30 +12,32 @@ use std::ops::Range;
 pub(super) use crate::parse::columns::CELL;
 
 /// A line without its line end, with invalid characters replaced.
-pub(super) struct SourceLine<'a> {
+#[derive(Debug)]
+pub struct SourceLine<'a> {
     /// As written.
-    pub(super) raw: &'a str,
+    pub raw: &'a str,
     /// The start of `raw` in the text of the source.
-    pub(super) at: usize,
+    pub at: usize,
     /// With substitutes for invalid characters.
-    pub(super) text: Cow<'a, str>,
+    pub text: Cow<'a, str>,
     /// Offset in `raw` of each byte of `text` and of its end; empty where both are the same.
     map: Vec<u32>,
     /// The fixed characters.
-    pub(super) findings: Vec<Finding>,
+    pub findings: Vec<Finding>,
 }
 
 /// A run of characters that were replaced, or could not be.
-pub(super) struct Finding {
+#[derive(Debug)]
+pub struct Finding {
     /// The kind of characters.
-    pub(super) kind: Odd,
+    pub kind: Odd,
     /// Its range in `raw`.
-    pub(super) range: Range<usize>,
+    pub range: Range<usize>,
 }
 
 /// Kinds of characters that are not printable ASCII.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Odd {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Odd {
     /// U+3000, read as two blanks.
     WideBlank,
     /// A tab, read as the blanks up to the next border of two codes.
@@ -58,7 +60,7 @@ pub(super) enum Odd {
 
 impl<'a> SourceLine<'a> {
     /// Fixes a line that begins at `at`.
-    pub(super) fn new(raw: &'a str, at: usize) -> SourceLine<'a> {
+    pub fn new(raw: &'a str, at: usize) -> SourceLine<'a> {
         let mut line = SourceLine {
             raw,
             at,
@@ -75,7 +77,7 @@ impl<'a> SourceLine<'a> {
     }
 
     /// Returns the span of a range of `text`.
-    pub(super) fn span(&self, source: &Source, range: Range<usize>) -> Span {
+    pub fn span(&self, source: &Source, range: Range<usize>) -> Span {
         source.span(self.at + self.written(range.start)..self.at + self.written(range.end))
     }
 
@@ -198,7 +200,7 @@ fn narrow(c: char) -> char {
 const RETURNS: usize = 8;
 
 /// Returns the ranges of the lines of a source file and of their line ends: LF, CR LF (with several CR), or CR.
-pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, Range<usize>)> + '_ {
+pub fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, Range<usize>)> + '_ {
     let bytes = text.as_bytes();
     let mut at = 0;
     std::iter::from_fn(move || {
@@ -217,53 +219,5 @@ pub(super) fn after_line_end(bytes: &[u8], end: usize) -> usize {
     match bytes.get(end + returns) {
         Some(b'\n') => end + returns + 1, // CR CR LF comes from a file converted twice
         _ => end + returns.min(1),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn split(text: &str) -> Vec<&str> {
-        lines(text).map(|(line, _)| &text[line]).collect()
-    }
-
-    #[test]
-    fn lines_end_in_every_known_way() {
-        assert_eq!(split("a\nb\r\nc\rd"), ["a", "b", "c", "d"]);
-        assert_eq!(
-            split("a\r\r\nb\r\n\r\nc\r\rd\n"),
-            ["a", "b", "", "c", "", "d"]
-        );
-        assert!(split("").is_empty());
-    }
-
-    #[test]
-    fn a_fixed_line_knows_what_is_written() {
-        let source = Source::new(Default::default(), "a.hsd", "GSI　Ｌ\tX".as_bytes());
-        let line = SourceLine::new(source.text(), 0);
-        assert_eq!(line.text, "GSI  L    X");
-        assert_eq!(source.text_range(line.span(&source, 3..5)), 3..6);
-        assert_eq!(source.text_range(line.span(&source, 5..6)), 6..9);
-        assert_eq!(source.text_range(line.span(&source, 10..11)), 10..11);
-        assert_eq!(line.findings.len(), 3);
-    }
-
-    #[test]
-    fn names_of_parts_are_read_as_their_codes() {
-        let text = |raw| SourceLine::new(raw, 0).text.into_owned();
-        assert_eq!(text("GSI  大戸   KSM  "), "GSI  TOD  KSM  ");
-        assert_eq!(text("大戸 KSM  "), "TOD  KSM  ");
-        assert_eq!(text("ガラスカーテンウォールKSM"), "NGC  KSM");
-        assert_eq!(text("格子戸引違い    KSM"), "TKD 2KSM");
-        assert_eq!(text("大戸前  KSM"), "大戸前  KSM");
-        let source = Source::new(Default::default(), "a.hsd", "大戸   KSM".as_bytes());
-        let line = SourceLine::new(source.text(), 0);
-        assert_eq!(source.text_range(line.span(&source, 5..8)), 9..12);
-    }
-
-    #[test]
-    fn blanks_among_wide_letters_are_one_column() {
-        assert_eq!(SourceLine::new("ＧＳＩ　　ＫＫＳ", 0).text, "GSI  KKS");
     }
 }

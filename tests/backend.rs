@@ -3,12 +3,12 @@
 mod plain;
 
 use glam::{dvec2, dvec3};
-use hsd_base::source::{FileId, Span};
-use hsd_export::{Images, NoImages, PictureBytes, SurfaceFiles, gltf, obj, sound, stl};
-use hsd_scene::{
+use hsd::backend::{Images, NoImages, PictureBytes, SurfaceFiles, gltf, obj, sound, stl};
+use hsd::scene::{
     Detail, Image, Kind, Material, MaterialId, Mesh, MeshId, Node, NodeId, PartNames, Place,
     Primitive, Scene,
 };
+use hsd::source::{FileId, Span};
 use std::borrow::Cow;
 use std::num::NonZeroU32;
 use std::sync::Arc;

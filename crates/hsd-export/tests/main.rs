@@ -1,6 +1,0 @@
-//! Tests of the crate as one program, which is compiled and linked once.
-
-#![allow(missing_docs, unreachable_pub)] // modules of one program
-#![allow(clippy::unwrap_used)] // a test that panics has failed
-
-mod backend;
