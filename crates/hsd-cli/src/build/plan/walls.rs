@@ -72,6 +72,9 @@ fn evidence(of: Evidence) -> String {
         Evidence::Given => "as it was given".to_owned(),
         Evidence::Printed(count) => format!("from {count} printed dimensions"),
         Evidence::Rooms(count) => format!("from the printed sizes of {count} rooms"),
+        Evidence::Mats(count) => {
+            format!("from the printed mats of {count} rooms, 1.62 m2 each")
+        }
         Evidence::Doors(count) => format!("if its {count} swinging doors are 0.85 m wide"),
         Evidence::Openings => "if its usual opening is 0.85 m wide".to_owned(),
         Evidence::Unit(mm) => format!("if a unit of the drawing is {mm} mm"),
@@ -197,6 +200,10 @@ impl Plan {
     ) {
         let by = match sheet.found.scale.evidence {
             Evidence::Given | Evidence::Printed(_) | Evidence::Rooms(_) => None,
+            Evidence::Mats(count) => Some(text!([count]
+                "the mats that are printed in {count} rooms, if one has 1.62 m2,",
+                "{count} 室に書かれた畳数を、一畳 1.62 m² と見て、そこ"
+            )),
             Evidence::Doors(count) => Some(text!([count]
                 "its {count} swinging doors, if they are 0.85 m wide,",
                 "開き戸 {count} か所の幅を 0.85 m と見て、そこ"

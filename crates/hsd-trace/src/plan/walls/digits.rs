@@ -9,16 +9,21 @@ use image::GrayImage;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-/// Digits of seven typefaces: digit, width in hundredths of the height, and the ink of 8 by 12 cells in ninths.
+/// Digits of 22 typefaces, with and without serifs: digit, width in hundredths of the height, and the ink of 8 by 12 cells in ninths.
 const TYPEFACES: &str = include_str!("digits.txt");
 /// The cells of a digit.
 const CELLS: [usize; 2] = [8, 12];
 /// The greatest difference from a digit, mean of all cells.
 const UNLIKE: f64 = 0.22;
+/// The greatest difference from a digit that is blurred, and the least further difference from any other digit.
+const BLURRED: f64 = 0.30;
+const APART: f64 = 0.05;
 /// The weight of the difference of widths.
 const WIDTH: f64 = 0.35;
 /// The least and most height of a digit: pixels, and as a share of the diagonal of the plan.
 const HEIGHT: (usize, f64) = (6, 0.03);
+/// The greatest width of a sign, in its height: `x` between two numbers is broader than high.
+const WIDEST: f64 = 1.4;
 /// The widest space between digits of a number, in their height.
 const SPACE: f64 = 0.45;
 /// The greatest distance of a number from the middle of the two walls that it measures, in its height.
@@ -110,7 +115,7 @@ pub(super) fn glyphs(dark: &GrayImage, threshold: u8, diagonal: f64) -> Vec<Glyp
     let most = (HEIGHT.1 * diagonal) as usize;
     let small = extents.iter().skip(1).filter(|extent| {
         let [w, h] = extent.size();
-        h >= HEIGHT.0 && h <= most && w <= h
+        h >= HEIGHT.0 && h <= most && w as f64 <= WIDEST * h as f64
     });
     let glyph = |extent: &Extent| Glyph {
         x: extent.x,
@@ -157,9 +162,20 @@ fn recognised(dark: &GrayImage, extent: &Extent) -> Option<u32> {
         let mean = cells.sum::<f64>() / digit.cells.len() as f64;
         mean + WIDTH * (digit.width - w / h).abs()
     };
-    let best = DIGITS.iter().map(|d| (unlike(d), d.value));
-    let best = best.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    (best.0 <= UNLIKE).then_some(best.1)
+    let mut best = [(f64::INFINITY, 0); 2];
+    for (unlike, value) in DIGITS.iter().map(|d| (unlike(d), d.value)) {
+        if unlike < best[0].0 {
+            if value != best[0].1 {
+                best[1] = best[0];
+            }
+            best[0] = (unlike, value);
+        } else if value != best[0].1 && unlike < best[1].0 {
+            best[1] = (unlike, value);
+        }
+    }
+    let [(unlike, value), (second, _)] = best;
+    let is_clear = unlike <= BLURRED && second - unlike >= APART;
+    (unlike <= UNLIKE || is_clear).then_some(value)
 }
 
 /// Puts digits beside each other together: value, middle, height.

@@ -35,6 +35,8 @@ pub enum Evidence {
     Printed(usize),
     /// Sizes printed in rooms, by their number.
     Rooms(usize),
+    /// Numbers of mats printed in rooms, by the number of rooms.
+    Mats(usize),
     /// Swinging doors, by their number, taken for usual ones.
     Doors(usize),
     /// The commonest opening, taken for a door.
@@ -77,11 +79,13 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
     };
     let by_rooms = || {
         let glyphs = digits::glyphs(&ink.dark, ink.threshold, reading.divided.diagonal);
-        let (metres, count) = sizes::metres(&glyphs, &reading.divided)?;
-        Some(Scale {
-            metres,
-            evidence: Evidence::Rooms(count),
-        })
+        let about = by_doors(&reading.divided).or_else(|| by_openings(&reading.divided));
+        let about = about.map(|scale| scale.metres);
+        let found = sizes::metres(&glyphs, &reading.divided, about)?;
+        Some(by_areas(&reading.graph, found, about).unwrap_or(Scale {
+            metres: found.metres,
+            evidence: Evidence::Rooms(found.rooms),
+        }))
     };
     let by_doors = || {
         let divided = &reading.divided;
@@ -92,6 +96,25 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
         (room >= LEAST_ROOM).then_some(scale)
     };
     given.or_else(printed).or_else(by_rooms).or_else(by_doors)
+}
+
+/// Returns another scale for areas that may count mats: by walls at quarters of a ken that fit square metres or mats, or by mats
+/// if they are nearer to the scale of openings.
+fn by_areas(graph: &Graph, found: sizes::Agreed, about: Option<f64>) -> Option<Scale> {
+    let about = about.filter(|_| found.may_be_mats)?;
+    let mats = found.metres * sizes::MAT.sqrt();
+    let fits = |scale: &Scale| {
+        let is_near = |metres: f64| (scale.metres / metres - 1.0).abs() <= sizes::AGREE_OF_MATS;
+        is_near(found.metres) || is_near(mats)
+    };
+    let by_mats = || {
+        let nearer = mats / about < about / found.metres;
+        nearer.then_some(Scale {
+            metres: mats,
+            evidence: Evidence::Mats(found.rooms),
+        })
+    };
+    by_half_ken(graph, about).filter(fits).or_else(by_mats)
 }
 
 /// Returns the scale by the only unit of a drawing in which its plan is a house; `None` if there are several or none.

@@ -1,18 +1,20 @@
 //! Sizes that are printed in rooms, such as `15 x 20` in feet, `4.94 x 4.63` in metres or `18 m2`.
 //!
-//! A size counts if its two numbers have the ratio of the sides of the room, and a scale if several rooms agree on it. So neither
-//! the unit nor the sign between the numbers has to be recognised.
+//! A size counts if its two numbers have the ratio of the sides of the room, or of the distances between the walls around it, and a
+//! scale if several rooms agree on it. So neither the unit nor the sign between the numbers has to be recognised.
 
 use super::digits::Glyph;
+use super::field::Field;
 use super::{Divided, Stuff};
 use crate::plan::raster::Extent;
 use std::collections::BTreeSet;
+use std::ops::RangeInclusive;
 
 /// Metres of a foot and of an inch.
 const FOOT: f64 = 0.3048;
 const INCH: f64 = FOOT / 12.0;
 /// The widest space between digits of a number, across its decimal point, and between the signs of a size, in their height.
-const SPACE: [f64; 3] = [0.45, 0.9, 1.3];
+const SPACE: [f64; 3] = [0.45, 0.9, 1.6];
 /// The greatest difference of the heights and feet of two signs, in their height.
 const LEVEL: f64 = 0.2;
 /// The greatest difference of the ratio of two numbers and that of two sides.
@@ -21,8 +23,15 @@ const RATIO: f64 = 0.08;
 const AGREE: f64 = 0.05;
 /// The greatest difference of the scales of rooms with an area alone.
 const AGREE_BY_AREA: f64 = 0.03;
+/// Square metres of a mat in plans of dwellings for sale, and how far mats and square metres of one sheet may disagree on the scale:
+/// mats of other lengths are counted too.
+pub(super) const MAT: f64 = 1.62;
+pub(super) const AGREE_OF_MATS: f64 = 0.05;
 /// The fewest rooms that agree: by two sides, by an area with a decimal point, by an area.
 const FEWEST: [usize; 3] = [3, 3, 4];
+/// The fewest rooms that agree by two sides where openings have a scale, and how far that of the rooms may be from it.
+const FEWEST_NEAR: usize = 2;
+const NEAR: RangeInclusive<f64> = 0.65..=1.55;
 /// The shortest and longest side of a room, metres.
 const SIDES: [f64; 2] = [0.6, 25.0];
 /// The most scales that are compared. A sheet with more numbers is a table.
@@ -38,16 +47,30 @@ type Row<'g> = Vec<&'g Glyph>;
 struct Vote {
     /// Metres of a pixel.
     metres: f64,
-    room: u32,
+    /// The row of signs that says it.
+    row: u32,
     /// The area, or the product of both numbers: equal sizes count once.
     value: u64,
 }
 
-/// Returns metres of a pixel by the sizes printed in rooms, and how many rooms agree on it.
-pub(super) fn metres(glyphs: &[Glyph], divided: &Divided) -> Option<(f64, usize)> {
+/// The scale that printed sizes of rooms agree on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Agreed {
+    /// Metres of a pixel.
+    pub(super) metres: f64,
+    /// How many rooms agree.
+    pub(super) rooms: usize,
+    /// True if their numbers may count mats instead of square metres.
+    pub(super) may_be_mats: bool,
+}
+
+/// Returns the scale by the sizes that are printed in rooms.
+///
+/// Only scales that are about that of the openings count, and two rooms are enough then.
+pub(super) fn metres(glyphs: &[Glyph], divided: &Divided, about: Option<f64>) -> Option<Agreed> {
     let rooms = rooms(divided);
     let (mut by_sides, mut by_decimal, mut by_area) = (vec![], vec![], vec![]);
-    for row in rows(glyphs) {
+    for (id, row) in (0..).zip(rows(glyphs)) {
         let Some(first) = row.first() else { continue };
         let at = (first.x[0], first.y[1]);
         let Some(room) = divided.faces.of.get(at.0 as isize, at.1 as isize) else {
@@ -56,13 +79,37 @@ pub(super) fn metres(glyphs: &[Glyph], divided: &Divided) -> Option<(f64, usize)
         let Some(extent) = rooms.get(room as usize).filter(|_| room != 0) else {
             continue;
         };
-        by_sides.extend(sides(&row, room, extent));
-        by_decimal.extend(areas(&row, room, (extent, true)));
-        by_area.extend(areas(&row, room, (extent, false)));
+        let [width, depth] = extent.size();
+        if extent.area as f64 >= FILLED * (width * depth) as f64 {
+            by_sides.extend(sides(&row, id, [width, depth].map(|s| s as f64)));
+        }
+        for clear in clear_sides(&row, &divided.stuff) {
+            by_sides.extend(sides(&row, id, clear));
+        }
+        by_decimal.extend(areas(&row, id, (extent, true)));
+        by_area.extend(areas(&row, id, (extent, false)));
     }
-    agreed(&by_sides, (AGREE, FEWEST[0]))
-        .or_else(|| agreed(&by_decimal, (AGREE_BY_AREA, FEWEST[1])))
-        .or_else(|| agreed(&by_area, (AGREE_BY_AREA, FEWEST[2])))
+    if let Some(about) = about {
+        for votes in [&mut by_sides, &mut by_decimal, &mut by_area] {
+            votes.retain(|vote| NEAR.contains(&(vote.metres / about)));
+        }
+    }
+    let fewest = about.map_or(FEWEST[0], |_| FEWEST_NEAR);
+    agreed(&by_sides, (AGREE, fewest))
+        .or_else(|| by_areas(&by_decimal, FEWEST[1]))
+        .or_else(|| by_areas(&by_area, FEWEST[2]))
+}
+
+/// Returns the scale by areas. Where square metres and mats are printed, square metres give the larger scale.
+fn by_areas(votes: &[Vote], fewest: usize) -> Option<Agreed> {
+    let found = agreed(votes, (AGREE_BY_AREA, fewest))?;
+    let larger = found.metres * MAT.sqrt();
+    let near = |vote: &&Vote| (vote.metres / larger - 1.0).abs() <= AGREE_OF_MATS;
+    let others: Vec<Vote> = votes.iter().filter(near).copied().collect();
+    agreed(&others, (AGREE_BY_AREA, FEWEST_NEAR)).or(Some(Agreed {
+        may_be_mats: true,
+        ..found
+    }))
 }
 
 /// Returns the inner extent of each room.
@@ -92,7 +139,8 @@ fn rows(glyphs: &[Glyph]) -> Vec<Row<'_>> {
         let mut from = first;
         loop {
             let last = all[from];
-            let height = last.height();
+            // The sign between two numbers may be a low one.
+            let height = row.iter().map(|g| g.height()).fold(0.0, f64::max);
             let reach = last.x[1] + (SPACE[2] * height) as usize + 1;
             let near = (from + 1..all.len()).take_while(|k| all[*k].x[0] <= reach);
             let slack = LEVEL * height + 1.0;
@@ -181,8 +229,8 @@ impl Number {
 
 /// Returns the space between two signs, in the height of the first.
 fn space(a: &Glyph, b: &Glyph) -> f64 {
-    // Signs side by side are a pixel apart.
-    (b.x[0] as f64 - a.x[1] as f64 - 1.0) / a.height()
+    // Signs side by side are a pixel apart, and half a pixel belongs to their blurred edges.
+    (b.x[0] as f64 - a.x[1] as f64 - 1.5) / a.height()
 }
 
 fn value(digits: &[u32]) -> f64 {
@@ -192,11 +240,7 @@ fn value(digits: &[u32]) -> f64 {
 }
 
 /// Returns the scales at which two numbers of a row are the sides of its room.
-fn sides(row: &[&Glyph], room: u32, extent: &Extent) -> Vec<Vote> {
-    let [width, depth] = extent.size().map(|s| s as f64);
-    if (extent.area as f64) < FILLED * width * depth {
-        return vec![];
-    }
+fn sides(row: &[&Glyph], id: u32, [width, depth]: [f64; 2]) -> Vec<Vote> {
     let mut out = vec![];
     // A sign between two numbers may look like a digit.
     for between in 1..row.len().saturating_sub(1) {
@@ -221,7 +265,7 @@ fn sides(row: &[&Glyph], room: u32, extent: &Extent) -> Vec<Vote> {
                         if (s / t - 1.0).abs() <= RATIO {
                             out.push(Vote {
                                 metres: (s * t).sqrt(),
-                                room,
+                                row: id,
                                 value: (a * b).to_bits(),
                             });
                         }
@@ -233,6 +277,45 @@ fn sides(row: &[&Glyph], room: u32, extent: &Extent) -> Vec<Vote> {
     out
 }
 
+/// Returns the clear width and depth at a row of signs: between whatever divides rooms, and between walls.
+///
+/// Where a room was read wrongly, the walls on both sides of its size may still be right.
+fn clear_sides(row: &[&Glyph], stuff: &Field<Stuff>) -> Vec<[f64; 2]> {
+    let (Some(first), Some(last)) = (row.first(), row.last()) else {
+        return vec![];
+    };
+    let middle = [(first.x[0] + last.x[1]) / 2, (first.y[0] + first.y[1]) / 2];
+    let step = first.y[1] - first.y[0] + 1;
+    let clear = |axis: usize, is_end: fn(Stuff) -> bool| -> Option<f64> {
+        let mut lengths: Vec<usize> = (-2..=2)
+            .filter_map(|k: isize| {
+                let mut at = middle.map(|m| m as isize);
+                at[1 - axis] += k * step as isize;
+                let reach = |way: isize| {
+                    (1..).find_map(|far: isize| {
+                        let mut p = at;
+                        p[axis] += way * far;
+                        match stuff.get(p[0], p[1]) {
+                            None => Some(None),
+                            Some(found) => is_end(found).then_some(Some(far as usize)),
+                        }
+                    })?
+                };
+                Some(reach(-1)? + reach(1)? - 1)
+            })
+            .collect();
+        lengths.sort_unstable();
+        lengths.get(lengths.len() / 2).map(|length| *length as f64)
+    };
+    let ends: [fn(Stuff) -> bool; 2] = [
+        |stuff| stuff != Stuff::Free,
+        |stuff| matches!(stuff, Stuff::Wall | Stuff::Tinted),
+    ];
+    ends.into_iter()
+        .filter_map(|is_end| Some([clear(0, is_end)?, clear(1, is_end)?]))
+        .collect()
+}
+
 /// Returns true if no further digit follows or precedes some signs of a row.
 fn stands_alone(row: &[&Glyph], from: usize, to: usize) -> bool {
     let is_end = |a: usize, b: usize, outer: usize| {
@@ -242,7 +325,7 @@ fn stands_alone(row: &[&Glyph], from: usize, to: usize) -> bool {
 }
 
 /// Returns the scales at which a number of a row, with or without a decimal point, is the area of its room.
-fn areas(row: &[&Glyph], room: u32, (extent, decimal): (&Extent, bool)) -> Vec<Vote> {
+fn areas(row: &[&Glyph], id: u32, (extent, decimal): (&Extent, bool)) -> Vec<Vote> {
     let mut out = vec![];
     for from in 0..row.len() {
         for to in from + 1..=(from + 4).min(row.len()) {
@@ -257,7 +340,7 @@ fn areas(row: &[&Glyph], room: u32, (extent, decimal): (&Extent, bool)) -> Vec<V
             if (SIDES[0] * SIDES[0]..=SIDES[1] * SIDES[1]).contains(&square) {
                 out.push(Vote {
                     metres: (square / extent.area as f64).sqrt(),
-                    room,
+                    row: id,
                     value: square.to_bits(),
                 });
             }
@@ -267,7 +350,7 @@ fn areas(row: &[&Glyph], room: u32, (extent, decimal): (&Extent, bool)) -> Vec<V
 }
 
 /// Returns the scale on which most rooms agree, and their number.
-fn agreed(votes: &[Vote], (most, fewest): (f64, usize)) -> Option<(f64, usize)> {
+fn agreed(votes: &[Vote], (most, fewest): (f64, usize)) -> Option<Agreed> {
     if votes.len() > MOST_VOTES {
         return None;
     }
@@ -277,7 +360,7 @@ fn agreed(votes: &[Vote], (most, fewest): (f64, usize)) -> Option<(f64, usize)> 
             .filter(move |vote| (vote.metres / metres - 1.0).abs() <= most)
     };
     let count = |metres: f64| {
-        let rooms: BTreeSet<u32> = near(metres).map(|vote| vote.room).collect();
+        let rooms: BTreeSet<u32> = near(metres).map(|vote| vote.row).collect();
         let values: BTreeSet<u64> = near(metres).map(|vote| vote.value).collect();
         rooms.len().min(values.len())
     };
@@ -288,7 +371,11 @@ fn agreed(votes: &[Vote], (most, fewest): (f64, usize)) -> Option<(f64, usize)> 
     }
     let mut scales: Vec<f64> = near(metres).map(|vote| vote.metres).collect();
     scales.sort_by(f64::total_cmp);
-    Some((scales[scales.len() / 2], rooms))
+    Some(Agreed {
+        metres: scales[scales.len() / 2],
+        rooms,
+        may_be_mats: false,
+    })
 }
 
 #[cfg(test)]
@@ -330,10 +417,10 @@ mod tests {
         for (k, (text, extent)) in rooms.iter().enumerate() {
             let glyphs = row(text);
             let signs: Vec<&Glyph> = glyphs.iter().collect();
-            votes.extend(sides(&signs, k as u32 + 1, extent));
-            votes.extend(areas(&signs, k as u32 + 1, (extent, true)));
+            votes.extend(sides(&signs, k as u32, extent.size().map(|s| s as f64)));
+            votes.extend(areas(&signs, k as u32, (extent, true)));
         }
-        agreed(&votes, (AGREE, fewest)).map(|found| found.0)
+        agreed(&votes, (AGREE, fewest)).map(|found| found.metres)
     }
 
     #[test]
