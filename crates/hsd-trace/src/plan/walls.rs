@@ -35,6 +35,7 @@ mod measures;
 pub mod openings;
 pub mod outside;
 pub mod pictures;
+mod reach;
 pub mod scale;
 mod sizes;
 mod stairs;
@@ -205,7 +206,7 @@ pub fn divide(ink: &Ink) -> Divided {
     let treads = hatching::remove(&mut strokes, drawn);
     // Letters that touched the hatching are separate now.
     letters::remove(&mut strokes);
-    let solid = faces::within_walls(&strokes.walls(), drawn);
+    let solid = reach::of_plan(&strokes, drawn);
     let solid = strokes.joined(&solid);
     let bounds = faces::bounds(&solid);
     let diagonal = bounds.diagonal();

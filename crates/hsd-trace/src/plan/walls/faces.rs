@@ -9,8 +9,6 @@ use std::collections::{BTreeMap, VecDeque};
 
 /// The least room, in the square of the plan's diagonal.
 const LEAST: f64 = 0.0008;
-/// The least diagonal of a large wall, as a share of that of all ink.
-const LARGE: f64 = 0.12;
 /// The largest network of walls may be that many times as large as another that counts.
 const NETWORK: usize = 8;
 /// The narrowest room between walls, and between thin ones, as shares of the plan's diagonal.
@@ -110,22 +108,6 @@ impl Faces {
         let of = of.map(|f| if f == u32::MAX { 0 } else { f });
         Faces { of, count }
     }
-}
-
-/// Keeps walls within the bounds of the large ones: small ones beyond are dimensions and legends. `drawn` is the diagonal of all ink.
-pub fn within_walls(walls: &Field<bool>, drawn: f64) -> Field<bool> {
-    let extents = walls.parts(true).extents();
-    let large = extents
-        .into_iter()
-        .filter(|e| e.diagonal() >= LARGE * drawn);
-    let Some(bounds) = large.filter(|e| e.area > 0).reduce(Extent::with) else {
-        return walls.clone();
-    };
-    let within = |k: usize, [a, b]: [usize; 2]| (a..=b).contains(&k);
-    let inside = |x: usize, y: usize| within(x, bounds.x) && within(y, bounds.y);
-    Field::new(walls.width, walls.height, |x, y| {
-        walls[(x, y)] && inside(x, y)
-    })
 }
 
 impl Faces {
