@@ -205,6 +205,31 @@ fn hollow_walls_of_a_thicker_pen_are_filled() {
 }
 
 #[test]
+fn corner_between_two_windows_belongs_to_the_house() {
+    let at = dvec2(150.0, 120.0);
+    let mut open = sheet(at);
+    // One arm of the corner ends at a window in the left wall, the other at a window in the front wall.
+    let windows = [
+        (at + dvec2(0.0, 331.0 + 20.0), at + dvec2(0.0, 437.0 - 45.0)),
+        (at + dvec2(45.0, 437.0), at + dvec2(130.0, 437.0)),
+    ];
+    for (a, b) in windows {
+        for (x, y, pixel) in open.enumerate_pixels_mut() {
+            let p = dvec2(f64::from(x), f64::from(y));
+            if p.cmpge(a - 8.0).all() && p.cmple(b + 8.0).all() {
+                let thin =
+                    (p.x - a.x).abs() < 1.0 && a.x == b.x || (p.y - a.y).abs() < 1.0 && a.y == b.y;
+                *pixel = Rgb([if thin { 60 } else { 250 }; 3]);
+            }
+        }
+    }
+    let found = read(open, Some(50.0));
+    let off = found.size(&written(&found)) - dvec2(613.0, 437.0) * (walls::writing::UNIT / 50.0);
+    assert!(off.abs().max_element() < 0.1, "{off}");
+    assert_eq!(found.reading.rooms(), 6);
+}
+
+#[test]
 fn another_house_on_the_sheet_is_counted() {
     let mut two = sheet(dvec2(40.0, 40.0));
     let p = |x: f64, y: f64| dvec2(725.0, 300.0) + dvec2(x, y);

@@ -7,6 +7,7 @@ use crate::plan::sheet::Ink;
 use glam::{DVec2, dvec2};
 use image::GrayImage;
 use std::collections::BTreeSet;
+use std::ops::RangeInclusive;
 use std::sync::LazyLock;
 
 /// Digits of 22 typefaces, with and without serifs: digit, width in hundredths of the height, and the ink of 8 by 12 cells in ninths.
@@ -26,16 +27,25 @@ const HEIGHT: (usize, f64) = (6, 0.03);
 const WIDEST: f64 = 1.4;
 /// The widest space between digits of a number, in their height.
 const SPACE: f64 = 0.45;
+/// The widest space across a decimal point, and across the marks between feet and inches.
+const POINT: f64 = 0.95;
+const FEET: f64 = 1.5;
+/// The most digits of a number.
+const MOST_DIGITS: usize = 6;
 /// The greatest distance of a number from the middle of the two walls that it measures, in its height.
 const MIDDLE: f64 = 2.0;
 /// The greatest difference of lengths and numbers of one scale.
 const ALIKE: f64 = 0.012;
-/// The fewest dimensions that agree.
-const FEWEST: usize = 3;
+/// The fewest dimensions that agree, and the fewest unlike ones; then for numbers in parts.
+const FEWEST: [usize; 2] = [3, 2];
+const FEWEST_IN_PARTS: [usize; 2] = [4, 3];
+/// The scale by printed numbers, as a share of that by openings.
+pub(super) const NEAR: RangeInclusive<f64> = 0.65..=1.55;
 /// The least and most extent of a house, metres.
 const EXTENT: [f64; 2] = [2.5, 80.0];
-/// Metres of what numbers count: millimetres, centimetres.
-const UNITS: [f64; 2] = [0.001, 0.01];
+/// Metres of what numbers count: millimetres, centimetres; inches.
+pub(super) const METRIC: [f64; 2] = [0.001, 0.01];
+pub(super) const INCH: [f64; 1] = [0.0254];
 
 /// A printed digit.
 struct Digit {
@@ -85,14 +95,25 @@ impl Glyph {
     }
 }
 
-/// Finds the numbers of three digits and more on a sheet with a plan of the given diagonal.
-pub fn numbers(ink: &Ink, diagonal: f64) -> Vec<Number> {
+/// The numbers on a sheet.
+#[derive(Debug, Default)]
+pub struct Numbers {
+    /// Millimetres or centimetres: three digits and more.
+    pub plain: Vec<Number>,
+    /// Millimetres or centimetres, and metres with two or three digits after a decimal point or a space.
+    pub metric: Vec<Number>,
+    /// Feet and inches, as inches.
+    pub inches: Vec<Number>,
+}
+
+/// Finds the numbers on a sheet with a plan of the given diagonal.
+pub fn numbers(ink: &Ink, diagonal: f64) -> Numbers {
     let level = image::imageops::rotate90(&ink.dark);
-    let both = [(&ink.dark, false), (&level, true)];
-    let found = both.into_iter().flat_map(|(dark, upright)| {
-        let rows = rows(glyphs(dark, ink.threshold, diagonal));
-        let height = f64::from(ink.dark.height());
-        rows.into_iter().map(move |(value, at, size)| Number {
+    let height = f64::from(ink.dark.height());
+    let mut found = Numbers::default();
+    for (dark, upright) in [(&ink.dark, false), (&level, true)] {
+        let groups = groups(glyphs(dark, ink.threshold, diagonal));
+        let number = |(value, at, size): (f64, DVec2, f64)| Number {
             value,
             label: Label {
                 // A quarter turn to the right takes the foot of the sheet to its left.
@@ -103,9 +124,18 @@ pub fn numbers(ink: &Ink, diagonal: f64) -> Vec<Number> {
                 height: size,
                 upright,
             },
-        })
-    });
-    found.collect()
+        };
+        for (k, group) in groups.iter().enumerate() {
+            let next = group.next(&groups[k + 1..]);
+            found.plain.extend(group.plain().map(number));
+            let metric = group.plain().into_iter().chain(group.joined(next));
+            found.metric.extend(metric.map(number));
+            found
+                .inches
+                .extend(group.inches(next).into_iter().map(number));
+        }
+    }
+    found
 }
 
 /// Finds what may be digits.
@@ -178,8 +208,86 @@ fn recognised(dark: &GrayImage, extent: &Extent) -> Option<u32> {
     (unlike <= UNLIKE || is_clear).then_some(value)
 }
 
-/// Puts digits beside each other together: value, middle, height.
-fn rows(mut glyphs: Vec<Glyph>) -> Vec<(f64, DVec2, f64)> {
+/// Digits side by side.
+struct Group {
+    digits: Vec<u32>,
+    x: [usize; 2],
+    y: [usize; 2],
+}
+
+/// A number, its middle and the height of its digits.
+type Printed = (f64, DVec2, f64);
+
+impl Group {
+    fn height(&self) -> f64 {
+        (self.y[1] - self.y[0] + 1) as f64
+    }
+
+    /// Returns the group that follows in its row after a decimal point, a mark of feet or a space, and that space in heights. Groups
+    /// are sorted by their first column.
+    fn next<'g>(&self, groups: &'g [Group]) -> Option<(&'g Group, f64)> {
+        let height = self.height();
+        let reach = self.x[1] as f64 + FEET * height;
+        let slack = 0.15 * height + 1.0;
+        let near = groups.iter().take_while(|g| g.x[0] as f64 <= reach);
+        let mut follows = near.filter(|g| {
+            g.x[0] > self.x[1]
+                && g.y[1].abs_diff(self.y[1]) as f64 <= slack
+                && (g.height() - height).abs() <= slack
+        });
+        let next = follows.next()?;
+        Some((next, (next.x[0] - self.x[1]) as f64 / height))
+    }
+
+    /// Returns a number of this group and those that belong to it.
+    fn number(&self, value: f64, last: &Group) -> Printed {
+        let middle = |from: usize, to: usize| (from + to + 1) as f64 / 2.0;
+        let at = dvec2(middle(self.x[0], last.x[1]), middle(self.y[0], self.y[1]));
+        (value, at, self.height())
+    }
+
+    /// Returns its number, if it has three digits or more.
+    fn plain(&self) -> Option<Printed> {
+        (self.digits.len() >= 3).then(|| self.number(value(&self.digits), self))
+    }
+
+    /// Returns its number with the digits that follow a space or a decimal point.
+    fn joined(&self, next: Option<(&Group, f64)>) -> Option<Printed> {
+        let (next, space) = next?;
+        let fits = self.digits.len() <= 2 && (2..=3).contains(&next.digits.len());
+        let both = [&self.digits[..], &next.digits].concat();
+        (space <= POINT && fits).then(|| self.number(value(&both), next))
+    }
+
+    /// Returns the lengths in feet and inches, as inches: of this group, and with what follows the mark of feet.
+    fn inches(&self, next: Option<(&Group, f64)>) -> Vec<Printed> {
+        let inches = |feet: &[u32], inches: &[u32]| {
+            let is_inches = inches.len() == 1 || (inches.len() == 2 && inches[0] == 1);
+            let all = 12.0 * value(feet) + value(inches);
+            (is_inches && feet.len() <= 2 && feet[0] != 0 && value(inches) < 12.0).then_some(all)
+        };
+        // The mark of feet is narrow. Two digits side by side are feet alone.
+        let ends = 1..self.digits.len().max(1);
+        let ends = ends.filter(|_| self.digits.len() > 2);
+        let splits = ends.filter_map(|at| {
+            let (feet, rest) = self.digits.split_at(at);
+            Some(self.number(inches(feet, rest)?, self))
+        });
+        let joined =
+            next.and_then(|(next, _)| Some(self.number(inches(&self.digits, &next.digits)?, next)));
+        splits.chain(joined).collect()
+    }
+}
+
+/// Returns the number that digits are.
+pub(super) fn value(digits: &[u32]) -> f64 {
+    digits
+        .iter()
+        .fold(0.0, |sum, digit| sum * 10.0 + f64::from(*digit))
+}
+
+/// Puts digits beside each other together, sorted by their first column.
+fn groups(mut glyphs: Vec<Glyph>) -> Vec<Group> {
     glyphs.sort_by_key(|g| (g.x[0], g.y[0]));
     let mut used = vec![false; glyphs.len()];
     let mut out = vec![];
@@ -190,17 +298,16 @@ fn rows(mut glyphs: Vec<Glyph>) -> Vec<(f64, DVec2, f64)> {
         let mut row = vec![first];
         loop {
             let last = &glyphs[row[row.len() - 1]];
-            let height = (last.y[1] - last.y[0] + 1) as f64;
+            let height = last.height();
             let follows = |k: &usize| {
                 let g = &glyphs[*k];
-                let own = (g.y[1] - g.y[0] + 1) as f64;
                 let between = g.x[0] as f64 - last.x[1] as f64;
                 let foot = last.y[1].abs_diff(g.y[1]) as f64;
                 !used[*k]
                     && between > 0.0
                     && between <= SPACE * height
                     && foot <= 0.15 * height + 1.0
-                    && (own - height).abs() <= 0.15 * height + 1.0
+                    && (g.height() - height).abs() <= 0.15 * height + 1.0
             };
             let next = (first + 1..glyphs.len())
                 .filter(follows)
@@ -211,15 +318,15 @@ fn rows(mut glyphs: Vec<Glyph>) -> Vec<(f64, DVec2, f64)> {
             row.push(next);
         }
         row.iter().for_each(|k| used[*k] = true);
-        if !(3..=6).contains(&row.len()) {
+        if row.len() > MOST_DIGITS {
             continue;
         }
-        let digits = row.iter().filter_map(|k| glyphs[*k].value);
-        let value = digits.fold(0.0, |sum, digit| sum * 10.0 + f64::from(digit));
         let (a, b) = (&glyphs[first], &glyphs[row[row.len() - 1]]);
-        let middle = |from: usize, to: usize| (from + to + 1) as f64 / 2.0;
-        let at = dvec2(middle(a.x[0], b.x[1]), middle(a.y[0], a.y[1]));
-        out.push((value, at, (a.y[1] - a.y[0] + 1) as f64));
+        out.push(Group {
+            digits: row.iter().filter_map(|k| glyphs[*k].value).collect(),
+            x: [a.x[0], b.x[1]],
+            y: a.y,
+        });
     }
     out
 }
@@ -235,7 +342,14 @@ struct Vote {
 
 /// Returns metres of a pixel by printed dimensions, and how many of them agree. They are numbers between two walls or on a
 /// dimension line, or width and depth of the whole.
-pub fn metres(numbers: &[Number], (ink, graph): (&Ink, &Graph)) -> Option<(f64, usize)> {
+///
+/// The numbers count one of `units`, metres. If the openings say `about` how large a pixel is, only scales near to it count: numbers in
+/// parts agree by chance too.
+pub fn metres(
+    numbers: &[Number],
+    (units, about): (&[f64], Option<f64>),
+    (ink, graph): (&Ink, &Graph),
+) -> Option<(f64, usize)> {
     let places = [0, 1].map(|axis| places(graph, axis));
     let extents = places.iter().filter_map(|p| Some(p.last()? - p.first()?));
     let extent = extents.fold(0.0, f64::max);
@@ -247,6 +361,11 @@ pub fn metres(numbers: &[Number], (ink, graph): (&Ink, &Graph)) -> Option<(f64, 
             whole: None,
         }));
     }
+    if let Some(about) = about {
+        let near = |unit: &f64, ratio: f64| NEAR.contains(&(ratio * unit / about));
+        votes.retain(|vote| units.iter().any(|unit| near(unit, vote.ratio)));
+    }
+    let [fewest, fewest_values] = about.map_or(FEWEST, |_| FEWEST_IN_PARTS);
     let best = votes.iter().map(|vote| agreeing(&votes, vote.ratio));
     let values = |all: &[Vote]| {
         let values = all.iter().map(|v| numbers[v.number].value.to_bits());
@@ -258,7 +377,7 @@ pub fn metres(numbers: &[Number], (ink, graph): (&Ink, &Graph)) -> Option<(f64, 
             .all(|axis| all.iter().any(|v| v.whole == Some(*axis)))
     };
     let best = best.max_by_key(|all| (is_whole(all), values(all), all.len()))?;
-    if !is_whole(&best) && (best.len() < FEWEST || values(&best) < 2) {
+    if !is_whole(&best) && (best.len() < fewest || values(&best) < fewest_values) {
         return None;
     }
     let mut ratios: Vec<f64> = best.iter().map(|v| v.ratio).collect();
@@ -266,9 +385,10 @@ pub fn metres(numbers: &[Number], (ink, graph): (&Ink, &Graph)) -> Option<(f64, 
     let ratio = ratios[ratios.len() / 2];
     let fits = |unit: &&f64| {
         let metres = extent * ratio * **unit;
-        (EXTENT[0]..=EXTENT[1]).contains(&metres)
+        let is_near = about.is_none_or(|about| NEAR.contains(&(ratio * **unit / about)));
+        is_near && (EXTENT[0]..=EXTENT[1]).contains(&metres)
     };
-    let unit = UNITS.iter().find(fits)?;
+    let unit = units.iter().find(fits)?;
     Some((ratio * unit, best.len()))
 }
 
@@ -317,4 +437,58 @@ fn agreeing(votes: &[Vote], ratio: f64) -> Vec<Vote> {
     all.sort_by_key(|v| (v.number, v.whole.is_none()));
     all.dedup_by_key(|v| v.number);
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The groups of a text with digits 6 pixels wide and 10 high: a point, a mark and a blank leave their spaces.
+    fn groups_of(text: &str) -> Vec<Group> {
+        let mut x = 0;
+        let mut glyphs = vec![];
+        for letter in text.chars() {
+            let width = match letter {
+                '.' | '\'' | ' ' => 5,
+                _ => 8,
+            };
+            if width == 8 {
+                glyphs.push(Glyph {
+                    x: [x, x + 5],
+                    y: [0, 9],
+                    value: letter.to_digit(10),
+                });
+            }
+            x += width;
+        }
+        groups(glyphs)
+    }
+
+    /// The metric lengths and those in inches of the first number of a text.
+    fn lengths(text: &str) -> [Vec<f64>; 2] {
+        let groups = groups_of(text);
+        let next = groups[0].next(&groups[1..]);
+        let metric = groups[0].plain().into_iter().chain(groups[0].joined(next));
+        [
+            metric.map(|n| n.0).collect(),
+            groups[0].inches(next).iter().map(|n| n.0).collect(),
+        ]
+    }
+
+    #[test]
+    fn numbers_in_parts_are_read_with_all_their_parts() {
+        assert_eq!(lengths("3640")[0], [3640.0]);
+        assert_eq!(lengths("3.45")[0], [345.0]);
+        assert_eq!(lengths("1 925")[0], [1925.0]);
+        assert_eq!(lengths("12'6")[1], [150.0]);
+        assert_eq!(lengths("9'10")[1], [118.0]);
+        assert_eq!(lengths("126")[1], [150.0]);
+    }
+
+    #[test]
+    fn numbers_apart_and_impossible_inches_stay_apart() {
+        assert_eq!(lengths("36   40")[0], Vec::<f64>::new());
+        assert_eq!(lengths("12'34")[1], Vec::<f64>::new());
+        assert_eq!(lengths("8.9999")[0], Vec::<f64>::new());
+    }
 }

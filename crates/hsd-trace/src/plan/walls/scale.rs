@@ -5,6 +5,7 @@ use super::writing::UNIT;
 use super::{Divided, Reading, digits, gaps, openings, sizes};
 use crate::plan::sheet::Ink;
 use glam::{DVec2, dvec2};
+use std::cell::LazyCell;
 
 /// The width of the opening of a door, metres.
 const DOOR: f64 = 0.85;
@@ -69,23 +70,29 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
         metres,
         evidence: Evidence::Given,
     });
-    let printed = || {
-        let numbers = digits::numbers(ink, reading.divided.diagonal);
-        let (metres, count) = digits::metres(&numbers, (ink, &reading.graph))?;
+    let about = by_doors(&reading.divided).or_else(|| by_openings(&reading.divided));
+    let about = about.map(|scale| scale.metres);
+    let diagonal = reading.divided.diagonal;
+    let numbers = LazyCell::new(|| digits::numbers(ink, diagonal));
+    let dimensions = |numbers: &[digits::Number], units: &[f64], about: Option<f64>| {
+        let (metres, count) = digits::metres(numbers, (units, about), (ink, &reading.graph))?;
         Some(Scale {
             metres,
             evidence: Evidence::Printed(count),
         })
     };
     let by_rooms = || {
-        let glyphs = digits::glyphs(&ink.dark, ink.threshold, reading.divided.diagonal);
-        let about = by_doors(&reading.divided).or_else(|| by_openings(&reading.divided));
-        let about = about.map(|scale| scale.metres);
+        let glyphs = digits::glyphs(&ink.dark, ink.threshold, diagonal);
         let found = sizes::metres(&glyphs, &reading.divided, about)?;
         Some(by_areas(&reading.graph, found, about).unwrap_or(Scale {
             metres: found.metres,
             evidence: Evidence::Rooms(found.rooms),
         }))
+    };
+    let in_parts = || {
+        about?;
+        let metric = dimensions(&numbers.metric, &digits::METRIC, about);
+        metric.or_else(|| dimensions(&numbers.inches, &digits::INCH, about))
     };
     let by_doors = || {
         let divided = &reading.divided;
@@ -95,7 +102,11 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
         let room = reading.room() * scale.metres * scale.metres;
         (room >= LEAST_ROOM).then_some(scale)
     };
-    given.or_else(printed).or_else(by_rooms).or_else(by_doors)
+    given
+        .or_else(|| dimensions(&numbers.plain, &digits::METRIC, None))
+        .or_else(by_rooms)
+        .or_else(in_parts)
+        .or_else(by_doors)
 }
 
 /// Returns another scale for areas that may count mats: by walls at quarters of a ken that fit square metres or mats, or by mats

@@ -3,12 +3,11 @@
 //! A size counts if its two numbers have the ratio of the sides of the room, or of the distances between the walls around it, and a
 //! scale if several rooms agree on it. So neither the unit nor the sign between the numbers has to be recognised.
 
-use super::digits::Glyph;
+use super::digits::{Glyph, NEAR, value};
 use super::field::Field;
 use super::{Divided, Stuff};
 use crate::plan::raster::Extent;
 use std::collections::BTreeSet;
-use std::ops::RangeInclusive;
 
 /// Metres of a foot and of an inch.
 const FOOT: f64 = 0.3048;
@@ -29,9 +28,8 @@ pub(super) const MAT: f64 = 1.62;
 pub(super) const AGREE_OF_MATS: f64 = 0.05;
 /// The fewest rooms that agree: by two sides, by an area with a decimal point, by an area.
 const FEWEST: [usize; 3] = [3, 3, 4];
-/// The fewest rooms that agree by two sides where openings have a scale, and how far that of the rooms may be from it.
+/// The fewest rooms that agree by two sides where openings have a scale.
 const FEWEST_NEAR: usize = 2;
-const NEAR: RangeInclusive<f64> = 0.65..=1.55;
 /// The shortest and longest side of a room, metres.
 const SIDES: [f64; 2] = [0.6, 25.0];
 /// The most scales that are compared. A sheet with more numbers is a table.
@@ -231,12 +229,6 @@ impl Number {
 fn space(a: &Glyph, b: &Glyph) -> f64 {
     // Signs side by side are a pixel apart, and half a pixel belongs to their blurred edges.
     (b.x[0] as f64 - a.x[1] as f64 - 1.5) / a.height()
-}
-
-fn value(digits: &[u32]) -> f64 {
-    digits
-        .iter()
-        .fold(0.0, |sum, digit| sum * 10.0 + f64::from(*digit))
 }
 
 /// Returns the scales at which two numbers of a row are the sides of its room.
@@ -446,6 +438,33 @@ mod tests {
             assert!((found / 0.03 - 1.0).abs() < 0.03, "{found}: {rooms:?}");
             assert_eq!(scale(&rooms[..2], 3), None);
         }
+    }
+
+    #[test]
+    fn square_metres_count_where_mats_are_printed_too() {
+        // 3 cm a pixel: 10.0, 8.1, 13.0 and 5.0 square metres.
+        let rooms = [room(120, 93), room(100, 90), room(120, 120), room(80, 69)];
+        let square = ["10.0", "8.1", "13.0", "5.0"];
+        let mats = ["6.2", "5.0", "8.0", "3.1"];
+        let votes = |texts: &[&str], first: u32| -> Vec<Vote> {
+            let rows = (first..).zip(texts.iter().zip(&rooms));
+            rows.flat_map(|(id, (text, extent))| {
+                let glyphs = row(text);
+                areas(&glyphs.iter().collect::<Vec<_>>(), id, (extent, true))
+            })
+            .collect()
+        };
+        let both = [votes(&square, 0), votes(&mats, 4)].concat();
+        for all in [&both, &votes(&square, 0)] {
+            let found = by_areas(all, 3).expect("the rooms agree");
+            assert!((found.metres / 0.03 - 1.0).abs() < 0.03, "{found:?}");
+        }
+        let found = by_areas(&votes(&mats, 0), 3).expect("the rooms agree");
+        let metres = found.metres * MAT.sqrt();
+        assert!(
+            found.may_be_mats && (metres / 0.03 - 1.0).abs() < 0.03,
+            "{found:?}"
+        );
     }
 
     #[test]
