@@ -23,6 +23,7 @@
 pub mod bars;
 pub mod chains;
 pub mod digits;
+pub mod dimensions;
 pub mod faces;
 pub mod field;
 pub mod gaps;
@@ -34,6 +35,7 @@ pub mod mask;
 mod measures;
 pub mod openings;
 pub mod outside;
+mod partitions;
 pub mod pictures;
 mod reach;
 pub mod scale;
@@ -206,6 +208,7 @@ pub fn divide(ink: &Ink) -> Divided {
     let treads = hatching::remove(&mut strokes, drawn);
     // Letters that touched the hatching are separate now.
     letters::remove(&mut strokes);
+    partitions::include(&mut strokes, drawn);
     let solid = reach::of_plan(&strokes, drawn);
     let solid = strokes.joined(&solid);
     let bounds = faces::bounds(&solid);

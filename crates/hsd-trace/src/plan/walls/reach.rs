@@ -1,4 +1,4 @@
-//! How far a plan reaches on its sheet: over the large walls, and over those in line with them.
+//! The bounds of a plan on its sheet: those of the large walls, and of small ones in line with them.
 
 use super::bars::{Bar, bars};
 use super::field::Field;

@@ -2,7 +2,7 @@
 
 use super::graph::Graph;
 use super::writing::UNIT;
-use super::{Divided, Reading, digits, gaps, openings, sizes};
+use super::{Divided, Reading, digits, dimensions, gaps, openings, sizes};
 use crate::plan::sheet::Ink;
 use glam::{DVec2, dvec2};
 use std::cell::LazyCell;
@@ -14,6 +14,8 @@ const LEAST_ROOM: f64 = 1.0;
 /// The fewest doors, and the fewest openings of one width, that say how large a plan is.
 const FEWEST: usize = 2;
 const FEWEST_OPENINGS: usize = 3;
+/// The least scale of openings where areas count mats, as a share of that of square metres.
+const LARGER: f64 = 1.24;
 /// A quarter of a ken, metres, and the least and greatest length at the scale by doors that is tried for it, as shares.
 const QUARTER_KEN: f64 = UNIT / 2.0;
 const NEAR: [f64; 2] = [0.8, 1.25];
@@ -74,25 +76,33 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
     let about = about.map(|scale| scale.metres);
     let diagonal = reading.divided.diagonal;
     let numbers = LazyCell::new(|| digits::numbers(ink, diagonal));
-    let dimensions = |numbers: &[digits::Number], units: &[f64], about: Option<f64>| {
-        let (metres, count) = digits::metres(numbers, (units, about), (ink, &reading.graph))?;
-        Some(Scale {
-            metres,
-            evidence: Evidence::Printed(count),
-        })
+    let agreed = |numbers: &[digits::Number], units: &[f64], about: Option<f64>| {
+        dimensions::metres(numbers, (units, about), (ink, &reading.graph))
     };
-    let by_rooms = || {
+    let scale = |found: dimensions::Dimensions| Scale {
+        metres: found.metres,
+        evidence: Evidence::Printed(found.count),
+    };
+    let in_parts = LazyCell::new(|| {
+        about?;
+        let metric = agreed(&numbers.metric, &dimensions::METRIC, about);
+        metric.or_else(|| agreed(&numbers.inches, &dimensions::INCH, about))
+    });
+    let of_whole = || {
+        let metric = agreed(&numbers.metric, &dimensions::METRIC, None);
+        metric.filter(|found| found.is_whole)
+    };
+    let plain = || agreed(&numbers.plain, &dimensions::METRIC, None);
+    let sizes = LazyCell::new(|| {
         let glyphs = digits::glyphs(&ink.dark, ink.threshold, diagonal);
-        let found = sizes::metres(&glyphs, &reading.divided, about)?;
+        sizes::printed(&glyphs, &reading.divided, about)
+    });
+    let by_rooms = |found: Option<sizes::Agreed>| {
+        let found = found?;
         Some(by_areas(&reading.graph, found, about).unwrap_or(Scale {
             metres: found.metres,
             evidence: Evidence::Rooms(found.rooms),
         }))
-    };
-    let in_parts = || {
-        about?;
-        let metric = dimensions(&numbers.metric, &digits::METRIC, about);
-        metric.or_else(|| dimensions(&numbers.inches, &digits::INCH, about))
     };
     let by_doors = || {
         let divided = &reading.divided;
@@ -103,14 +113,17 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
         (room >= LEAST_ROOM).then_some(scale)
     };
     given
-        .or_else(|| dimensions(&numbers.plain, &digits::METRIC, None))
-        .or_else(by_rooms)
-        .or_else(in_parts)
+        .or_else(|| of_whole().or_else(plain).map(scale))
+        .or_else(|| by_rooms(sizes.sides))
+        .or_else(|| in_parts.map(scale))
+        .or_else(|| by_rooms(sizes.areas))
         .or_else(by_doors)
 }
 
-/// Returns another scale for areas that may count mats: by walls at quarters of a ken that fit square metres or mats, or by mats
-/// if they are nearer to the scale of openings.
+/// Returns another scale for areas that may count mats.
+///
+/// Walls at quarters of a ken that fit square metres or mats say it best. Otherwise areas count mats if the scale of openings is much
+/// larger than that of square metres.
 fn by_areas(graph: &Graph, found: sizes::Agreed, about: Option<f64>) -> Option<Scale> {
     let about = about.filter(|_| found.may_be_mats)?;
     let mats = found.metres * sizes::MAT.sqrt();
@@ -118,9 +131,10 @@ fn by_areas(graph: &Graph, found: sizes::Agreed, about: Option<f64>) -> Option<S
         let is_near = |metres: f64| (scale.metres / metres - 1.0).abs() <= sizes::AGREE_OF_MATS;
         is_near(found.metres) || is_near(mats)
     };
+    // Doors are rather narrower than assumed, so the scale by them is rather too large.
     let by_mats = || {
-        let nearer = mats / about < about / found.metres;
-        nearer.then_some(Scale {
+        let is_mats = about > LARGER * found.metres;
+        is_mats.then_some(Scale {
             metres: mats,
             evidence: Evidence::Mats(found.rooms),
         })

@@ -1,9 +1,10 @@
 //! Sizes that are printed in rooms, such as `15 x 20` in feet, `4.94 x 4.63` in metres or `18 m2`.
 //!
-//! A size counts if its two numbers have the ratio of the sides of the room, or of the distances between the walls around it, and a
-//! scale if several rooms agree on it. So neither the unit nor the sign between the numbers has to be recognised.
+//! A size counts if its two numbers have the ratio of the sides of the room, or of the distances between the walls around it.
+//! A scale counts if several rooms agree on it. So neither the unit nor the sign between the numbers has to be recognised.
 
-use super::digits::{Glyph, NEAR, value};
+use super::digits::{Glyph, value};
+use super::dimensions::NEAR;
 use super::field::Field;
 use super::{Divided, Stuff};
 use crate::plan::raster::Extent;
@@ -22,9 +23,9 @@ const RATIO: f64 = 0.08;
 const AGREE: f64 = 0.05;
 /// The greatest difference of the scales of rooms with an area alone.
 const AGREE_BY_AREA: f64 = 0.03;
-/// Square metres of a mat in plans of dwellings for sale, and how far mats and square metres of one sheet may disagree on the scale:
-/// mats of other lengths are counted too.
+/// Square metres of a mat in plans of dwellings for sale.
 pub(super) const MAT: f64 = 1.62;
+/// The greatest difference of the scales by mats and by square metres of one sheet: mats of other lengths are counted too.
 pub(super) const AGREE_OF_MATS: f64 = 0.05;
 /// The fewest rooms that agree: by two sides, by an area with a decimal point, by an area.
 const FEWEST: [usize; 3] = [3, 3, 4];
@@ -56,16 +57,25 @@ struct Vote {
 pub(super) struct Agreed {
     /// Metres of a pixel.
     pub(super) metres: f64,
-    /// How many rooms agree.
+    /// The number of rooms that agree.
     pub(super) rooms: usize,
     /// True if their numbers may count mats instead of square metres.
     pub(super) may_be_mats: bool,
 }
 
-/// Returns the scale by the sizes that are printed in rooms.
+/// The scales by the sizes that are printed in rooms.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sizes {
+    /// By both sides of rooms.
+    pub(super) sides: Option<Agreed>,
+    /// By their areas.
+    pub(super) areas: Option<Agreed>,
+}
+
+/// Returns the scales by the sizes that are printed in rooms.
 ///
 /// Only scales that are about that of the openings count, and two rooms are enough then.
-pub(super) fn metres(glyphs: &[Glyph], divided: &Divided, about: Option<f64>) -> Option<Agreed> {
+pub(super) fn printed(glyphs: &[Glyph], divided: &Divided, about: Option<f64>) -> Sizes {
     let rooms = rooms(divided);
     let (mut by_sides, mut by_decimal, mut by_area) = (vec![], vec![], vec![]);
     for (id, row) in (0..).zip(rows(glyphs)) {
@@ -93,9 +103,10 @@ pub(super) fn metres(glyphs: &[Glyph], divided: &Divided, about: Option<f64>) ->
         }
     }
     let fewest = about.map_or(FEWEST[0], |_| FEWEST_NEAR);
-    agreed(&by_sides, (AGREE, fewest))
-        .or_else(|| by_areas(&by_decimal, FEWEST[1]))
-        .or_else(|| by_areas(&by_area, FEWEST[2]))
+    Sizes {
+        sides: agreed(&by_sides, (AGREE, fewest)),
+        areas: by_areas(&by_decimal, FEWEST[1]).or_else(|| by_areas(&by_area, FEWEST[2])),
+    }
 }
 
 /// Returns the scale by areas. Where square metres and mats are printed, square metres give the larger scale.
