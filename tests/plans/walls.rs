@@ -25,6 +25,11 @@ fn wall(sheet: &mut RgbImage, a: DVec2, b: DVec2, thickness: f64) {
 
 /// A house of six rooms off every grid: 613 by 437 pixels, with five doors and a cut corner.
 fn sheet(at: DVec2) -> RgbImage {
+    sheet_in(at, [14.0, 9.0])
+}
+
+/// The same house with walls outside and inside of other thicknesses.
+fn sheet_in(at: DVec2, [outer, inner]: [f64; 2]) -> RgbImage {
     let mut sheet = RgbImage::from_pixel(1000, 700, Rgb([250; 3]));
     let (w, h) = (613.0, 437.0);
     let p = |x: f64, y: f64| at + dvec2(x, y);
@@ -36,19 +41,19 @@ fn sheet(at: DVec2) -> RgbImage {
         p(0.0, h),
     ];
     for k in 0..round.len() {
-        wall(&mut sheet, round[k], round[(k + 1) % round.len()], 14.0);
+        wall(&mut sheet, round[k], round[(k + 1) % round.len()], outer);
     }
     // Walls inside, each with a door of 50 pixels.
-    wall(&mut sheet, p(251.0, 0.0), p(251.0, 150.0), 9.0);
-    wall(&mut sheet, p(251.0, 200.0), p(251.0, h), 9.0);
-    wall(&mut sheet, p(251.0, 263.0), p(400.0, 263.0), 9.0);
-    wall(&mut sheet, p(450.0, 263.0), p(w, 263.0), 9.0);
-    wall(&mut sheet, p(0.0, 331.0), p(97.0, 331.0), 9.0);
-    wall(&mut sheet, p(147.0, 331.0), p(251.0, 331.0), 9.0);
-    wall(&mut sheet, p(341.0, 0.0), p(341.0, 119.0), 9.0);
-    wall(&mut sheet, p(341.0, 169.0), p(341.0, 263.0), 9.0);
-    wall(&mut sheet, p(489.0, 263.0), p(489.0, 287.0), 9.0);
-    wall(&mut sheet, p(489.0, 337.0), p(489.0, h), 9.0);
+    wall(&mut sheet, p(251.0, 0.0), p(251.0, 150.0), inner);
+    wall(&mut sheet, p(251.0, 200.0), p(251.0, h), inner);
+    wall(&mut sheet, p(251.0, 263.0), p(400.0, 263.0), inner);
+    wall(&mut sheet, p(450.0, 263.0), p(w, 263.0), inner);
+    wall(&mut sheet, p(0.0, 331.0), p(97.0, 331.0), inner);
+    wall(&mut sheet, p(147.0, 331.0), p(251.0, 331.0), inner);
+    wall(&mut sheet, p(341.0, 0.0), p(341.0, 119.0), inner);
+    wall(&mut sheet, p(341.0, 169.0), p(341.0, 263.0), inner);
+    wall(&mut sheet, p(489.0, 263.0), p(489.0, 287.0), inner);
+    wall(&mut sheet, p(489.0, 337.0), p(489.0, h), inner);
     sheet
 }
 
@@ -227,6 +232,21 @@ fn corner_between_two_windows_belongs_to_the_house() {
     let off = found.size(&written(&found)) - dvec2(613.0, 437.0) * (walls::writing::UNIT / 50.0);
     assert!(off.abs().max_element() < 0.1, "{off}");
     assert_eq!(found.reading.rooms(), 6);
+}
+
+#[test]
+fn partitions_much_thinner_than_outer_walls_divide_rooms() {
+    let at = dvec2(150.0, 120.0);
+    let mut thick = sheet_in(at, [32.0, 6.0]);
+    // A table in hairlines stands apart.
+    for k in 0..60 {
+        for (x, y) in [(k, 0), (k, 40), (0, k * 2 / 3), (60, k * 2 / 3)] {
+            thick.put_pixel(520 + x, 320 + y, Rgb([20; 3]));
+        }
+    }
+    // The door beside a stub that is shorter than outer walls are thick may stay open: two rooms are one then.
+    let rooms = read(thick, Some(50.0)).reading.rooms();
+    assert!((5..=6).contains(&rooms), "{rooms}");
 }
 
 #[test]

@@ -45,7 +45,7 @@ pub(super) fn include(strokes: &mut Strokes, drawn: f64) {
     let half = length(&light, THIN, most) / 2.0;
     let mut sum = 0.0;
     let usual = light.iter().filter(|line| line.0 >= THIN && line.0 < most);
-    let usual = usual.map(|line| *line).find(|line| {
+    let usual = usual.copied().find(|line| {
         sum += line.1;
         sum >= half
     });
