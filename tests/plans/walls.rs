@@ -28,7 +28,7 @@ fn sheet(at: DVec2) -> RgbImage {
     sheet_in(at, [14.0, 9.0])
 }
 
-/// The same house with walls outside and inside of other thicknesses.
+/// That house with outer and inner walls of the given thicknesses.
 fn sheet_in(at: DVec2, [outer, inner]: [f64; 2]) -> RgbImage {
     let mut sheet = RgbImage::from_pixel(1000, 700, Rgb([250; 3]));
     let (w, h) = (613.0, 437.0);

@@ -347,12 +347,12 @@ pub fn kept(span: Span) -> Diagnostic {
     ))
 }
 
-/// A plan whose size was taken from its doors; `by` says from which.
+/// A plan whose size was taken from its doors, walls or mats; `by` says from which.
 #[cold]
 pub fn assumed_size(span: Span, by: Text, [width, depth]: [f64; 2]) -> Diagnostic {
     let [width, depth] = [width, depth].map(|m| (m * 10.0).round() / 10.0);
     let message = text!([by, width, depth]
-        "nothing on the sheet says how large the house is; {by} make it {width} x {depth} m",
+        "no dimensions on the sheet say how large the house is; {by} make it {width} x {depth} m",
         "図面に寸法がありません。{by}から {width} x {depth} m としました"
     );
     Diagnostic::warning(1207, span, message).help(text!(

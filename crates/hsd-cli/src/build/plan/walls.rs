@@ -71,9 +71,9 @@ fn evidence(of: Evidence) -> String {
     match of {
         Evidence::Given => "as it was given".to_owned(),
         Evidence::Printed(count) => format!("from {count} printed dimensions"),
-        Evidence::Rooms(count) => format!("from the printed sizes of {count} rooms"),
+        Evidence::Rooms(count) => format!("from {count} printed sizes of rooms"),
         Evidence::Mats(count) => {
-            format!("from the printed mats of {count} rooms, 1.62 m2 each")
+            format!("from {count} printed numbers of mats, 1.62 m2 each")
         }
         Evidence::Doors(count) => format!("if its {count} swinging doors are 0.85 m wide"),
         Evidence::Openings => "if its usual opening is 0.85 m wide".to_owned(),
@@ -201,8 +201,8 @@ impl Plan {
         let by = match sheet.found.scale.evidence {
             Evidence::Given | Evidence::Printed(_) | Evidence::Rooms(_) => None,
             Evidence::Mats(count) => Some(text!([count]
-                "the mats that are printed in {count} rooms, if one has 1.62 m2,",
-                "{count} 室に書かれた畳数を、一畳 1.62 m² と見て、そこ"
+                "{count} printed numbers of mats, at 1.62 m2 each,",
+                "部屋に書かれた {count} か所の畳数を、一畳 1.62 m² と見て、そこ"
             )),
             Evidence::Doors(count) => Some(text!([count]
                 "its {count} swinging doors, if they are 0.85 m wide,",

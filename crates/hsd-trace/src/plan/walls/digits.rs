@@ -243,11 +243,8 @@ impl Group {
 
     /// Returns the lengths in feet and inches, as inches: of this group, and with what follows the mark of feet.
     fn inches(&self, next: Option<(&Group, f64)>) -> Vec<Printed> {
-        let inches = |feet: &[u32], inches: &[u32]| {
-            let is_inches = inches.len() == 1 || (inches.len() == 2 && inches[0] == 1);
-            let all = 12.0 * value(feet) + value(inches);
-            (is_inches && feet.len() <= 2 && feet[0] != 0 && value(inches) < 12.0).then_some(all)
-        };
+        // Dimensions have feet of one or two digits.
+        let inches = |feet: &[u32], rest: &[u32]| inches(feet, rest).filter(|_| feet.len() <= 2);
         // The mark of feet is narrow. Two digits side by side are feet alone.
         let ends = 1..self.digits.len().max(1);
         let ends = ends.filter(|_| self.digits.len() > 2);
@@ -259,6 +256,13 @@ impl Group {
             next.and_then(|(next, _)| Some(self.number(inches(&self.digits, &next.digits)?, next)));
         splits.chain(joined).collect()
     }
+}
+
+/// Returns a length in inches by the digits of its feet and inches; `None` for other digits.
+pub(super) fn inches(feet: &[u32], rest: &[u32]) -> Option<f64> {
+    let is_length = feet.first() != Some(&0) && (rest.len() == 1 || rest.first() == Some(&1));
+    let rest = Some(value(rest)).filter(|rest| is_length && *rest < 12.0)?;
+    Some(12.0 * value(feet) + rest)
 }
 
 /// Returns the number that digits are.

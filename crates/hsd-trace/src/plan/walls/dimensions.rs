@@ -18,9 +18,9 @@ const FEWEST_IN_PARTS: [usize; 2] = [4, 3];
 pub(super) const NEAR: RangeInclusive<f64> = 0.65..=1.55;
 /// The least and most extent of a house, metres.
 const EXTENT: [f64; 2] = [2.5, 80.0];
-/// Metres of what numbers count: millimetres, centimetres; inches.
+/// Metres of the units of numbers: millimetres and centimetres, and inches.
 pub(super) const METRIC: [f64; 2] = [0.001, 0.01];
-pub(super) const INCH: [f64; 1] = [0.0254];
+pub(super) const INCH: f64 = 0.0254;
 
 /// A number with the scale at which it would be the distance of two walls.
 #[derive(Clone, Copy)]
@@ -42,11 +42,10 @@ pub struct Dimensions {
     pub is_whole: bool,
 }
 
-/// Returns the scale by printed dimensions. They are numbers between two walls or on a
-/// dimension line, or width and depth of the whole.
+/// Returns the scale by printed dimensions: numbers between two walls or on a dimension line, or width and depth of the whole.
 ///
-/// The numbers count one of `units`, metres. If the openings say `about` how large a pixel is, only scales near to it count: numbers in
-/// parts agree by chance too.
+/// All numbers are in one of `units`, metres. With `about`, the scale by openings, only scales near to it count: numbers in parts also
+/// agree by chance.
 pub fn metres(
     numbers: &[Number],
     (units, about): (&[f64], Option<f64>),

@@ -16,7 +16,7 @@ const BETWEEN: f64 = 0.45;
 /// The length of all partitions, as a share of that of walls; then the greatest length of a pen between, as a share of theirs.
 const COMMON: RangeInclusive<f64> = 0.15..=1.5;
 const CLEAR: f64 = 0.35;
-/// The least share of partitions that meets a wall, by area. Furniture stands apart.
+/// The least share of partitions, by area, that are connected to a wall. Furniture is not.
 const ATTACHED: f64 = 0.75;
 
 /// Counts lines in a second pen, much thinner than outer walls and thicker than all else, among walls. `drawn` is the diagonal of all

@@ -12,6 +12,9 @@ const OPENING: f64 = 0.14;
 /// The least share of the thickness of a wall that another in line with it has.
 const ALIKE: f64 = 0.6;
 
+/// The most straight walls. A sheet with more is not searched, so that time stays bounded.
+const MOST_WALLS: usize = 4_000;
+
 /// Keeps the walls of a plan. Small ones beyond its bounds are dimensions and legends. `drawn` is the diagonal of all ink.
 pub(super) fn of_plan(strokes: &Strokes, drawn: f64) -> Field<bool> {
     let walls = strokes.walls();
@@ -25,13 +28,15 @@ pub(super) fn of_plan(strokes: &Strokes, drawn: f64) -> Field<bool> {
     // With one pen, dimensions are as thick as walls.
     if !strokes.has_one_pen() {
         let all = [false, true].map(|upright| bars(&walls, strokes.usual, upright));
+        let is_searched = all.iter().map(Vec::len).sum::<usize>() <= MOST_WALLS;
         // A corner beyond a window may have another window on its other side.
-        while let Some(next) = all.iter().find_map(|bars| {
-            let beyond = in_line(bars, &bounds, OPENING * drawn)?;
-            let [x, y] = place(beyond);
-            Some(extents[parts.at((x, y))])
-        }) {
-            bounds = bounds.with(next);
+        while let Some(beyond) = all
+            .iter()
+            .filter(|_| is_searched)
+            .find_map(|bars| in_line(bars, &bounds, OPENING * drawn))
+        {
+            let part = extents[parts.at(middle(beyond))];
+            bounds = bounds.with(extent(beyond)).with(part);
         }
     }
     let within = |k: usize, [a, b]: [usize; 2]| (a..=b).contains(&k);
@@ -40,27 +45,31 @@ pub(super) fn of_plan(strokes: &Strokes, drawn: f64) -> Field<bool> {
     })
 }
 
-/// Returns a pixel in the middle of a wall.
-fn place(bar: &Bar) -> [usize; 2] {
-    let [along, across] = [bar.along, bar.across].map(|[a, b]| (a + b) / 2);
-    if bar.upright {
-        [across, along]
+/// Returns the pixel in the middle of a wall.
+fn middle(bar: &Bar) -> (usize, usize) {
+    let Extent { x, y, .. } = extent(bar);
+    (x[0].midpoint(x[1]), y[0].midpoint(y[1]))
+}
+
+/// Returns the box of a wall.
+fn extent(bar: &Bar) -> Extent {
+    let [x, y] = if bar.upright {
+        [bar.across, bar.along]
     } else {
-        [along, across]
-    }
-}
-
-/// Returns true if a wall lies within bounds.
-fn is_within(bar: &Bar, bounds: &Extent) -> bool {
-    let [along, across] = match bar.upright {
-        true => [bounds.y, bounds.x],
-        false => [bounds.x, bounds.y],
+        [bar.along, bar.across]
     };
-    let within = |[a, b]: [usize; 2], [low, high]: [usize; 2]| low <= a && b <= high;
-    within(bar.along, along) && within(bar.across, across)
+    let area = bar.thickness() * bar.length() as usize;
+    Extent { x, y, area }
 }
 
-/// Returns a wall beyond some bounds, of all walls of one direction, that continues one within them after an opening.
+/// Returns true if a wall is within bounds.
+fn is_within(bar: &Bar, bounds: &Extent) -> bool {
+    let Extent { x, y, .. } = extent(bar);
+    let within = |[a, b]: [usize; 2], [low, high]: [usize; 2]| low <= a && b <= high;
+    within(x, bounds.x) && within(y, bounds.y)
+}
+
+/// Finds a wall beyond some bounds that continues one within them after an opening. All `bars` have one direction.
 fn in_line<'a>(bars: &'a [Bar], bounds: &Extent, reach: f64) -> Option<&'a Bar> {
     let (inside, beyond): (Vec<&Bar>, Vec<&Bar>) =
         bars.iter().partition(|bar| is_within(bar, bounds));

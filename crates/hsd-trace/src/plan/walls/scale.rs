@@ -38,7 +38,7 @@ pub enum Evidence {
     Printed(usize),
     /// Sizes printed in rooms, by their number.
     Rooms(usize),
-    /// Numbers of mats printed in rooms, by the number of rooms.
+    /// Numbers of mats printed in rooms, by their number.
     Mats(usize),
     /// Swinging doors, by their number, taken for usual ones.
     Doors(usize),
@@ -86,7 +86,7 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
     let in_parts = LazyCell::new(|| {
         about?;
         let metric = agreed(&numbers.metric, &dimensions::METRIC, about);
-        metric.or_else(|| agreed(&numbers.inches, &dimensions::INCH, about))
+        metric.or_else(|| agreed(&numbers.inches, &[dimensions::INCH], about))
     });
     let of_whole = || {
         let metric = agreed(&numbers.metric, &dimensions::METRIC, None);
@@ -101,7 +101,7 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
         let found = found?;
         Some(by_areas(&reading.graph, found, about).unwrap_or(Scale {
             metres: found.metres,
-            evidence: Evidence::Rooms(found.rooms),
+            evidence: Evidence::Rooms(found.count),
         }))
     };
     let by_doors = || {
@@ -122,8 +122,8 @@ pub fn of(reading: &Reading, ink: &Ink, given: Option<f64>) -> Option<Scale> {
 
 /// Returns another scale for areas that may count mats.
 ///
-/// Walls at quarters of a ken that fit square metres or mats say it best. Otherwise areas count mats if the scale of openings is much
-/// larger than that of square metres.
+/// Walls at quarters of a ken decide if their scale is that of square metres or of mats. Otherwise areas count mats if the scale by
+/// openings is much larger than that by square metres.
 fn by_areas(graph: &Graph, found: sizes::Agreed, about: Option<f64>) -> Option<Scale> {
     let about = about.filter(|_| found.may_be_mats)?;
     let mats = found.metres * sizes::MAT.sqrt();
@@ -131,12 +131,12 @@ fn by_areas(graph: &Graph, found: sizes::Agreed, about: Option<f64>) -> Option<S
         let is_near = |metres: f64| (scale.metres / metres - 1.0).abs() <= sizes::AGREE_OF_MATS;
         is_near(found.metres) || is_near(mats)
     };
-    // Doors are rather narrower than assumed, so the scale by them is rather too large.
+    // Doors are often narrower than assumed, which makes the scale by them too large.
     let by_mats = || {
         let is_mats = about > LARGER * found.metres;
         is_mats.then_some(Scale {
             metres: mats,
-            evidence: Evidence::Mats(found.rooms),
+            evidence: Evidence::Mats(found.count),
         })
     };
     by_half_ken(graph, about).filter(fits).or_else(by_mats)

@@ -3,16 +3,15 @@
 //! A size counts if its two numbers have the ratio of the sides of the room, or of the distances between the walls around it.
 //! A scale counts if several rooms agree on it. So neither the unit nor the sign between the numbers has to be recognised.
 
-use super::digits::{Glyph, value};
-use super::dimensions::NEAR;
+use super::digits::{Glyph, inches, value};
+use super::dimensions::{INCH, NEAR};
 use super::field::Field;
 use super::{Divided, Stuff};
 use crate::plan::raster::Extent;
 use std::collections::BTreeSet;
 
-/// Metres of a foot and of an inch.
-const FOOT: f64 = 0.3048;
-const INCH: f64 = FOOT / 12.0;
+/// Metres of a foot.
+const FOOT: f64 = 12.0 * INCH;
 /// The widest space between digits of a number, across its decimal point, and between the signs of a size, in their height.
 const SPACE: [f64; 3] = [0.45, 0.9, 1.6];
 /// The greatest difference of the heights and feet of two signs, in their height.
@@ -27,9 +26,9 @@ const AGREE_BY_AREA: f64 = 0.03;
 pub(super) const MAT: f64 = 1.62;
 /// The greatest difference of the scales by mats and by square metres of one sheet: mats of other lengths are counted too.
 pub(super) const AGREE_OF_MATS: f64 = 0.05;
-/// The fewest rooms that agree: by two sides, by an area with a decimal point, by an area.
+/// The fewest sizes that agree: by two sides, by an area with a decimal point, by an area.
 const FEWEST: [usize; 3] = [3, 3, 4];
-/// The fewest rooms that agree by two sides where openings have a scale.
+/// The fewest sizes that agree by two sides if openings have a scale.
 const FEWEST_NEAR: usize = 2;
 /// The shortest and longest side of a room, metres.
 const SIDES: [f64; 2] = [0.6, 25.0];
@@ -41,12 +40,12 @@ const FILLED: f64 = 0.85;
 /// Signs side by side.
 type Row<'g> = Vec<&'g Glyph>;
 
-/// A scale that a room has by its size.
+/// A scale by a printed size.
 #[derive(Clone, Copy)]
 struct Vote {
     /// Metres of a pixel.
     metres: f64,
-    /// The row of signs that says it.
+    /// The number of the row of signs that is read as the size.
     row: u32,
     /// The area, or the product of both numbers: equal sizes count once.
     value: u64,
@@ -57,9 +56,9 @@ struct Vote {
 pub(super) struct Agreed {
     /// Metres of a pixel.
     pub(super) metres: f64,
-    /// The number of rooms that agree.
-    pub(super) rooms: usize,
-    /// True if their numbers may count mats instead of square metres.
+    /// The number of sizes that agree.
+    pub(super) count: usize,
+    /// True if they may count mats instead of square metres.
     pub(super) may_be_mats: bool,
 }
 
@@ -74,7 +73,7 @@ pub(super) struct Sizes {
 
 /// Returns the scales by the sizes that are printed in rooms.
 ///
-/// Only scales that are about that of the openings count, and two rooms are enough then.
+/// If openings have a scale, only scales near to it count, and two sizes are enough.
 pub(super) fn printed(glyphs: &[Glyph], divided: &Divided, about: Option<f64>) -> Sizes {
     let rooms = rooms(divided);
     let (mut by_sides, mut by_decimal, mut by_area) = (vec![], vec![], vec![]);
@@ -176,7 +175,7 @@ struct Number {
 }
 
 impl Number {
-    /// Reads signs as a number; `None` if one is not a digit, the first is 0 or they stand apart.
+    /// Reads signs as a number; `None` if a sign is not a digit, the first digit is 0 or a space is too wide.
     fn read(glyphs: &[&Glyph]) -> Option<Number> {
         let mut number = Number {
             whole: vec![],
@@ -212,18 +211,15 @@ impl Number {
         value(&self.whole) + value(&self.part) / 10_f64.powi(self.part.len() as i32)
     }
 
-    /// Returns the lengths that it may stand for, metres, each with the number of its unit.
+    /// Returns the lengths that it may mean, metres. Each has a number for its unit: 0 feet, 1 metres, 2 millimetres.
     fn lengths(&self) -> Vec<(usize, f64)> {
         let whole = value(&self.whole);
-        let inches = |feet: &[u32], inches: &[u32]| {
-            let is_inches = value(inches) < 12.0 && (inches.len() == 1 || inches[0] != 0);
-            is_inches.then(|| (0, value(feet) * FOOT + value(inches) * INCH))
-        };
+        let in_feet = |feet: &[u32], rest: &[u32]| Some((0, inches(feet, rest)? * INCH));
         if !self.part.is_empty() {
-            let feet = inches(&self.whole, &self.part).into_iter();
+            let feet = in_feet(&self.whole, &self.part).into_iter();
             return feet.chain([(1, self.decimal())]).collect();
         }
-        let split = |at: usize| inches(&self.whole[..at], &self.whole[at..]);
+        let split = |at: usize| in_feet(&self.whole[..at], &self.whole[at..]);
         match self.whole.len() {
             1 | 2 => vec![(0, whole * FOOT)],
             3 => {
@@ -282,7 +278,7 @@ fn sides(row: &[&Glyph], id: u32, [width, depth]: [f64; 2]) -> Vec<Vote> {
 
 /// Returns the clear width and depth at a row of signs: between whatever divides rooms, and between walls.
 ///
-/// Where a room was read wrongly, the walls on both sides of its size may still be right.
+/// The walls around a size may be right even if the room was not found as a whole.
 fn clear_sides(row: &[&Glyph], stuff: &Field<Stuff>) -> Vec<[f64; 2]> {
     let (Some(first), Some(last)) = (row.first(), row.last()) else {
         return vec![];
@@ -352,7 +348,7 @@ fn areas(row: &[&Glyph], id: u32, (extent, decimal): (&Extent, bool)) -> Vec<Vot
     out
 }
 
-/// Returns the scale on which most rooms agree, and their number.
+/// Returns the scale on which most sizes agree.
 fn agreed(votes: &[Vote], (most, fewest): (f64, usize)) -> Option<Agreed> {
     if votes.len() > MOST_VOTES {
         return None;
@@ -363,20 +359,20 @@ fn agreed(votes: &[Vote], (most, fewest): (f64, usize)) -> Option<Agreed> {
             .filter(move |vote| (vote.metres / metres - 1.0).abs() <= most)
     };
     let count = |metres: f64| {
-        let rooms: BTreeSet<u32> = near(metres).map(|vote| vote.row).collect();
+        let rows: BTreeSet<u32> = near(metres).map(|vote| vote.row).collect();
         let values: BTreeSet<u64> = near(metres).map(|vote| vote.value).collect();
-        rooms.len().min(values.len())
+        rows.len().min(values.len())
     };
     let all = votes.iter().map(|vote| (count(vote.metres), vote.metres));
-    let (rooms, metres) = all.max_by(|a, b| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1)))?;
-    if rooms < fewest {
+    let (found, metres) = all.max_by(|a, b| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1)))?;
+    if found < fewest {
         return None;
     }
     let mut scales: Vec<f64> = near(metres).map(|vote| vote.metres).collect();
     scales.sort_by(f64::total_cmp);
     Some(Agreed {
         metres: scales[scales.len() / 2],
-        rooms,
+        count: found,
         may_be_mats: false,
     })
 }
