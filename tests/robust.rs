@@ -9,7 +9,7 @@ mod mutations;
 use crate::support::cpu::{assert_linear, growth, spent};
 use crate::support::{
     OPTIMISED, Run, assert_none, compile, flaws_of_diagnostics, number, on_all_processors, stem,
-    texts, texts_in_turn,
+    texts, texts_in_turn, thorough,
 };
 use heaps::{comb, heaps, pile_of_roofs, unlike_stairs};
 use hsd::diagnostic::{Code, Diagnostics, Severity};
@@ -29,11 +29,15 @@ static BOUND: LazyLock<Duration> = LazyLock::new(|| {
     10 * examples.iter().map(time).max().expect("there are examples")
 });
 
-/// The number of inputs to try out of those that there are: `HSD_INPUTS` times as many in longer runs, some of them where the
-/// program is not optimised.
+/// Returns the number of inputs to try: half of all, or all if [`thorough`] and `HSD_INPUTS` times as many. An unoptimised program
+/// tries fewer.
 fn share(all: usize) -> usize {
     let all = all * number("HSD_INPUTS", 1);
-    if OPTIMISED { all } else { all / 8 }
+    match (OPTIMISED, thorough()) {
+        (false, _) => all / 8,
+        (true, false) => all / 2,
+        (true, true) => all,
+    }
 }
 
 /// Compiles an input and reports what is wrong with the diagnostics and with the time that it took.
@@ -63,7 +67,7 @@ fn examples_cut_anywhere() {
     let cuts: Vec<(&str, &[u8])> = examples
         .iter()
         .flat_map(|(name, bytes)| {
-            let step = 1 + bytes.len() / share(60); // the long ones in steps
+            let step = 1 + bytes.len() / share(120); // the long ones in steps
             let ends = (0..bytes.len()).step_by(step);
             ends.map(|end| (name.as_str(), &bytes[..end]))
         })
@@ -79,7 +83,7 @@ fn examples_cut_anywhere() {
 #[test]
 fn examples_changed_at_random() {
     let examples = examples();
-    assert_none(&on_all_processors(share(400), |index| {
+    assert_none(&on_all_processors(share(800), |index| {
         let (name, bytes) = mutation(&examples, index);
         let (_, findings) = findings_of(&name, &bytes);
         findings
@@ -93,7 +97,7 @@ fn examples_changed_at_random() {
 #[test]
 fn changed_examples_become_files() {
     let examples = examples();
-    assert_none(&on_all_processors(100, |index| {
+    assert_none(&on_all_processors(share(200), |index| {
         let (name, bytes) = mutation(&examples, index * 7);
         hsd::driver::compile_bytes(&name, &bytes);
         vec![]
