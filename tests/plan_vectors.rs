@@ -300,13 +300,12 @@ fn by_walls(lines: &[(&str, [f64; 4])]) -> (usize, [f64; 2], usize) {
         Err(none) => panic!("{:?}", none.why),
     };
     assert_eq!(found.scale.evidence, Evidence::Unit(1.0));
-    let plan = (&found.reading.divided, &found.reading.graph);
-    let head = ("h", &[][..], 10.0, Era::named("edo").unwrap());
-    let traced = writing::write(plan, found.scale.metres, head).expect("a house");
+    let head = ("h", &[][..], Era::named("edo").unwrap());
+    let traced = writing::write(&[found.storey(10.0)], head).expect("a house");
     let windows = traced.text.matches("MRE").count();
     (
         found.reading.rooms(),
-        found.size(&traced).to_array(),
+        found.size(&traced.storeys[0]).to_array(),
         windows,
     )
 }

@@ -2,6 +2,7 @@
 
 mod inside;
 mod real;
+pub(crate) mod several;
 mod trial;
 mod walls;
 

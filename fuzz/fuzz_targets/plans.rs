@@ -3,7 +3,7 @@
 #![no_main]
 
 use hsd::Diagnostics;
-use hsd::plan::drawing::{self, Content};
+use hsd::plan::drawing::{self, Content, DrawnPlan};
 use hsd::plan::house::{Wanted, write};
 use hsd::plan::legend::Legend;
 use hsd::plan::text::Era;
@@ -33,8 +33,11 @@ fuzz_target!(|bytes: &[u8]| {
             plan::read(&picture, &legends, &Options::default()).ok()
         }
         Ok(Content::Lines(lines)) => {
-            let drawn = drawing::find(lines, &roles, None, &legends, Front::Bottom);
-            drawn.ok().map(|drawn| Plan::Grid(Box::new(drawn.found)))
+            match drawing::read(lines, &roles, None, &legends, Front::Bottom) {
+                Ok(DrawnPlan::Grid(drawn)) => Some(Plan::Grid(Box::new(drawn.found))),
+                Ok(DrawnPlan::Walls(found)) => Some(Plan::Walls(found)),
+                Err(_) => None,
+            }
         }
         Ok(Content::House(_)) | Err(_) => None,
     };
@@ -52,10 +55,10 @@ fuzz_target!(|bytes: &[u8]| {
             house.map(|house| house.written.text)
         }
         Some(Plan::Walls(found)) => {
-            let plan = (&found.reading.divided, &found.reading.graph);
             let lines = ["a plan".to_owned()];
-            let head = ("house", &lines[..], 10.0, era);
-            let traced = writing::write(plan, found.scale.metres, head);
+            let storey = found.storey(10.0);
+            // As if the plan of each storey were the same.
+            let traced = writing::write(&[storey, storey], ("house", &lines, era));
             traced.map(|traced| traced.text)
         }
         None => None,

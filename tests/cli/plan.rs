@@ -92,6 +92,34 @@ fn two_storeys_lie_over_each_other() {
 }
 
 #[test]
+fn storeys_on_one_sheet_are_named_by_their_boxes() {
+    let folder = tempfile::tempdir().unwrap();
+    let sheet = crate::plans::several::sheet();
+    sheet.save(folder.path().join("sheet.png")).unwrap();
+    let plan = ["plan", "sheet.png", "-o", "house.hsd", "--unit-px", "40"];
+    let output = hsd(folder.path(), &plan);
+    assert_eq!(code(&output), 1, "{}", stderr(&output));
+    let said = stderr(&output);
+    assert!(said.contains("HSD1208"), "{said}");
+    let boxes: Vec<&str> = said.split("--region \"").skip(1).collect();
+    let boxes = boxes
+        .iter()
+        .map(|rest| rest.split('"').next().unwrap_or(""));
+    let regions: Vec<&str> = boxes.flat_map(|region| ["--region", region]).collect();
+    assert_eq!(regions.len(), 4, "{said}");
+    let output = hsd(folder.path(), &[&plan[..], &regions].concat());
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let text = fs::read_to_string(folder.path().join("house.hsd")).unwrap();
+    assert_eq!(text.matches("<Storey").count(), 2, "{text}");
+    for name in ["house.review-2.png", "house.sheet-2.jpg"] {
+        assert!(folder.path().join(name).exists(), "{name}");
+    }
+    let wrong = [&plan[..], &regions, &["--region", "1,1 9,9"]].concat();
+    let both = [&["plan", "sheet.png"], &wrong[1..]].concat();
+    assert_eq!(code(&hsd(folder.path(), &both)), 2);
+}
+
+#[test]
 fn an_upper_storey_may_stand_back_from_the_street() {
     let folder = tempfile::tempdir().unwrap();
     let depth = |seed: &u64| drawings::plan(*seed).depth;

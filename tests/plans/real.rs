@@ -132,10 +132,9 @@ fn judge(label: &Value, folder: &Path) -> Option<Judged> {
     let Plan::Walls(found) = plan else {
         return None;
     };
-    let plan = (&found.reading.divided, &found.reading.graph);
-    let head = ("a", &[][..], 10.0, Era::named("edo")?);
-    let traced = writing::write(plan, found.scale.metres, head)?;
-    let outline: Vec<DVec2> = traced
+    let head = ("a", &[][..], Era::named("edo")?);
+    let traced = writing::write(&[found.storey(10.0)], head)?;
+    let outline: Vec<DVec2> = traced.storeys[0]
         .outline
         .iter()
         .map(|p| found.in_picture(*p))

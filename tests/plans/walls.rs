@@ -6,13 +6,13 @@ use hsd::plan::legend::Role;
 use hsd::plan::text::Era;
 use hsd::plan::walls::openings::pieces;
 use hsd::plan::walls::scale::Evidence;
-use hsd::plan::walls::writing::{self, Traced};
+use hsd::plan::walls::writing::{self, Drawn, Traced};
 use hsd::plan::walls::{self, Found};
 use hsd::plan::{self, Plan};
 use image::{Rgb, RgbImage};
 
 /// Draws a wall between two places, pixels.
-fn wall(sheet: &mut RgbImage, a: DVec2, b: DVec2, thickness: f64) {
+pub(super) fn wall(sheet: &mut RgbImage, a: DVec2, b: DVec2, thickness: f64) {
     for (x, y, pixel) in sheet.enumerate_pixels_mut() {
         let at = dvec2(f64::from(x) + 0.5, f64::from(y) + 0.5);
         let along = ((at - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
@@ -71,10 +71,13 @@ fn read(sheet: RgbImage, unit: Option<f64>) -> Box<Found> {
     }
 }
 
-fn written(found: &Found) -> Traced {
-    let plan = (&found.reading.divided, &found.reading.graph);
-    let head = ("h", &[][..], 10.0, Era::named("edo").unwrap());
-    writing::write(plan, found.scale.metres, head).expect("a house")
+fn traced(found: &Found) -> Traced {
+    let head = ("h", &[][..], Era::named("edo").unwrap());
+    writing::write(&[found.storey(10.0)], head).expect("a house")
+}
+
+fn written(found: &Found) -> Drawn {
+    traced(found).storeys[0].clone()
 }
 
 #[test]
@@ -169,7 +172,7 @@ fn what_is_read_builds_and_says_where_its_size_is_from() {
         "{:?}",
         found.scale
     );
-    let text = written(&found).text;
+    let text = traced(&found).text;
     let source = hsd::Source::new(hsd::FileId(0), "h.hsd", text.as_bytes());
     let mut out = hsd::Diagnostics::new();
     let made = hsd::check(
@@ -253,14 +256,14 @@ fn partitions_much_thinner_than_outer_walls_divide_rooms() {
 fn another_house_on_the_sheet_is_counted() {
     let mut two = sheet(dvec2(40.0, 40.0));
     let p = |x: f64, y: f64| dvec2(725.0, 300.0) + dvec2(x, y);
-    let round = [p(0.0, 0.0), p(240.0, 0.0), p(240.0, 330.0), p(0.0, 330.0)];
+    let round = [p(0.0, 0.0), p(150.0, 0.0), p(150.0, 330.0), p(0.0, 330.0)];
     for k in 0..4 {
         wall(&mut two, round[k], round[(k + 1) % 4], 14.0);
     }
     let found = read(two, Some(50.0));
     let metres = walls::writing::UNIT / 50.0;
     let apart = written(&found).apart;
-    let drawn = 240.0 * 330.0 * metres * metres;
+    let drawn = 150.0 * 330.0 * metres * metres;
     assert!((apart / drawn - 1.0).abs() < 0.1, "{apart} m2 of {drawn}");
 }
 

@@ -24,6 +24,42 @@ pub struct Flat {
     pub corners: Option<[DVec2; 4]>,
     /// The skew that was taken away, degrees, clockwise in the picture.
     pub skew: f64,
+    /// The boxes of its plans, if there are several: pixels of the sheet, which may lie beyond its edges.
+    pub plans: Vec<Region>,
+}
+
+/// A box: its upper left and lower right corner.
+pub type Region = [DVec2; 2];
+
+impl Flat {
+    /// Returns the box of the picture round a box of the sheet.
+    pub fn in_picture(&self, region: Region) -> Region {
+        around(region, self.to_picture)
+    }
+
+    /// Returns the box of the sheet round a box of the picture.
+    pub fn on_sheet(&self, region: Region) -> Region {
+        around(region, self.to_picture.inverse())
+    }
+
+    /// Keeps what lies within a box of the sheet. If that is nothing, the sheet stays.
+    pub fn crop(&mut self, region: Region) {
+        let size = dvec2(self.sheet.width().into(), self.sheet.height().into());
+        let [a, b] = region.map(|p| p.round().clamp(DVec2::ZERO, size));
+        if (b - a).min_element() > 0.0 {
+            let [x, y, width, height] = [a.x, a.y, b.x - a.x, b.y - a.y].map(|k| k as u32);
+            self.sheet = imageops::crop_imm(&self.sheet, x, y, width, height).to_image();
+            self.to_picture *= DMat3::from_translation(a);
+            self.plans.iter_mut().flatten().for_each(|p| *p -= a);
+        }
+    }
+}
+
+/// Returns the box round another one that is seen through a map.
+fn around([a, b]: Region, map: DMat3) -> Region {
+    let corners = [a, b, dvec2(a.x, b.y), dvec2(b.x, a.y)].map(|p| project(map, p));
+    let fold = |of: fn(DVec2, DVec2) -> DVec2| corners.into_iter().reduce(of).unwrap_or_default();
+    [fold(DVec2::min), fold(DVec2::max)]
 }
 
 /// What is known of how a picture was taken.
@@ -59,6 +95,7 @@ pub fn flatten(picture: &RgbImage, given: &Given) -> Flat {
         to_picture,
         corners,
         skew,
+        plans: vec![],
     }
 }
 

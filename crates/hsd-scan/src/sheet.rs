@@ -3,6 +3,7 @@
 pub mod ground;
 
 use glam::{DVec2, dvec2};
+use image::imageops::crop_imm;
 use image::{GrayImage, Luma, Rgb, RgbImage};
 
 use super::raster::{Parts, otsu_level};
@@ -114,6 +115,16 @@ impl Ink {
             }
         }
         ink
+    }
+
+    /// Returns the ink of a box of the sheet: its upper left corner and its size, pixels.
+    pub fn within(&self, [x, y]: [u32; 2], [width, height]: [u32; 2]) -> Ink {
+        let part = |of: &GrayImage| crop_imm(of, x, y, width, height).to_image();
+        Ink {
+            dark: part(&self.dark),
+            red: part(&self.red),
+            threshold: self.threshold,
+        }
     }
 
     /// The ink without strokes that run across the sheet: hatching, leaves that stand open.

@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | bytes are told apart by their content | [`drawing`] | [`drawing::Content`] |
 //! | drawings in lines | [`vector`] | the same as of a picture |
+//! | plans of one sheet are separated | `several` | the boxes of the plans |
 //! | an image is read on the grid of half ken, by a legend | [`hsd_scan`] | [`shape::Shape`] |
 //! | floors, stairs and fixtures are recognised | [`shape::inside`] | the shape with them |
 //! | storeys are laid over each other | [`register`] | a move in units |
@@ -22,6 +23,7 @@ pub mod house;
 pub mod marks;
 pub mod register;
 pub mod said;
+mod several;
 pub mod text;
 mod thicknesses;
 pub mod underlay;
@@ -32,7 +34,7 @@ pub use gridded::find;
 pub use hsd_scan::picture::{Picture, Unreadable};
 pub use hsd_scan::{flatten, grid, legend, raster, shape, sheet, strokes};
 
-use flatten::{Flat, Given};
+use flatten::{Flat, Given, Region};
 use glam::DVec2;
 use grid::Grid;
 use gridded::Gridded;
@@ -94,6 +96,8 @@ pub struct Options {
     pub units: Vec<(f64, f64)>,
     /// Where the street is.
     pub front: Front,
+    /// The box of the image with the plan, pixels. Otherwise the largest plan is read.
+    pub region: Option<Region>,
 }
 
 /// What the steps have found.
@@ -209,7 +213,8 @@ impl Plan {
     }
 }
 
-/// Reads the plan on an image on a grid of half ken and wall by wall; returns the result that explains more walls.
+/// Reads the plan on an image on a grid of half ken and wall by wall; returns the result that explains more walls. Of several plans
+/// it reads the largest; the flat sheet has the boxes of all.
 ///
 /// # Errors
 /// If there is no plan; with what the steps had found.
@@ -219,6 +224,29 @@ pub fn read(
     options: &Options,
 ) -> Result<Plan, Box<Stopped>> {
     let sheet = Gridded::of(picture, options);
+    let (flat, ink) = match &sheet {
+        Ok(sheet) => (&sheet.flat, &sheet.ink),
+        Err(stopped) => (&stopped.flat, &stopped.ink),
+    };
+    let several = match options.region {
+        Some(_) => None,
+        None => several::plans(ink),
+    };
+    let Some(several) = several else {
+        return read_sheet(sheet, legends, options);
+    };
+    let mut flat = flat.clone();
+    flat.plans = several.regions;
+    flat.crop(several.largest);
+    read_sheet(Gridded::on(flat, options), legends, options)
+}
+
+/// Reads the plan on a sheet, as [`read`] does.
+fn read_sheet(
+    sheet: Result<Gridded, Box<Stopped>>,
+    legends: &[Legend],
+    options: &Options,
+) -> Result<Plan, Box<Stopped>> {
     let ink = match &sheet {
         Ok(sheet) => &sheet.ink,
         Err(stopped) => &stopped.ink,

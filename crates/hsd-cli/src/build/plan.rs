@@ -14,6 +14,7 @@ use hsd_driver::plan_file::{PlanFile, PlanSheet};
 use hsd_report::{Format, Report};
 use hsd_scene::texture::{Packing, jpeg, png};
 use hsd_trace::messages::drawn as say;
+use hsd_trace::plan::flatten::Region;
 use hsd_trace::plan::house::{self, House, Wanted};
 use hsd_trace::plan::text::{Doubt, Era, Written};
 use hsd_trace::plan::walls::pictures;
@@ -47,6 +48,7 @@ const QUALITY: u8 = 75;
 Examples:
   hsd plan scan.jpg -o house.hsd                                      read the plan of one storey
   hsd plan ground.png upper.png -o house.hsd --unit kyo-ma            read two storeys; half a ken is 3.25 shaku
+  hsd plan sheet.png -o house.hsd --region \"40,60 900,700\" --region \"950,60 1800,700\"
   hsd plan photo.jpg -o house.hsd --corners \"80,60 900,70 880,1240 90,1220\"
   hsd plan plan.dxf -o house.hsd                                      read a drawing by its layers and blocks
   hsd plan scan.jpg -o house.hsd --steps steps/                       also draw what each step has found")]
@@ -78,6 +80,10 @@ pub(crate) struct Plan {
     /// Set the corners of the sheet in the picture, pixels, clockwise from the upper left.
     #[arg(long, value_name = "\"X,Y X,Y X,Y X,Y\"", value_parser = values::corners)]
     corners: Option<[DVec2; 4]>,
+
+    /// Read the plan in this box, two corners in pixels; for storeys on one sheet repeat it from the ground up.
+    #[arg(long = "region", value_name = "\"X,Y X,Y\"", value_parser = values::region, allow_hyphen_values = true)]
+    regions: Vec<Region>,
 
     /// Set how far the picture is turned, degrees clockwise.
     #[arg(long, value_name = "DEG", allow_hyphen_values = true, value_parser = values::degrees)]
@@ -128,6 +134,7 @@ impl Plan {
         let committer = self.committer();
         let legends = self.legends(&committer, &mut sources, &mut out)?;
         committer.check(self.outputs())?;
+        self.check_regions()?;
         let mut told = None;
         match self.sheets((legends.as_ref(), &committer), &mut sources, &mut out)? {
             Some(Read::Sheets(sheets)) => match self.house(&sheets) {
@@ -140,8 +147,8 @@ impl Plan {
                     sheet.into_iter().for_each(|at| out.push(say::no_house(at)));
                 }
             },
-            Some(Read::Walls(sheet)) => {
-                told = self.write_walls((&sheet, before), &committer, &mut sources, &mut out)?;
+            Some(Read::Walls(sheets)) => {
+                told = self.write_walls((&sheets, before), &committer, &mut sources, &mut out)?;
             }
             Some(Read::House(text)) => {
                 told = Some(self.write_drawn(text, &committer, &mut sources, &mut out)?)
@@ -160,6 +167,23 @@ impl Plan {
         Ok(if failed { Exit::Errors } else { Exit::Done })
     }
 
+    /// Returns the number of storeys that were asked for.
+    fn storeys(&self) -> usize {
+        self.inputs.len().max(self.regions.len())
+    }
+
+    /// Fails unless boxes of plans are for one file, or one for each.
+    fn check_regions(&self) -> Result<(), Failure> {
+        let (files, boxes) = (self.inputs.len(), self.regions.len());
+        if boxes == 0 || files == 1 || boxes == files {
+            return Ok(());
+        }
+        Err(Failure::Usage(text!([boxes, files]
+            "`--region` is given {boxes} times for {files} files; give it once for each file, or several times for one file",
+            "`--region` が {boxes} 個、ファイルが {files} 個あります。ファイルごとに一つずつか、一つのファイルに複数を指定してください"
+        )))
+    }
+
     /// Returns the committer of a run, which knows the plans.
     fn committer(&self) -> Committer {
         let committer = Committer::reading(&self.inputs);
@@ -171,7 +195,7 @@ impl Plan {
 
     /// Returns the outputs whose names are known before a plan is read.
     fn outputs(&self) -> Vec<PathBuf> {
-        let storeys = 1..=self.inputs.len();
+        let storeys = 1..=self.storeys();
         let sheets = storeys.map(|storey| [self.sheet_path(storey), self.review_path(storey)]);
         let house = [self.output.clone(), self.beside("plan.json")];
         house.into_iter().chain(sheets.flatten()).collect()
@@ -184,7 +208,7 @@ impl Plan {
 
     /// Returns the path of the image of a storey with its doubts, counted from 1.
     fn review_path(&self, storey: usize) -> PathBuf {
-        match self.inputs.len() {
+        match self.storeys() {
             1 => self.beside("review.png"),
             _ => self.beside(&format!("review-{storey}.png")),
         }
@@ -428,7 +452,7 @@ impl Plan {
             return Ok(vec![]);
         };
         std::fs::create_dir_all(folder).map_err(|e| Failure::at(folder.display(), e))?;
-        let named = |name: &str| match self.inputs.len() {
+        let named = |name: &str| match self.storeys() {
             1 => format!("{prefix}{name}"),
             _ => format!("{}-{prefix}{name}", sheet + 1),
         };

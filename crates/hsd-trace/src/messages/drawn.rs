@@ -361,6 +361,25 @@ pub fn assumed_size(span: Span, by: Text, [width, depth]: [f64; 2]) -> Diagnosti
     ))
 }
 
+/// Plans of one sheet that lie apart, of which the largest was read; `regions` are their boxes as `--region` takes them.
+#[cold]
+pub fn several(span: Span, regions: &[String]) -> Diagnostic {
+    let count = regions.len();
+    let message = text!([count]
+        "the sheet shows {count} plans that lie apart; one of them was read",
+        "紙に離れた平面図が {count} つあります。そのうち一つだけを読みました"
+    );
+    let options: Vec<String> = regions
+        .iter()
+        .map(|r| format!("--region \"{r}\""))
+        .collect();
+    let options = options.join(" ");
+    Diagnostic::error(1208, span, message).help(text!([options]
+        "if they are the storeys of one house, name them from the ground up: `{options}`; one `--region` alone reads that plan",
+        "一軒の家の階なら、下の階から順に指定してください: `{options}`。`--region` を一つだけ付けると、その平面図を読みます"
+    ))
+}
+
 /// Houses on a sheet beside the one that was read, with their area in square metres.
 #[cold]
 pub fn left_out(span: Span, area: f64) -> Diagnostic {

@@ -375,6 +375,7 @@ fn as_picture(found: vector::Found, painted: &paint::Painted, to_drawing: DMat3)
             to_picture: to_drawing,
             corners: None,
             skew: 0.0,
+            plans: vec![],
         },
         grid: Grid {
             to_sheet,

@@ -78,6 +78,14 @@ impl Gridded {
     pub(super) fn of(picture: &Picture, options: &Options) -> Result<Gridded, Box<Stopped>> {
         let mut flat = flatten::flatten(&picture.pixels, &options.given);
         turn(&mut flat, options.front);
+        if let Some(region) = options.region {
+            flat.crop(flat.on_sheet(region));
+        }
+        Gridded::on(flat, options)
+    }
+
+    /// Finds the ink and the grid of a flat sheet.
+    pub(super) fn on(flat: Flat, options: &Options) -> Result<Gridded, Box<Stopped>> {
         let ink = Ink::of(&flat.sheet);
         let share = ink.share();
         let aspect = match flat.corners {

@@ -15,6 +15,7 @@
 //! | printed dimensions, sizes of rooms, doors or half ken give the size | [`digits`], `measures`, `sizes`, [`scale`] | [`scale::Scale`] |
 //! | stretches of walls in another colour are marked | `tints` | [`Stuff::Tinted`] |
 //! | pieces of walls get their roles | [`openings`] | [`openings::Piece`]s |
+//! | storeys are laid over each other | [`stacked`] | a move in metres |
 //! | the source file is written | [`writing`] | [`writing::Traced`] |
 //!
 //! Places are pixels of the flat sheet, to the right and down. Only the least lengths are numbers of pixels. All others are
@@ -40,6 +41,7 @@ pub mod pictures;
 mod reach;
 pub mod scale;
 mod sizes;
+pub mod stacked;
 mod stairs;
 mod swing;
 pub mod thin;
@@ -53,10 +55,12 @@ use super::sheet::{self, Ink};
 use faces::Faces;
 use field::Field;
 use gaps::Gap;
+use glam::DVec2;
 use graph::Graph;
 use mask::Strokes;
 use rayon::prelude::*;
 use scale::{Evidence, Scale};
+use writing::Storey;
 
 /// Radii of the discs by which the outside is found, as shares of the plan's diagonal.
 const RADII: [f64; 4] = [0.04, 0.055, 0.075, 0.1];
@@ -104,6 +108,17 @@ impl Found {
             flat,
             reading,
             scale,
+        }
+    }
+
+    /// Returns the plan as the storey on the ground, of a height in shaku.
+    pub fn storey(&self, height: f64) -> Storey<'_> {
+        Storey {
+            divided: &self.reading.divided,
+            graph: &self.reading.graph,
+            metres: self.scale.metres,
+            height,
+            shift: DVec2::ZERO,
         }
     }
 }

@@ -1,20 +1,23 @@
 //! The sheets of `hsd plan`: legends and plans, as they are opened and read.
 
+use super::values::region_name;
 use super::walls::WallSheet;
 use super::{EDO_MA, Plan, SHAKU, name_of};
 use crate::Failure;
 use crate::files::output::Committer;
 use glam::DVec2;
-use hsd_base::diagnostic::Diagnostics;
-use hsd_base::source::{FileId, Source};
+use hsd_base::diagnostic::{Diagnostic, Diagnostics};
+use hsd_base::source::{FileId, Source, Span};
 use hsd_base::text;
 use hsd_trace::messages::drawn as say;
 use hsd_trace::plan::drawing::{self, Content, DrawnPlan, NoPlan, Unopened};
-use hsd_trace::plan::flatten::{Given, project};
+use hsd_trace::plan::flatten::{Flat, Given, Region, project};
 use hsd_trace::plan::legend::Legend;
 use hsd_trace::plan::vector::{self, lines::Lines, roles::Roles};
-use hsd_trace::plan::walls::scale::Evidence;
+use hsd_trace::plan::walls;
+use hsd_trace::plan::walls::scale::{Evidence, Scale};
 use hsd_trace::plan::{self, Found, LEGENDS, Options, Picture, Stopped, said};
+use std::path::{Path, PathBuf};
 
 /// Names in the comment of a house, the most.
 const NAMED: usize = 12;
@@ -25,6 +28,8 @@ pub(super) struct Sheet {
     pub(super) file: String,
     /// The plan on it.
     pub(super) found: Found,
+    /// The place of messages about it.
+    at: Span,
     /// Pixels of the file in one of the picture that was read.
     pub(super) shrink: f64,
     /// Whether it is a drawing, not a picture.
@@ -72,12 +77,55 @@ impl Sheet {
 
 /// What the input files hold.
 pub(super) enum Read {
-    /// Plans, one a storey.
+    /// Plans, one a storey, on grids.
     Sheets(Vec<Sheet>),
-    /// A plan that was read wall by wall.
-    Walls(Box<WallSheet>),
+    /// Plans, one a storey, that were read wall by wall.
+    Walls(Vec<WallSheet>),
     /// A house that `hsd draw` had drawn: its text.
     House(String),
+}
+
+/// The plan of one storey.
+enum Storey {
+    Grid(Box<Sheet>),
+    Walls(Box<WallSheet>),
+}
+
+impl Storey {
+    fn flat(&self) -> &Flat {
+        match self {
+            Storey::Grid(sheet) => &sheet.found.flat,
+            Storey::Walls(sheet) => &sheet.found.flat,
+        }
+    }
+
+    /// Returns the plan read wall by wall; `None` if that gives no house.
+    fn by_walls(self, plan: &Plan) -> Option<WallSheet> {
+        let sheet = match self {
+            Storey::Walls(sheet) => return Some(*sheet),
+            Storey::Grid(sheet) => sheet,
+        };
+        let Found {
+            flat, ink, grid, ..
+        } = &sheet.found;
+        let options = Options {
+            metres: sheet.shaku.map(|shaku| shaku * SHAKU / grid.unit),
+            ..plan.options(sheet.shrink, None)
+        };
+        Some(WallSheet {
+            found: walls::found(flat, ink, &options)?,
+            file: sheet.file,
+            at: sheet.at,
+            shrink: sheet.shrink,
+        })
+    }
+
+    fn at(&self) -> Span {
+        match self {
+            Storey::Grid(sheet) => sheet.at,
+            Storey::Walls(sheet) => sheet.at,
+        }
+    }
 }
 
 /// Legends of pictures, and of drawings.
@@ -145,85 +193,187 @@ impl Plan {
         sources: &mut Vec<Source>,
         out: &mut Diagnostics,
     ) -> Result<Option<Read>, Failure> {
-        let mut sheets = vec![];
+        let (mut storeys, mut tried) = (vec![], 0);
         let mut pages = self.pages.iter().copied().chain(std::iter::repeat(1));
         for (k, path) in self.inputs.iter().enumerate() {
-            let bytes = std::fs::read(path).map_err(|e| Failure::at(path.display(), e))?;
-            let page = match drawing::is_pdf(&bytes) {
-                true => pages.next().unwrap_or(1),
-                false => 1,
-            };
-            let opened = drawing::open(&bytes, page, self.memory_args.max_memory);
-            // What is told of a picture has no place in its bytes.
-            let is_text = matches!(opened, Ok(Content::Lines(_)) | Err(Unopened::Drawing(_)));
-            let text = if is_text { &bytes[..] } else { b"" };
-            let number = FileId(sources.len() as u32);
-            let source = Source::new(number, path.display().to_string(), text);
-            let file = name_of(path);
-            let read = match (opened, legends) {
-                (Err(why), _) => Err((None, said::unopened(&source, &why))),
-                (Ok(Content::House(text)), _) if self.inputs.len() == 1 => Ok(Read::House(text)),
-                (Ok(Content::House(_)), _) => Err((None, say::whole_house(source.span(0..0)))),
+            let (source, opened) = self.opened(path, sources.len(), &mut pages)?;
+            let at = source.span(0..0);
+            match (opened, legends) {
+                (Err(why), _) => out.push(said::unopened(&source, &why)),
+                (Ok(Content::House(text)), _) if self.storeys() == 1 => {
+                    sources.push(source);
+                    return Ok(Some(Read::House(text)));
+                }
+                (Ok(Content::House(_)), _) => out.push(say::whole_house(at)),
+                (Ok(content), Some(legends)) => {
+                    for region in self.regions_of(k) {
+                        match self.storey((&content, &source), region, legends)? {
+                            Ok(read) => storeys.push(read),
+                            Err(stopped) => {
+                                let steps = self.stopped(tried, at, stopped, out)?;
+                                committer.write_all(steps)?;
+                            }
+                        }
+                        tried += 1;
+                    }
+                }
                 // What is wrong with the legends is reported already.
-                (Ok(_), None) => Ok(Read::Sheets(vec![])),
-                (Ok(Content::Picture(picture)), Some(legends)) => {
-                    let read = self.picture(&picture, file, legends);
-                    read.map_err(|stopped| {
-                        let why = said::refused(source.span(0..0), stopped.why);
-                        (Some(stopped), why)
-                    })
-                }
-                (Ok(Content::Lines(lines)), Some(legends)) => {
-                    self.is_for_drawings(&file)?;
-                    let read = self.drawing(lines, file, legends);
-                    read.map_err(|none| (none.stopped, said::drawing(&source, &none.why)))
-                }
-            };
+                (Ok(_), None) => {}
+            }
             sources.push(source);
-            match read {
-                Ok(Read::Sheets(read)) => sheets.extend(read),
-                Ok(whole) => return Ok(Some(whole)),
-                Err((stopped, why)) => {
-                    committer.write_all(self.steps_of_stopped(k, stopped.as_deref())?)?;
-                    out.push(why);
-                }
+        }
+        let told = storeys.iter();
+        let told = told.filter_map(|storey| several(storey.at(), Some(storey.flat())));
+        told.for_each(|told| out.push(told));
+        match storeys.len() == self.storeys() {
+            true => Ok(self.together(storeys, out)),
+            false => Ok(None),
+        }
+    }
+
+    /// Opens a file, whose place among all sources is given; of a PDF the next page that was asked for.
+    fn opened(
+        &self,
+        path: &Path,
+        number: usize,
+        pages: &mut impl Iterator<Item = usize>,
+    ) -> Result<(Source, Result<Content, Unopened>), Failure> {
+        let bytes = std::fs::read(path).map_err(|e| Failure::at(path.display(), e))?;
+        let page = match drawing::is_pdf(&bytes) {
+            true => pages.next().unwrap_or(1),
+            false => 1,
+        };
+        let opened = drawing::open(&bytes, page, self.memory_args.max_memory);
+        // What is told of a picture has no place in its bytes.
+        let is_text = matches!(opened, Ok(Content::Lines(_)) | Err(Unopened::Drawing(_)));
+        let text = if is_text { &bytes[..] } else { b"" };
+        let source = Source::new(FileId(number as u32), path.display().to_string(), text);
+        Ok((source, opened))
+    }
+
+    /// Says why there is no plan; returns what the steps found, if that is asked for.
+    fn stopped(
+        &self,
+        storey: usize,
+        at: Span,
+        (stopped, why): (Option<Box<Stopped>>, Diagnostic),
+        out: &mut Diagnostics,
+    ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+        out.push(why);
+        let flat = stopped.as_ref().map(|stopped| &stopped.flat);
+        several(at, flat)
+            .into_iter()
+            .for_each(|told| out.push(told));
+        self.steps_of_stopped(storey, stopped.as_deref())
+    }
+
+    /// Returns the boxes of the plans to read from a file; `None` is for all of it.
+    fn regions_of(&self, input: usize) -> Vec<Option<Region>> {
+        let regions = || self.regions.iter().copied().map(Some);
+        match (self.inputs.len(), self.regions.len()) {
+            (_, 0) => vec![None],
+            (1, _) => regions().collect(),
+            _ => regions().skip(input).take(1).collect(),
+        }
+    }
+
+    /// Puts storeys together; `None` if one of them has no house. All are read in the same way.
+    fn together(&self, storeys: Vec<Storey>, out: &mut Diagnostics) -> Option<Read> {
+        let is_on_grid = |storey: &Storey| matches!(storey, Storey::Grid(_));
+        if storeys.iter().all(is_on_grid) {
+            let sheets = storeys.into_iter().filter_map(|storey| match storey {
+                Storey::Grid(sheet) => Some(*sheet),
+                Storey::Walls(_) => None,
+            });
+            return Some(Read::Sheets(sheets.collect()));
+        }
+        let mut sheets: Vec<WallSheet> = vec![];
+        for storey in storeys {
+            let at = storey.at();
+            match storey.by_walls(self) {
+                Some(sheet) => sheets.push(sheet),
+                None => out.push(say::no_house(at)),
             }
         }
-        Ok((sheets.len() == self.inputs.len()).then_some(Read::Sheets(sheets)))
+        self.share_scales(&mut sheets);
+        (sheets.len() == self.storeys()).then_some(Read::Walls(sheets))
+    }
+
+    /// Gives storeys of one file its surest scale.
+    fn share_scales(&self, sheets: &mut [WallSheet]) {
+        // `--unit-px` and `--ken` count half ken, whose length `--unit` sets.
+        let is_by_ken = self.unit_px.is_some() || self.ken.is_some();
+        let is_given = |sheet: &WallSheet| sheet.found.scale.evidence == Evidence::Given;
+        for sheet in sheets
+            .iter_mut()
+            .filter(|sheet| is_by_ken && is_given(sheet))
+        {
+            sheet.found.scale.metres *= self.unit.unwrap_or(EDO_MA) / EDO_MA;
+        }
+        let of_file = |at: Span| {
+            let scales = sheets.iter().filter(|sheet| sheet.at == at);
+            scales.map(|sheet| sheet.found.scale).reduce(Scale::surer)
+        };
+        let scales: Vec<Option<Scale>> = sheets.iter().map(|sheet| of_file(sheet.at)).collect();
+        for (sheet, scale) in sheets.iter_mut().zip(scales) {
+            sheet.found.scale = scale.unwrap_or(sheet.found.scale);
+        }
+    }
+
+    /// Reads the plan of a storey.
+    #[expect(clippy::type_complexity, reason = "a reason with what was found")]
+    fn storey(
+        &self,
+        (content, source): (&Content, &Source),
+        region: Option<Region>,
+        legends: &Legends,
+    ) -> Result<Result<Storey, (Option<Box<Stopped>>, Diagnostic)>, Failure> {
+        let file = (name_of(Path::new(source.name())), source.span(0..0));
+        Ok(match content {
+            Content::Picture(picture) => {
+                let read = self.picture(picture, file, region, legends);
+                read.map_err(|stopped| {
+                    let why = said::refused(source.span(0..0), stopped.why);
+                    (Some(stopped), why)
+                })
+            }
+            Content::Lines(lines) => {
+                self.is_for_drawings(&file.0)?;
+                let read = self.drawing(lines.clone(), file, region, legends);
+                read.map_err(|none| (none.stopped, said::drawing(source, &none.why)))
+            }
+            Content::House(_) => Err((None, say::whole_house(source.span(0..0)))),
+        })
     }
 
     fn picture(
         &self,
         picture: &Picture,
-        file: String,
+        (file, at): (String, Span),
+        region: Option<Region>,
         legends: &Legends,
-    ) -> Result<Read, Box<Stopped>> {
-        let (shrink, options) = (picture.shrink, self.options(picture.shrink));
-        // Storeys are laid over each other on their grids.
-        let found = match self.inputs.len() {
-            1 if self.legends.is_empty() => plan::read(picture, &legends.symbols, &options)?,
-            _ => plan::Plan::Grid(Box::new(plan::find(picture, &legends.symbols, &options)?)),
+    ) -> Result<Storey, Box<Stopped>> {
+        let (shrink, options) = (picture.shrink, self.options(picture.shrink, region));
+        let found = match self.legends.is_empty() {
+            true => plan::read(picture, &legends.symbols, &options)?,
+            false => plan::Plan::Grid(Box::new(plan::find(picture, &legends.symbols, &options)?)),
         };
         Ok(match found {
-            plan::Plan::Grid(found) => Read::Sheets(vec![Sheet {
+            plan::Plan::Grid(found) => Storey::Grid(Box::new(Sheet {
                 found: *found,
                 file,
+                at,
                 shrink,
                 is_drawing: false,
                 shaku: None,
                 unknown: vec![],
-            }]),
-            plan::Plan::Walls(mut found) => {
-                // `--unit-px` and `--ken` count half ken, whose length `--unit` sets.
-                if found.scale.evidence == Evidence::Given {
-                    found.scale.metres *= self.unit.unwrap_or(EDO_MA) / EDO_MA;
-                }
-                Read::Walls(Box::new(WallSheet {
-                    found: *found,
-                    file,
-                    shrink,
-                }))
-            }
+            })),
+            plan::Plan::Walls(found) => Storey::Walls(Box::new(WallSheet {
+                found: *found,
+                file,
+                at,
+                shrink,
+            })),
         })
     }
 
@@ -244,37 +394,48 @@ impl Plan {
         )))
     }
 
-    fn drawing(&self, lines: Lines, file: String, legends: &Legends) -> Result<Read, NoPlan> {
+    fn drawing(
+        &self,
+        mut lines: Lines,
+        (file, at): (String, Span),
+        region: Option<Region>,
+        legends: &Legends,
+    ) -> Result<Storey, NoPlan> {
+        if let Some(region) = region {
+            lines.keep_within(region);
+        }
         let unit_mm = self.unit.map(|shaku| shaku * SHAKU * 1000.0);
         let front = self.front.into();
         let (roles, symbols) = (&legends.roles, &legends.symbols);
-        let drawn = match self.inputs.len() {
-            1 if self.legends.is_empty() => drawing::read(lines, roles, unit_mm, symbols, front)?,
-            _ => {
+        let drawn = match self.legends.is_empty() {
+            true => drawing::read(lines, roles, unit_mm, symbols, front)?,
+            false => {
                 let drawn = drawing::find(lines, roles, unit_mm, symbols, front);
                 let drawn = drawn.map_err(|why| NoPlan { why, stopped: None })?;
                 DrawnPlan::Grid(Box::new(drawn))
             }
         };
         Ok(match drawn {
-            DrawnPlan::Grid(drawn) => Read::Sheets(vec![Sheet {
+            DrawnPlan::Grid(drawn) => Storey::Grid(Box::new(Sheet {
                 found: drawn.found,
                 file,
+                at,
                 shrink: 1.0,
                 is_drawing: true,
                 shaku: drawn.shaku,
                 unknown: drawn.unknown,
-            }]),
-            DrawnPlan::Walls(found) => Read::Walls(Box::new(WallSheet {
+            })),
+            DrawnPlan::Walls(found) => Storey::Walls(Box::new(WallSheet {
                 found: *found,
                 file,
+                at,
                 shrink: 1.0,
             })),
         })
     }
 
     /// The options for a picture, in pixels of the reduced picture: `shrink` is how many pixels of the file one of its pixels covers.
-    fn options(&self, shrink: f64) -> Options {
+    fn options(&self, shrink: f64, region: Option<Region>) -> Options {
         let unit = self.unit_px.or(self.ken.map(|ken| ken.unit));
         Options {
             given: Given {
@@ -285,6 +446,15 @@ impl Plan {
             metres: None,
             units: vec![],
             front: self.front.into(),
+            region: region.map(|region| region.map(|p| p / shrink)),
         }
     }
+}
+
+/// Says that a sheet shows several plans.
+fn several(at: Span, flat: Option<&Flat>) -> Option<Diagnostic> {
+    let flat = flat?;
+    let regions = flat.plans.iter().map(|region| flat.in_picture(*region));
+    let regions: Vec<String> = regions.map(region_name).collect();
+    (!regions.is_empty()).then(|| say::several(at, &regions))
 }

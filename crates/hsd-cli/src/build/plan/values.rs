@@ -3,6 +3,12 @@
 use clap::ValueEnum;
 use glam::{DVec2, dvec2};
 use hsd_trace::plan::Front;
+use hsd_trace::plan::flatten::Region;
+
+/// Places farther out are in no picture or drawing.
+const FARTHEST: f64 = 1e9;
+/// The diagonal below which a box is in metres, not in pixels or millimetres.
+const SMALL: f64 = 100.0;
 
 /// The side of a sheet where the street is.
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -115,6 +121,22 @@ pub(in crate::build) fn corners(text: &str) -> Result<[DVec2; 4], String> {
     }
 }
 
+/// A box by two corners that lie across.
+pub(super) fn region(text: &str) -> Result<Region, String> {
+    let points: Option<Vec<DVec2>> = text.split_whitespace().map(point).collect();
+    match points.as_deref() {
+        Some([a, b]) if (*a - *b).abs().min_element() > 0.0 => Ok([a.min(*b), a.max(*b)]),
+        _ => Err("expected two corners of a box, as in \"80,60 900,640\"".to_owned()),
+    }
+}
+
+/// Returns a box as [`region`] reads it. Boxes in metres keep millimetres.
+pub(super) fn region_name([a, b]: Region) -> String {
+    let step = if a.distance(b) < SMALL { 1e3 } else { 1.0 };
+    let [a, b] = [a, b].map(|p| (p * step).round() / step + 0.0);
+    format!("{},{} {},{}", a.x, a.y, b.x, b.y)
+}
+
 /// A page, counted from 1.
 pub(super) fn page(text: &str) -> Result<usize, String> {
     let page = text.parse().ok().filter(|page| *page > 0);
@@ -153,5 +175,5 @@ pub(super) fn same(text: &str) -> Result<Same, String> {
 fn point(text: &str) -> Option<DVec2> {
     let (x, y) = text.split_once(',')?;
     let (x, y): (f64, f64) = (x.trim().parse().ok()?, y.trim().parse().ok()?);
-    (x.abs() < 1e5 && y.abs() < 1e5).then_some(dvec2(x, y))
+    (x.abs() < FARTHEST && y.abs() < FARTHEST).then_some(dvec2(x, y))
 }

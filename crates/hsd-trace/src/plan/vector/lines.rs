@@ -1,5 +1,6 @@
 //! The lines of a drawing, whatever file they come from.
 
+use crate::plan::flatten::Region;
 use glam::{DMat3, DVec2, dvec2};
 use std::collections::BTreeMap;
 
@@ -52,6 +53,13 @@ pub struct Lines {
 }
 
 impl Lines {
+    /// Keeps the strokes that lie within a box.
+    pub fn keep_within(&mut self, [low, high]: Region) {
+        let is_within = |p: &DVec2| p.cmpge(low).all() && p.cmple(high).all();
+        self.strokes
+            .retain(|stroke| stroke.points.iter().all(is_within));
+    }
+
     /// The number of a name.
     pub(super) fn name(&mut self, name: &str) -> u32 {
         if let Some(known) = self.known.get(name) {

@@ -1,6 +1,6 @@
 //! Images of a plan that was read wall by wall.
 
-use super::writing::Traced;
+use super::writing::Drawn;
 use super::{Found, Reading, Stuff};
 use crate::plan::flatten::{Flat, warp};
 use crate::plan::marks;
@@ -15,7 +15,7 @@ const INNER: [u8; 3] = [0, 110, 200];
 const UNEXPLAINED: [u8; 3] = [255, 150, 0];
 
 /// Returns the sheet for `hsd view`, and what takes its pixels to metres in the frame of the house.
-pub fn underlay(found: &Found, traced: &Traced) -> (RgbImage, [f64; 6]) {
+pub fn underlay(found: &Found, drawn: &Drawn) -> (RgbImage, [f64; 6]) {
     let (width, height) = found.flat.sheet.dimensions();
     let shrink = (LONGEST / f64::from(width.max(height))).min(1.0);
     let size = [width, height].map(|s| (f64::from(s) * shrink).round().max(1.0) as u32);
@@ -23,7 +23,7 @@ pub fn underlay(found: &Found, traced: &Traced) -> (RgbImage, [f64; 6]) {
     let picture = warp(&found.flat.sheet, to_sheet, (size[0], size[1]));
     let metres = found.scale.metres;
     let s = metres / shrink;
-    let origin = traced.origin * metres;
+    let origin = drawn.origin * metres;
     (picture, [-s, 0.0, 0.0, -s, origin.x, origin.y])
 }
 
@@ -95,9 +95,9 @@ impl Found {
     }
 
     /// Returns the width and depth of a house, metres.
-    pub fn size(&self, traced: &Traced) -> DVec2 {
-        let first = traced.outline.first().copied().unwrap_or_default();
-        let bounds = traced
+    pub fn size(&self, drawn: &Drawn) -> DVec2 {
+        let first = drawn.outline.first().copied().unwrap_or_default();
+        let bounds = drawn
             .outline
             .iter()
             .fold((first, first), |(a, b), p| (a.min(*p), b.max(*p)));

@@ -50,6 +50,22 @@ pub enum Evidence {
     Unit(f64),
 }
 
+impl Evidence {
+    /// Returns its place among all kinds, from the least sure, and its number.
+    fn rank(self) -> (u8, usize) {
+        match self {
+            Evidence::Openings => (0, 0),
+            Evidence::HalfKen => (1, 0),
+            Evidence::Doors(count) => (2, count),
+            Evidence::Mats(count) => (3, count),
+            Evidence::Unit(_) => (4, 0),
+            Evidence::Rooms(count) => (5, count),
+            Evidence::Printed(count) => (6, count),
+            Evidence::Given => (7, 0),
+        }
+    }
+}
+
 /// The size of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
@@ -63,6 +79,14 @@ impl Scale {
     /// Returns true if the author, the file or printed dimensions give it.
     pub fn is_sure(&self) -> bool {
         matches!(self.evidence, Evidence::Given | Evidence::Printed(_))
+    }
+
+    /// Returns that with the better evidence.
+    pub fn surer(self, other: Scale) -> Scale {
+        match other.evidence.rank() > self.evidence.rank() {
+            true => other,
+            false => self,
+        }
     }
 }
 

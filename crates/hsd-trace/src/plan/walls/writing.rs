@@ -15,14 +15,36 @@ pub const UNIT: f64 = 10.0 / 11.0;
 /// Steps of a unit on which corners lie.
 const STEPS: f64 = 100.0;
 
+/// A storey of a house.
+#[derive(Clone, Copy, Debug)]
+pub struct Storey<'a> {
+    /// The rooms.
+    pub divided: &'a Divided,
+    /// The walls.
+    pub graph: &'a Graph,
+    /// Metres of a pixel.
+    pub metres: f64,
+    /// The height, shaku.
+    pub height: f64,
+    /// Takes its places to those of the storey on the ground, to the right and down, metres.
+    pub shift: DVec2,
+}
+
 /// A house as it is written.
 #[derive(Clone, Debug)]
 pub struct Traced {
     /// The text.
     pub text: String,
-    /// The right end of the front, pixels of the sheet.
+    /// The storeys, from the ground up.
+    pub storeys: Vec<Drawn>,
+}
+
+/// A storey as it is written. Places are pixels of its sheet.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// The place over which the house begins: the right end of the front on the ground.
     pub origin: DVec2,
-    /// The middles of pieces in doubt, pixels of the sheet, each with the bytes of its text.
+    /// The middles of pieces in doubt, each with the bytes of its text.
     pub doubts: Vec<(DVec2, std::ops::Range<usize>)>,
     /// The walls of the outline, once round.
     pub outline: Vec<DVec2>,
@@ -42,13 +64,52 @@ struct Writer<'a> {
     doubts: Vec<(DVec2, std::ops::Range<usize>)>,
 }
 
-/// Writes a house; `None` if nothing is enclosed. `lines` are those of the comment at its head, `height` is in shaku.
-pub fn write(
-    (divided, graph): (&Divided, &Graph),
-    metres: f64,
-    (name, lines, height, era): (&str, &[String], f64, Era),
-) -> Option<Traced> {
-    let graph = &stepped(graph, metres);
+/// Writes a house, from the ground up; `None` if a storey encloses nothing. `lines` are those of the comment at its head.
+pub fn write(storeys: &[Storey<'_>], (name, lines, era): (&str, &[String], Era)) -> Option<Traced> {
+    let mut text = head(name, lines);
+    let mut written: Vec<Drawn> = vec![];
+    for storey in storeys {
+        // The origin of the house, metres of the ground.
+        let origin = written
+            .first()
+            .map(|ground| ground.origin * storeys[0].metres);
+        written.push(write_storey(storey, origin, era, &mut text)?);
+    }
+    // A gable roof needs walls at right angles.
+    let shape = match written.iter().all(|storey| is_square(&storey.outline)) {
+        true => "KIR",
+        false => "YOS",
+    };
+    let _ = writeln!(
+        text,
+        "  <Roofs kind=\"K\" shape=\"{shape}\" pitch=\"4.5\"/>\n</House>"
+    );
+    Some(Traced {
+        text,
+        storeys: written,
+    })
+}
+
+/// Returns the comment at the head, and how the house begins.
+fn head(name: &str, lines: &[String]) -> String {
+    let mut text = "<!--\n".to_owned();
+    for line in lines {
+        // Two hyphens would end the comment.
+        let _ = writeln!(text, "  {}", line.replace("--", "- -"));
+    }
+    let _ = writeln!(text, "-->\n<House name=\"{}\">", escape(name));
+    text
+}
+
+/// Writes a storey of a house with this origin, metres of the ground; the ground itself has none yet.
+fn write_storey(
+    storey: &Storey<'_>,
+    origin: Option<DVec2>,
+    era: Era,
+    text: &mut String,
+) -> Option<Drawn> {
+    let metres = storey.metres;
+    let graph = &stepped(storey.graph, metres);
     let Walks {
         outline,
         holes,
@@ -58,17 +119,18 @@ pub fn write(
     let start = start(graph, &outline);
     let mut walk = outline;
     walk.rotate_left(start);
-    let origin = corners(graph, &walk)[0];
+    let begins = corners(graph, &walk)[0];
+    let origin = origin.map_or(begins, |origin| (origin - storey.shift) / metres);
     let mut w = Writer {
-        divided,
+        divided: storey.divided,
         graph,
         metres,
         era,
         origin,
-        text: String::new(),
+        text: std::mem::take(text),
         doubts: vec![],
     };
-    w.head(name, lines, height);
+    w.storey(storey.height, begins);
     w.walk(&walk, 4, false, true);
     for hole in &holes {
         w.apart("hole", hole);
@@ -77,15 +139,10 @@ pub fn write(
     for run in inner(graph, &indoors) {
         w.apart("inner", &run);
     }
-    w.rooms(&middles(divided, &indoors));
-    // A gable roof needs walls at right angles.
-    let shape = if is_square(&around) { "KIR" } else { "YOS" };
-    let _ = writeln!(
-        w.text,
-        "  </Storey>\n  <Roofs kind=\"K\" shape=\"{shape}\" pitch=\"4.5\"/>\n</House>"
-    );
-    Some(Traced {
-        text: w.text,
+    w.rooms(&middles(storey.divided, &indoors));
+    w.text.push_str("  </Storey>\n");
+    *text = w.text;
+    Some(Drawn {
         origin,
         doubts: w.doubts,
         area: enclosed(&around).abs() * metres * metres,
@@ -105,15 +162,14 @@ fn stepped(graph: &Graph, metres: f64) -> Graph {
 }
 
 impl Writer<'_> {
-    /// Writes the comment at the head, and how the house and its storey begin.
-    fn head(&mut self, name: &str, lines: &[String], height: f64) {
-        self.text.push_str("<!--\n");
-        for line in lines {
-            // Two hyphens would end the comment.
-            let _ = writeln!(self.text, "  {}", line.replace("--", "- -"));
-        }
-        let _ = writeln!(self.text, "-->\n<House name=\"{}\">", escape(name));
-        let _ = writeln!(self.text, "  <Storey height=\"{height}\">");
+    /// Writes how a storey begins, and where.
+    fn storey(&mut self, height: f64, begins: DVec2) {
+        let at = self.place(begins);
+        let start = match at.abs().max_element() < 1e-6 {
+            true => String::new(),
+            false => format!(" start=\"{} {}\"", short(at.x), short(at.y)),
+        };
+        let _ = writeln!(self.text, "  <Storey height=\"{height}\"{start}>");
     }
 
     /// Writes a separate walk: a courtyard (`hole`) or walls inside (`inner`).
