@@ -32,12 +32,12 @@ pub struct Flat {
 pub type Region = [DVec2; 2];
 
 impl Flat {
-    /// Returns the box of the picture round a box of the sheet.
+    /// Returns the box of the image round a box of the sheet.
     pub fn in_picture(&self, region: Region) -> Region {
         around(region, self.to_picture)
     }
 
-    /// Returns the box of the sheet round a box of the picture.
+    /// Returns the box of the sheet round a box of the image.
     pub fn on_sheet(&self, region: Region) -> Region {
         around(region, self.to_picture.inverse())
     }

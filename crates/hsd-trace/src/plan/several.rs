@@ -13,7 +13,7 @@ const PART: f64 = 0.05;
 const SPACE: f64 = 0.008;
 /// The least box of a plan, as a share of that of the largest.
 const LEAST: f64 = 0.2;
-/// The most plans of a sheet. A sheet with more boxes is no sheet of plans.
+/// The most plans of a sheet. A sheet with more boxes does not show plans.
 const MOST: usize = 12;
 /// The least share of its box that a plan fills.
 const FILLED: f64 = 0.35;

@@ -261,18 +261,26 @@ pub fn divide(ink: &Ink) -> Divided {
     }
 }
 
-/// Closes the network of walls against the outside by the smallest disc that leaves nothing out, and divides it.
+/// Closes the network of walls against the outside by the smallest disc that leaves nothing out, and divides it. Each disc is tried
+/// on what smaller ones have closed, so that a wide opening joins no rooms that are closed already.
 fn enclosed(network: &Field<bool>, diagonal: f64) -> (Faces, Field<bool>) {
-    let free = outside::distances(network);
-    let tried = RADII.par_iter().map(|share| {
-        let chords = outside::chords((network, &free), share * diagonal);
-        let mut network = network.clone();
-        for chord in chords {
-            outside::draw(&mut network, chord);
-        }
-        (Faces::of(&network, diagonal), network)
-    });
-    let tried: Vec<_> = tried.collect();
+    // A disc has to come to all walls, also at the edges of the sheet.
+    let margin = (2.0 * RADII[RADII.len() - 1] * diagonal).ceil() as usize;
+    let mut network = network.with_margin(margin);
+    let closed: Vec<Field<bool>> = RADII
+        .iter()
+        .map(|share| {
+            let free = outside::distances(&network);
+            for chord in outside::chords((&network, &free), share * diagonal) {
+                outside::draw(&mut network, chord);
+            }
+            network.without_margin(margin)
+        })
+        .collect();
+    let divided = closed.into_par_iter();
+    let tried: Vec<_> = divided
+        .map(|network| (Faces::of(&network, diagonal), network))
+        .collect();
     let area = |faces: &Faces| faces.of.iter().filter(|f| *f != 0).count() as f64;
     let most = tried.iter().map(|t| area(&t.0)).fold(0.0, f64::max);
     let mut tried = tried.into_iter();

@@ -244,7 +244,7 @@ impl Plan {
             false => 1,
         };
         let opened = drawing::open(&bytes, page, self.memory_args.max_memory);
-        // What is told of a picture has no place in its bytes.
+        // What is told of a image has no place in its bytes.
         let is_text = matches!(opened, Ok(Content::Lines(_)) | Err(Unopened::Drawing(_)));
         let text = if is_text { &bytes[..] } else { b"" };
         let source = Source::new(FileId(number as u32), path.display().to_string(), text);

@@ -5,7 +5,7 @@ use glam::{DVec2, dvec2};
 use hsd_trace::plan::Front;
 use hsd_trace::plan::flatten::Region;
 
-/// Places farther out are in no picture or drawing.
+/// Places farther out are in no image or drawing.
 const FARTHEST: f64 = 1e9;
 /// The diagonal below which a box is in metres, not in pixels or millimetres.
 const SMALL: f64 = 100.0;

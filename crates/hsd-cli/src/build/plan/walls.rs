@@ -123,8 +123,8 @@ impl Plan {
         };
         for (k, (sheet, drawn)) in sheets.iter().zip(&traced.storeys).enumerate() {
             // Storeys of one file have one scale.
-            let is_said = sheets[..k].iter().any(|other| other.at == sheet.at);
-            size(sheet, drawn, is_said, out);
+            let is_reported = sheets[..k].iter().any(|other| other.at == sheet.at);
+            size(sheet, drawn, is_reported, out);
         }
         let merged = before.map(|(edited, before)| again::merged(&before, &edited, &traced.text));
         let is_as_read = merged.as_ref().is_none_or(|m| m.text == traced.text);
@@ -235,8 +235,8 @@ impl Plan {
     }
 }
 
-/// Reports a size that was assumed, unless that is said already, and houses that were left out.
-fn size(sheet: &WallSheet, drawn: &Drawn, is_said: bool, out: &mut Diagnostics) {
+/// Reports a size that was assumed, unless that is done already, and houses that were left out.
+fn size(sheet: &WallSheet, drawn: &Drawn, is_reported: bool, out: &mut Diagnostics) {
     let by = match sheet.found.scale.evidence {
         Evidence::Given | Evidence::Printed(_) | Evidence::Rooms(_) => None,
         Evidence::Mats(count) => Some(text!([count]
@@ -260,7 +260,7 @@ fn size(sheet: &WallSheet, drawn: &Drawn, is_said: bool, out: &mut Diagnostics) 
             "壁が1間 1.818 m の四分の一ごとに立つと見て、そこ"
         )),
     };
-    if let Some(by) = by.filter(|_| !is_said) {
+    if let Some(by) = by.filter(|_| !is_reported) {
         let size = sheet.found.size(drawn).to_array();
         out.push(say::assumed_size(sheet.at, by, size));
     }

@@ -65,6 +65,21 @@ impl<T: Copy> Field<T> {
 }
 
 impl Field<bool> {
+    /// Returns the field with pixels round it that are false.
+    pub(super) fn with_margin(&self, margin: usize) -> Field<bool> {
+        let size = [self.width, self.height].map(|side| side + 2 * margin);
+        let at = |k: usize| k as isize - margin as isize;
+        Field::new(size[0], size[1], |x, y| {
+            self.get(at(x), at(y)).unwrap_or(false)
+        })
+    }
+
+    /// Returns the field without the pixels round it.
+    pub(super) fn without_margin(&self, margin: usize) -> Field<bool> {
+        let size = [self.width, self.height].map(|side| side - 2 * margin);
+        Field::new(size[0], size[1], |x, y| self[(x + margin, y + margin)])
+    }
+
     /// Finds the connected parts of the pixels that are true. Pixels that meet at a corner are connected if `diagonal`.
     pub(in crate::plan) fn parts(&self, diagonal: bool) -> Parts {
         let size = (self.width as u32, self.height as u32);

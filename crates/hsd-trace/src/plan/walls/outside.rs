@@ -10,6 +10,9 @@ const FAR: u32 = u32::MAX / 2;
 /// The most of the rim of a recess that may be open to the outside if it is a room.
 const OPEN: f64 = 0.22;
 
+/// The widest opening of a room, as a share of its side.
+const JAMBS: f64 = 0.85;
+
 /// Returns the distance of each pixel from the nearest that is set, pixels.
 pub fn distances(set: &Field<bool>) -> Field<f32> {
     // A rim of far pixels spares the loops a look at the edges.
@@ -70,6 +73,20 @@ fn reached((walls, free): (&Field<bool>, &Field<f32>), radius: f64) -> Field<boo
 /// A line between two pixels.
 pub type Chord = [(usize, usize); 2];
 
+fn length([a, b]: &Chord) -> f64 {
+    (a.0.abs_diff(b.0) as f64).hypot(a.1.abs_diff(b.1) as f64)
+}
+
+/// Returns true if a part is wider than the opening at its side.
+fn has_jambs(chord: &Chord, part: &[(usize, usize)]) -> bool {
+    let [a, b] = *chord;
+    let is_upright = a.1.abs_diff(b.1) > a.0.abs_diff(b.0);
+    let along = part.iter().map(|p| if is_upright { p.1 } else { p.0 });
+    let sides = along.clone().min().zip(along.max());
+    let side = sides.map_or(0, |(low, high)| high - low + 1);
+    length(chord) <= JAMBS * side as f64
+}
+
 /// Returns lines that part rooms from the outside where a disc does not come in: from wall to wall. `free` are the distances from
 /// walls.
 pub fn chords((walls, free): (&Field<bool>, &Field<f32>), radius: f64) -> Vec<Chord> {
@@ -85,28 +102,39 @@ pub fn chords((walls, free): (&Field<bool>, &Field<f32>), radius: f64) -> Vec<Ch
             let mut part = vec![(x, y)];
             seen[(x, y)] = true;
             let mut at = 0;
-            let (mut rim, mut open) = (0, vec![]);
+            let (mut walled, mut crossed, mut open) = (0, 0, vec![]);
             while at < part.len() {
                 let p = part[at];
                 at += 1;
                 for n in walls.beside(p) {
                     if outside[n] {
                         open.push(p);
-                        rim += 1;
+                        crossed += 1;
                     } else if walls[n] {
-                        rim += 1;
+                        walled += 1;
                     } else if !seen[n] {
                         seen[n] = true;
                         part.push(n);
                     }
                 }
             }
-            if open.is_empty() || open.len() as f64 > OPEN * f64::from(rim) {
-                continue;
-            }
             open.sort_unstable();
             open.dedup();
-            out.extend(groups(&open).iter().filter_map(|group| chord(group, walls)));
+            let across: Vec<Chord> = groups(&open)
+                .iter()
+                .filter_map(|group| chord(group, walls))
+                .collect();
+            // A disc bulges into a wide opening, so that its rim there is longer than the opening. A recess is open from wall to wall.
+            let rim = walled + crossed;
+            let is_closed = f64::from(crossed) <= OPEN * f64::from(rim);
+            let opening: f64 = across.iter().map(length).sum();
+            let is_room = || {
+                let jambs = across.iter().all(|chord| has_jambs(chord, &part));
+                jambs && opening <= OPEN * (opening + f64::from(walled))
+            };
+            if is_closed || is_room() {
+                out.extend(across);
+            }
         }
     }
     out
