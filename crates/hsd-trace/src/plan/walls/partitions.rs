@@ -14,9 +14,9 @@ const APART: f64 = 4.0;
 const ALIKE: f64 = 0.75;
 const BETWEEN: f64 = 0.45;
 /// The length of all partitions, as a share of that of walls; then the greatest length of a pen between, as a share of theirs.
-const COMMON: RangeInclusive<f64> = 0.15..=1.5;
+const COMMON: RangeInclusive<f64> = 0.05..=1.5;
 const CLEAR: f64 = 0.35;
-/// The least share of partitions, by area, that are connected to a wall. Furniture is not.
+/// The least share of partitions, by length, that are connected to a wall. Furniture is not.
 const ATTACHED: f64 = 0.75;
 
 /// Counts lines in a second pen, much thinner than outer walls and thicker than all else, among walls. `drawn` is the diagonal of all
@@ -26,18 +26,18 @@ pub(super) fn include(strokes: &mut Strokes, drawn: f64) {
     if strokes.has_one_pen() || most < THIN {
         return;
     }
-    let lines = |of: &dyn Fn(f64) -> bool| -> Vec<(f64, f64)> {
+    let lines = |of: &dyn Fn(f64) -> bool| -> Vec<(f64, Bar)> {
         let field = strokes.thickness.map(|t| t > 0.0 && of(f64::from(t)));
         [false, true]
             .into_iter()
             .flat_map(|upright| bars(&field, strokes.usual, upright))
             .filter(|bar| bar.length() >= LINE * drawn)
-            .map(|bar| (middle(strokes, &bar), bar.length()))
+            .map(|bar| (middle(strokes, &bar), bar))
             .collect()
     };
-    let length = |lines: &[(f64, f64)], from: f64, to: f64| -> f64 {
+    let length = |lines: &[(f64, Bar)], from: f64, to: f64| -> f64 {
         let within = lines.iter().filter(|line| line.0 >= from && line.0 < to);
-        within.map(|line| line.1).sum()
+        within.map(|line| line.1.length()).sum()
     };
     let walls = length(&lines(&|t| t >= strokes.wall), 0.0, f64::INFINITY);
     let mut light = lines(&|t| t < strokes.wall);
@@ -46,14 +46,15 @@ pub(super) fn include(strokes: &mut Strokes, drawn: f64) {
     let mut sum = 0.0;
     let usual = light.iter().filter(|line| line.0 >= THIN && line.0 < most);
     let usual = usual.copied().find(|line| {
-        sum += line.1;
+        sum += line.1.length();
         sum >= half
     });
     let Some((usual, _)) = usual else { return };
     let partitions = length(&light, ALIKE * usual, most);
     let between = length(&light, BETWEEN * usual, ALIKE * usual);
     let is_pen = COMMON.contains(&(partitions / walls)) && between <= CLEAR * partitions;
-    if is_pen && attached(strokes, ALIKE * usual) >= ATTACHED {
+    light.retain(|line| line.0 >= ALIKE * usual && line.0 < most);
+    if is_pen && attached(strokes, ALIKE * usual, &light) >= ATTACHED * partitions {
         strokes.wall = ALIKE * usual;
     }
 }
@@ -69,23 +70,24 @@ fn middle(strokes: &Strokes, bar: &Bar) -> f64 {
     f64::from(all[all.len() / 2])
 }
 
-/// Returns the share of strokes of at least some thickness, thinner than walls, that meet a wall.
-fn attached(strokes: &Strokes, least: f64) -> f64 {
-    let thick = strokes.thickness.map(|t| f64::from(t) >= least);
-    let parts = thick.parts(true);
-    let mut walls = vec![0_usize; parts.extents().len()];
-    let mut thin = walls.clone();
+/// Returns the length of those lines that meet a wall, by strokes of at least some thickness.
+fn attached(strokes: &Strokes, least: f64, lines: &[(f64, Bar)]) -> f64 {
+    let parts = strokes.thickness.map(|t| f64::from(t) >= least).parts(true);
+    let mut walls = vec![0_usize; parts.count + 1];
     for (x, y, n) in parts.pixels() {
         let is_wall = f64::from(strokes.thickness[(x as usize, y as usize)]) >= strokes.wall;
-        let counts = if is_wall { &mut walls } else { &mut thin };
-        counts[n as usize] += 1;
+        walls[n as usize] += usize::from(is_wall);
     }
     let wall = (strokes.usual * strokes.usual) as usize;
-    let counts = || walls.iter().zip(&thin).skip(1);
-    let on: usize = counts()
-        .filter(|(walls, _)| **walls >= wall)
-        .map(|c| c.1)
-        .sum();
-    let all: usize = counts().map(|c| c.1).sum();
-    on as f64 / all.max(1) as f64
+    let is_on_wall = |bar: &Bar| {
+        let [along, across] = [bar.along, bar.across].map(|[a, b]| a.midpoint(b));
+        let place = if bar.upright {
+            (across, along)
+        } else {
+            (along, across)
+        };
+        walls[parts.at(place)] >= wall
+    };
+    let on = lines.iter().filter(|line| is_on_wall(&line.1));
+    on.map(|line| line.1.length()).sum()
 }
