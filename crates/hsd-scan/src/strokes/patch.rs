@@ -6,6 +6,7 @@ use super::blank::DarkBlocks;
 use super::nib::quantile;
 use super::tones::{ALONG, Tones, tone};
 use glam::DVec2;
+use std::sync::LazyLock;
 
 /// Samples across it.
 pub(super) const ACROSS: usize = 45;
@@ -26,6 +27,8 @@ const DARK: f64 = 0.95;
 /// The power of its share of full ink that a stroke counts: by the share itself faint strokes would be nothing beside walls, and
 /// if all ink counted alike, blurred strokes beside each other would be a bar.
 const POWER: f64 = 0.7;
+/// The steps in which that power is known.
+const STEPS: usize = 4096;
 /// Samples to each side over which ink is spread, so that strokes a hair beside each other still agree.
 const SOFT: usize = 1;
 /// How far from the line of the grid a stroke may lie whose sway is measured, units.
@@ -108,9 +111,17 @@ fn full(ink: &Ink) -> f64 {
     quantile(&counts, DARK).max(f64::from(ink.threshold) * FULL)
 }
 
+/// The weights of shares in equal steps from 0 to 1, and one more: powers take long.
+static WEIGHTS: LazyLock<[f64; STEPS + 2]> = LazyLock::new(|| {
+    std::array::from_fn(|step| libm::pow(step as f64 / STEPS as f64, POWER).min(1.0))
+});
+
 /// The weight of a sample that has this share of the darkness of full ink; both are 0 to 1.
 pub(super) fn weight(share: f64) -> f64 {
-    libm::pow(share, POWER)
+    let at = share.clamp(0.0, 1.0) * STEPS as f64;
+    let step = at as usize;
+    let [low, high] = [WEIGHTS[step], WEIGHTS[step + 1]];
+    low + (high - low) * (at - step as f64)
 }
 
 impl Raw {

@@ -151,12 +151,14 @@ fn stamp(symbol: &Symbol, units: usize, spread: f64, nib: Nib) -> Stamp {
 /// The ink of one unit of a stamp, without its ends.
 fn part(ink: &[f32], unit: usize, along: usize) -> Tones {
     let columns = unit * ALONG..(unit + 1) * ALONG;
-    let within = skip()..along - skip();
-    let row = |row: &[f32]| -> Vec<u8> {
-        let tone = |i| if within.contains(&i) { tone(row[i]) } else { 0 };
-        columns.clone().map(tone).collect()
-    };
-    Tones::new(ink.chunks_exact(along).flat_map(row).collect())
+    let within = skip().max(columns.start)..(along - skip()).min(columns.end);
+    let mut out = vec![0; ACROSS * ALONG];
+    for (to, from) in out.chunks_exact_mut(ALONG).zip(ink.chunks_exact(along)) {
+        let to = &mut to[within.start - columns.start..within.end - columns.start];
+        let pairs = to.iter_mut().zip(&from[within.clone()]);
+        pairs.for_each(|(to, from)| *to = tone(*from));
+    }
+    Tones::new(out)
 }
 
 /// Ink spread by a bell curve of so many units.
@@ -281,15 +283,14 @@ impl Stamp {
             let mut units: Vec<Tones> = units
                 .iter()
                 .map(|unit| {
-                    let mut rows: Vec<&[u8]> = unit.by_place().chunks_exact(ALONG).collect();
-                    if mirrored {
-                        rows.reverse();
+                    let mut ink = unit.by_place().to_vec();
+                    if mirrored != turned {
+                        ink.chunks_exact_mut(ALONG).for_each(<[u8]>::reverse);
                     }
-                    let row = |row: &[u8]| match turned {
-                        true => row.iter().rev().copied().collect::<Vec<u8>>(),
-                        false => row.to_vec(),
-                    };
-                    Tones::new(rows.into_iter().flat_map(row).collect())
+                    if mirrored {
+                        ink.reverse();
+                    }
+                    Tones::new(ink)
                 })
                 .collect();
             if turned {

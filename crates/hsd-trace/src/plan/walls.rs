@@ -265,26 +265,38 @@ pub fn divide(ink: &Ink) -> Divided {
 /// on what smaller ones have closed, so that a wide opening joins no rooms that are closed already.
 fn enclosed(network: &Field<bool>, diagonal: f64) -> (Faces, Field<bool>) {
     // A disc has to come to all walls, also at the edges of the sheet.
-    let margin = (2.0 * RADII[RADII.len() - 1] * diagonal).ceil() as usize;
-    let mut network = network.with_margin(margin);
-    let closed: Vec<Field<bool>> = RADII
-        .iter()
-        .map(|share| {
-            let free = outside::distances(&network);
-            for chord in outside::chords((&network, &free), share * diagonal) {
-                outside::draw(&mut network, chord);
-            }
-            network.without_margin(margin)
-        })
-        .collect();
+    let margin = (RADII[RADII.len() - 1] * diagonal).ceil() as isize + 2;
+    let window = network.window(margin);
+    let mut walls = network.within(window);
+    let mut free = outside::distances(&walls);
+    let mut closed = vec![];
+    for share in RADII {
+        let chords = outside::chords((&walls, &free), share * diagonal);
+        if chords.is_empty() && !closed.is_empty() {
+            continue;
+        }
+        chords
+            .into_iter()
+            .for_each(|chord| outside::draw(&mut walls, chord));
+        free = outside::distances(&walls);
+        closed.push(walls.clone());
+    }
     let divided = closed.into_par_iter();
     let tried: Vec<_> = divided
-        .map(|network| (Faces::of(&network, diagonal), network))
+        .map(|walls| (Faces::of(&walls, diagonal), walls))
         .collect();
     let area = |faces: &Faces| faces.of.iter().filter(|f| *f != 0).count() as f64;
     let most = tried.iter().map(|t| area(&t.0)).fold(0.0, f64::max);
     let mut tried = tried.into_iter();
-    tried
+    let (faces, walls) = tried
         .find(|t| area(&t.0) >= ENCLOSED * most)
-        .expect("the largest is one of them")
+        .expect("the largest is one of them");
+    let back = [
+        -window[0],
+        -window[1],
+        network.width as isize,
+        network.height as isize,
+    ];
+    let of = faces.of.within(back);
+    (Faces { of, ..faces }, walls.within(back))
 }

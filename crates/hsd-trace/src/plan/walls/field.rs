@@ -64,20 +64,27 @@ impl<T: Copy> Field<T> {
     }
 }
 
-impl Field<bool> {
-    /// Returns the field with pixels round it that are false.
-    pub(super) fn with_margin(&self, margin: usize) -> Field<bool> {
-        let size = [self.width, self.height].map(|side| side + 2 * margin);
-        let at = |k: usize| k as isize - margin as isize;
-        Field::new(size[0], size[1], |x, y| {
-            self.get(at(x), at(y)).unwrap_or(false)
+impl<T: Copy + Default> Field<T> {
+    /// Returns the values within a box, as [`window`](Field::window) returns it.
+    pub(super) fn within(&self, [x, y, width, height]: [isize; 4]) -> Field<T> {
+        Field::new(width as usize, height as usize, |across, down| {
+            let value = self.get(x + across as isize, y + down as isize);
+            value.unwrap_or_default()
         })
     }
+}
 
-    /// Returns the field without the pixels round it.
-    pub(super) fn without_margin(&self, margin: usize) -> Field<bool> {
-        let size = [self.width, self.height].map(|side| side - 2 * margin);
-        Field::new(size[0], size[1], |x, y| self[(x + margin, y + margin)])
+impl Field<bool> {
+    /// Returns the box of the pixels that are true, with a margin: its upper left corner and its size. It may lie beyond the edges.
+    pub(super) fn window(&self, margin: isize) -> [isize; 4] {
+        let (mut low, mut high) = ([self.width, self.height], [0, 0]);
+        for (x, y) in self.places().filter(|p| self[*p]) {
+            low = [low[0].min(x), low[1].min(y)];
+            high = [high[0].max(x + 1), high[1].max(y + 1)];
+        }
+        let size = |axis: usize| high[axis].saturating_sub(low[axis]) as isize + 2 * margin;
+        let [x, y] = low.map(|k| k as isize - margin);
+        [x, y, size(0), size(1)]
     }
 
     /// Finds the connected parts of the pixels that are true. Pixels that meet at a corner are connected if `diagonal`.
