@@ -58,7 +58,7 @@ fuzz_target!(|bytes: &[u8]| {
             let lines = ["a plan".to_owned()];
             let storey = found.storey(10.0);
             // As if the plan of each storey were the same.
-            let traced = writing::write(&[storey, storey], ("house", &lines, era));
+            let traced = writing::write(&[storey, storey], ("house", &lines[..], era));
             traced.map(|traced| traced.text)
         }
         None => None,

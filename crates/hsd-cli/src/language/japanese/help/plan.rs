@@ -11,6 +11,7 @@ pub(in crate::language::japanese) const PLAN: &[CommandHelp] = &[CommandHelp {
 例:
   hsd plan scan.jpg -o house.hsd                                      一階の図面を読む
   hsd plan ground.png upper.png -o house.hsd --unit kyo-ma            二階建てを読む。半間は 3.25 尺
+  hsd plan sheet.png -o house.hsd --region \"40,60 900,700\" --region \"950,60 1800,700\"
   hsd plan photo.jpg -o house.hsd --corners \"80,60 900,70 880,1240 90,1220\"
   hsd plan plan.dxf -o house.hsd                                      線の図面を、レイヤとブロックに従って読む
   hsd plan scan.jpg -o house.hsd --steps steps/                       段階ごとに見つけたものも描く",
@@ -36,6 +37,11 @@ pub(in crate::language::japanese) const PLAN: &[CommandHelp] = &[CommandHelp {
         (
             "corners",
             "紙の四隅を画像の画素で、左上から時計回りに指定する",
+            "",
+        ),
+        (
+            "regions",
+            "この枠の中の平面図を、向かい合う二つの角の画素で指定して読む。一枚に描かれた階は、下の階から順に繰り返す",
             "",
         ),
         ("turn", "画像の傾きを時計回りの度数で指定する", ""),
