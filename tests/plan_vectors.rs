@@ -254,15 +254,18 @@ fn files_of_other_programs_are_opened_or_refused_in_words() {
     }
 }
 
+/// The four sides of a box: a layer and two places for each.
+fn bar(layer: &'static str, [x, y, right, top]: [f64; 4]) -> [(&'static str, [f64; 4]); 4] {
+    [
+        (layer, [x, y, right, y]),
+        (layer, [right, y, right, top]),
+        (layer, [right, top, x, top]),
+        (layer, [x, top, x, y]),
+    ]
+}
+
 /// A house of two rooms off every grid with walls of 140 mm as two lines: 7130 by 5270 mm. Lines are a layer and two places.
 fn hollow() -> Vec<(&'static str, [f64; 4])> {
-    let mut lines = vec![];
-    let mut bar = |layer: &'static str, [x, y, right, top]: [f64; 4]| {
-        lines.push((layer, [x, y, right, y]));
-        lines.push((layer, [right, y, right, top]));
-        lines.push((layer, [right, top, x, top]));
-        lines.push((layer, [x, top, x, y]));
-    };
     let walls = [
         [0.0, 0.0, 1230.0, 140.0],
         [2410.0, 0.0, 4480.0, 140.0],
@@ -274,20 +277,42 @@ fn hollow() -> Vec<(&'static str, [f64; 4])> {
         [2950.0, 140.0, 3090.0, 3070.0],
         [2950.0, 3880.0, 3090.0, 5130.0],
     ];
-    walls.into_iter().for_each(|wall| bar("Walls", wall));
+    let mut lines: Vec<_> = walls
+        .into_iter()
+        .flat_map(|wall| bar("Walls", wall))
+        .collect();
     for [from, to] in [[1230.0, 2410.0], [4480.0, 6020.0]] {
-        bar("Windows", [from, 15.0, to, 125.0]);
-        bar("Windows", [from, 60.0, to, 80.0]);
+        lines.extend(bar("Windows", [from, 15.0, to, 125.0]));
+        lines.extend(bar("Windows", [from, 60.0, to, 80.0]));
     }
     lines
 }
 
-fn drawn(lines: &[(&str, [f64; 4])]) -> vector::lines::Lines {
+/// A DXF of two storeys beside each other: that house, and 2 m to its right an upper storey of two rooms, 4130 by 5270 mm.
+pub(crate) fn two_storeys() -> String {
+    let walls = [
+        [0.0, 0.0, 4130.0, 140.0],
+        [0.0, 5130.0, 4130.0, 5270.0],
+        [0.0, 140.0, 140.0, 5130.0],
+        [3990.0, 140.0, 4130.0, 5130.0],
+        [1950.0, 140.0, 2090.0, 3070.0],
+        [1950.0, 3880.0, 2090.0, 5130.0],
+    ];
+    let right = |[x, y, right, top]: [f64; 4]| [x + 9130.0, y, right + 9130.0, top];
+    let upper = walls.into_iter().flat_map(|wall| bar("Walls", right(wall)));
+    text(&[hollow(), upper.collect()].concat())
+}
+
+fn text(lines: &[(&str, [f64; 4])]) -> String {
     let mut text = "0\nSECTION\n2\nENTITIES\n".to_owned();
     for (layer, [x, y, to_x, to_y]) in lines {
         text += &format!("0\nLINE\n8\n{layer}\n10\n{x}\n20\n{y}\n11\n{to_x}\n21\n{to_y}\n");
     }
-    dxf::read((text + "0\nENDSEC\n0\nEOF\n").as_bytes()).expect("it is a DXF")
+    text + "0\nENDSEC\n0\nEOF\n"
+}
+
+fn drawn(lines: &[(&str, [f64; 4])]) -> vector::lines::Lines {
+    dxf::read(text(lines).as_bytes()).expect("it is a DXF")
 }
 
 /// Reads a drawing wall by wall, and returns the number of rooms, the size and the windows.

@@ -57,7 +57,7 @@ fuzz_target!(|bytes: &[u8]| {
         Some(Plan::Walls(found)) => {
             let lines = ["a plan".to_owned()];
             let storey = found.storey(10.0);
-            // As if the plan of each storey were the same.
+            // Both storeys have the same plan.
             let traced = writing::write(&[storey, storey], ("house", &lines[..], era));
             traced.map(|traced| traced.text)
         }

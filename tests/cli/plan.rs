@@ -91,32 +91,75 @@ fn two_storeys_lie_over_each_other() {
     assert!(folder.path().join("house.sheet-2.jpg").exists());
 }
 
-#[test]
-fn storeys_on_one_sheet_are_named_by_their_boxes() {
-    let folder = tempfile::tempdir().unwrap();
-    let sheet = crate::plans::several::sheet();
-    sheet.save(folder.path().join("sheet.png")).unwrap();
-    let plan = ["plan", "sheet.png", "-o", "house.hsd", "--unit-px", "40"];
-    let output = hsd(folder.path(), &plan);
+/// Reads a sheet with two plans, then its storeys by the boxes that are named; returns the text of the house.
+fn storeys_of(folder: &Path, plan: &[&str]) -> String {
+    let output = hsd(folder, plan);
     assert_eq!(code(&output), 1, "{}", stderr(&output));
     let said = stderr(&output);
     assert!(said.contains("HSD1208"), "{said}");
-    let boxes: Vec<&str> = said.split("--region \"").skip(1).collect();
-    let boxes = boxes
-        .iter()
-        .map(|rest| rest.split('"').next().unwrap_or(""));
+    let boxes = said.split("--region \"").skip(1);
+    let boxes = boxes.map(|rest| rest.split('"').next().unwrap_or(""));
     let regions: Vec<&str> = boxes.flat_map(|region| ["--region", region]).collect();
     assert_eq!(regions.len(), 4, "{said}");
-    let output = hsd(folder.path(), &[&plan[..], &regions].concat());
+    let output = hsd(folder, &[plan, &regions].concat());
     assert_eq!(code(&output), 0, "{}", stderr(&output));
-    let text = fs::read_to_string(folder.path().join("house.hsd")).unwrap();
+    let text = fs::read_to_string(folder.join("house.hsd")).unwrap();
     assert_eq!(text.matches("<Storey").count(), 2, "{text}");
-    for name in ["house.review-2.png", "house.sheet-2.jpg"] {
-        assert!(folder.path().join(name).exists(), "{name}");
+    text
+}
+
+/// Asserts the width and depth of two storeys, metres, by the comment of a house.
+fn assert_sizes(text: &str, sizes: [[f64; 2]; 2]) {
+    let lines = text.lines().filter(|line| line.contains(" m2, "));
+    for (line, expected) in lines.zip(sizes) {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let size = [words[0], words[2]].map(|word| word.parse::<f64>().unwrap());
+        let off = (size[0] - expected[0])
+            .abs()
+            .max((size[1] - expected[1]).abs());
+        assert!(off < 0.12, "{line}: {expected:?} expected");
     }
-    let wrong = [&plan[..], &regions, &["--region", "1,1 9,9"]].concat();
-    let both = [&["plan", "sheet.png"], &wrong[1..]].concat();
-    assert_eq!(code(&hsd(folder.path(), &both)), 2);
+}
+
+#[test]
+fn storeys_on_one_sheet_are_named_by_their_boxes() {
+    // The larger image is reduced before it is read.
+    for times in [1, 3] {
+        let folder = tempfile::tempdir().unwrap();
+        let sheet = crate::plans::several::sheet();
+        let (width, height) = (sheet.width() * times, sheet.height() * times);
+        let nearest = image::imageops::FilterType::Nearest;
+        let sheet = image::imageops::resize(&sheet, width, height, nearest);
+        sheet.save(folder.path().join("sheet.png")).unwrap();
+        let unit = (40 * times).to_string();
+        let plan = ["plan", "sheet.png", "-o", "house.hsd", "--unit-px", &unit];
+        let text = storeys_of(folder.path(), &plan);
+        let metres = |units: [f64; 2]| units.map(|u| u * hsd::plan::walls::writing::UNIT);
+        assert_sizes(&text, [metres([9.3, 6.2]), metres([5.6, 6.2])]);
+        for name in ["house.review-2.png", "house.sheet-2.jpg"] {
+            assert!(folder.path().join(name).exists(), "{name}");
+        }
+        let beyond = ["--region", "90000,1 90001,9", "--force"];
+        let output = hsd(folder.path(), &[&plan[..], &beyond].concat());
+        assert_eq!(code(&output), 1);
+        assert!(stderr(&output).contains("outside the image"));
+        // Three boxes do not belong to two files.
+        let three = ["--region", "1,1 9,9"].repeat(3);
+        let both = [&plan[..], &["sheet.png"], &three].concat();
+        assert_eq!(code(&hsd(folder.path(), &both)), 2);
+    }
+}
+
+#[test]
+fn storeys_of_one_drawing_have_one_scale() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(
+        folder.path().join("two.dxf"),
+        crate::plan_vectors::two_storeys(),
+    )
+    .unwrap();
+    let text = storeys_of(folder.path(), &["plan", "two.dxf", "-o", "house.hsd"]);
+    assert_sizes(&text, [[6.99, 5.13], [3.99, 5.13]]);
 }
 
 #[test]

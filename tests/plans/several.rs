@@ -2,7 +2,7 @@
 
 use super::walls::wall;
 use super::{legends, picture};
-use glam::{DVec2, dvec2};
+use glam::{DMat3, DVec2, dvec2};
 use hsd::plan::text::Era;
 use hsd::plan::walls::scale::{Evidence, Scale};
 use hsd::plan::walls::writing::{self, Storey};
@@ -154,6 +154,50 @@ fn openings_in_one_line_do_not_divide_a_plan() {
 }
 
 #[test]
+fn a_table_beside_a_plan_is_no_storey() {
+    let mut sheet = RgbImage::from_pixel(900, 420, Rgb([250; 3]));
+    draw(&mut sheet, dvec2(60.0, 80.0), dvec2(9.3, 6.2), &[3.7, 7.1]);
+    // Lines of a schedule, farther apart than letters are high.
+    for k in 0..6 {
+        let (y, right) = (180.0 + 30.0 * f64::from(k), dvec2(780.0, 0.0));
+        wall(&mut sheet, dvec2(600.0, y), right + dvec2(0.0, y), 2.0);
+    }
+    for x in [600.0, 690.0, 780.0] {
+        wall(&mut sheet, dvec2(x, 180.0), dvec2(x, 330.0), 2.0);
+    }
+    let found = read(&sheet, None);
+    assert!(found.flat.plans.is_empty(), "{:?}", found.flat.plans);
+    assert!(
+        size(&found).abs_diff_eq(dvec2(9.3, 6.2), 0.15),
+        "{}",
+        size(&found)
+    );
+}
+
+#[test]
+fn a_box_along_the_outer_walls_keeps_them() {
+    let tight = [dvec2(55.0, 75.0), dvec2(437.0, 333.0)];
+    let found = read(&sheet(), Some(tight));
+    assert!(
+        size(&found).abs_diff_eq(dvec2(9.3, 6.2), 0.15),
+        "{}",
+        size(&found)
+    );
+}
+
+#[test]
+fn boxes_come_back_from_a_turned_sheet() {
+    let turned = DMat3::from_angle(0.05);
+    let mut flat = read(&sheet(), None).flat.clone();
+    flat.to_picture = turned;
+    let region = [dvec2(100.0, 100.0), dvec2(400.0, 300.0)];
+    let back = flat.on_sheet(flat.in_picture(region));
+    for (a, b) in region.into_iter().zip(back) {
+        assert!(a.abs_diff_eq(b, 2.0), "{back:?}");
+    }
+}
+
+#[test]
 fn the_surest_scale_of_a_sheet_counts() {
     let scale = |metres, evidence| Scale { metres, evidence };
     let doors = scale(0.02, Evidence::Doors(9));
@@ -161,4 +205,7 @@ fn the_surest_scale_of_a_sheet_counts() {
     assert_eq!(doors.surer(printed), printed);
     assert_eq!(printed.surer(doors), printed);
     assert_eq!(printed.surer(scale(0.04, Evidence::Printed(2))), printed);
+    // Walls at quarters of a ken are found from doors, so they say more.
+    let half_ken = scale(0.021, Evidence::HalfKen);
+    assert_eq!(doors.surer(half_ken), half_ken);
 }

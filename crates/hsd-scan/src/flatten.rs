@@ -24,7 +24,7 @@ pub struct Flat {
     pub corners: Option<[DVec2; 4]>,
     /// The skew that was taken away, degrees, clockwise in the picture.
     pub skew: f64,
-    /// The boxes of its plans, if there are several: pixels of the sheet, which may lie beyond its edges.
+    /// Boxes of the plans on the sheet if there are several, pixels of the sheet. After a crop they may lie beyond its edges.
     pub plans: Vec<Region>,
 }
 
@@ -32,33 +32,44 @@ pub struct Flat {
 pub type Region = [DVec2; 2];
 
 impl Flat {
-    /// Returns the box of the image round a box of the sheet.
+    /// Returns the box of the image that a box of the sheet covers.
     pub fn in_picture(&self, region: Region) -> Region {
-        around(region, self.to_picture)
+        mapped(region, self.to_picture)
     }
 
-    /// Returns the box of the sheet round a box of the image.
+    /// Returns the box of the sheet that a box of the image covers.
     pub fn on_sheet(&self, region: Region) -> Region {
-        around(region, self.to_picture.inverse())
+        mapped(region, self.to_picture.inverse())
     }
 
-    /// Keeps what lies within a box of the sheet. If that is nothing, the sheet stays.
-    pub fn crop(&mut self, region: Region) {
+    /// Crops the sheet to a box of it. Returns the first column and row that remain, the width and the height; `None` if nothing
+    /// would remain.
+    pub fn crop(&mut self, region: Region) -> Option<[u32; 4]> {
         let size = dvec2(self.sheet.width().into(), self.sheet.height().into());
         let [a, b] = region.map(|p| p.round().clamp(DVec2::ZERO, size));
-        if (b - a).min_element() > 0.0 {
-            let [x, y, width, height] = [a.x, a.y, b.x - a.x, b.y - a.y].map(|k| k as u32);
-            self.sheet = imageops::crop_imm(&self.sheet, x, y, width, height).to_image();
-            self.to_picture *= DMat3::from_translation(a);
-            self.plans.iter_mut().flatten().for_each(|p| *p -= a);
+        if (b - a).min_element() < 1.0 {
+            return None;
         }
+        let kept = [a.x, a.y, b.x - a.x, b.y - a.y].map(|k| k as u32);
+        let [x, y, width, height] = kept;
+        self.sheet = imageops::crop_imm(&self.sheet, x, y, width, height).to_image();
+        self.to_picture *= DMat3::from_translation(a);
+        self.plans.iter_mut().flatten().for_each(|p| *p -= a);
+        Some(kept)
     }
 }
 
-/// Returns the box round another one that is seen through a map.
-fn around([a, b]: Region, map: DMat3) -> Region {
-    let corners = [a, b, dvec2(a.x, b.y), dvec2(b.x, a.y)].map(|p| project(map, p));
-    let fold = |of: fn(DVec2, DVec2) -> DVec2| corners.into_iter().reduce(of).unwrap_or_default();
+/// Returns a box seen through a map: through the middles of its mapped sides, so that a small turn there and back leaves its size.
+fn mapped([a, b]: Region, map: DMat3) -> Region {
+    let middle = a.midpoint(b);
+    let sides = [
+        dvec2(a.x, middle.y),
+        dvec2(b.x, middle.y),
+        dvec2(middle.x, a.y),
+        dvec2(middle.x, b.y),
+    ];
+    let sides = sides.map(|p| project(map, p));
+    let fold = |of: fn(DVec2, DVec2) -> DVec2| sides.into_iter().reduce(of).unwrap_or_default();
     [fold(DVec2::min), fold(DVec2::max)]
 }
 

@@ -163,6 +163,8 @@ pub enum Refused {
     NoHouse,
     /// Closed walls whose size nothing shows.
     NoSize,
+    /// Nothing in the box that was asked for.
+    Outside,
 }
 
 /// What the steps had found when one of them found too little.
@@ -223,22 +225,10 @@ pub fn read(
     legends: &[Legend],
     options: &Options,
 ) -> Result<Plan, Box<Stopped>> {
-    let sheet = Gridded::of(picture, options);
-    let (flat, ink) = match &sheet {
-        Ok(sheet) => (&sheet.flat, &sheet.ink),
-        Err(stopped) => (&stopped.flat, &stopped.ink),
-    };
-    let several = match options.region {
-        Some(_) => None,
-        None => several::plans(ink),
-    };
-    let Some(several) = several else {
-        return read_sheet(sheet, legends, options);
-    };
-    let mut flat = flat.clone();
-    flat.plans = several.regions;
-    flat.crop(several.largest);
-    read_sheet(Gridded::on(flat, options), legends, options)
+    match Gridded::of(picture, options) {
+        Err(stopped) if stopped.why == Refused::Outside => Err(stopped),
+        sheet => read_sheet(sheet, legends, options),
+    }
 }
 
 /// Reads the plan on a sheet, as [`read`] does.

@@ -81,7 +81,7 @@ pub(crate) struct Plan {
     #[arg(long, value_name = "\"X,Y X,Y X,Y X,Y\"", value_parser = values::corners)]
     corners: Option<[DVec2; 4]>,
 
-    /// Read the plan in this box, two corners in pixels; for storeys on one sheet repeat it from the ground up.
+    /// Read only the plan in this box, given by two corners; repeat it for the storeys on one sheet, the ground storey first.
     #[arg(long = "region", value_name = "\"X,Y X,Y\"", value_parser = values::region, allow_hyphen_values = true)]
     regions: Vec<Region>,
 
@@ -170,6 +170,11 @@ impl Plan {
     /// Returns the number of storeys that were asked for.
     fn storeys(&self) -> usize {
         self.inputs.len().max(self.regions.len())
+    }
+
+    /// Returns true if the length of half a ken was given, in the image or in shaku.
+    fn has_unit(&self) -> bool {
+        self.unit.is_some() || self.unit_px.is_some() || self.ken.is_some()
     }
 
     /// Fails unless boxes of plans are for one file, or one for each.

@@ -27,7 +27,7 @@ const DARK: f64 = 0.95;
 /// The power of its share of full ink that a stroke counts: by the share itself faint strokes would be nothing beside walls, and
 /// if all ink counted alike, blurred strokes beside each other would be a bar.
 const POWER: f64 = 0.7;
-/// The steps in which that power is known.
+/// The number of steps in the table of weights.
 const STEPS: usize = 4096;
 /// Samples to each side over which ink is spread, so that strokes a hair beside each other still agree.
 const SOFT: usize = 1;
@@ -111,7 +111,7 @@ fn full(ink: &Ink) -> f64 {
     quantile(&counts, DARK).max(f64::from(ink.threshold) * FULL)
 }
 
-/// The weights of shares in equal steps from 0 to 1, and one more: powers take long.
+/// Weights of shares in equal steps from 0 to 1, and one more for interpolation. A power for each sample would be slow.
 static WEIGHTS: LazyLock<[f64; STEPS + 2]> = LazyLock::new(|| {
     std::array::from_fn(|step| libm::pow(step as f64 / STEPS as f64, POWER).min(1.0))
 });

@@ -111,6 +111,32 @@ pub fn no_size(span: Span) -> Diagnostic {
     ))
 }
 
+/// A box that holds nothing of the image.
+#[cold]
+pub fn outside(span: Span) -> Diagnostic {
+    let message = text!(
+        "the box given by `--region` lies outside the image",
+        "`--region` の枠が画像の外にあります"
+    );
+    Diagnostic::error(1203, span, message).help(text!(
+        "give two opposite corners in pixels of the file, from its upper left corner",
+        "向かい合う二つの角を、ファイルの左上の隅から数えた画素で指定してください"
+    ))
+}
+
+/// A storey on a grid that cannot be read wall by wall, as another storey of its house is.
+#[cold]
+pub fn not_by_walls(span: Span) -> Diagnostic {
+    let message = text!(
+        "this storey keeps to a grid and cannot be read wall by wall, as another storey of the house is",
+        "この階は格子に沿っていて、ほかの階のように壁ごとに読むことができません"
+    );
+    Diagnostic::error(1203, span, message).help(text!(
+        "read each storey alone, or all with `--legend`, on a grid",
+        "階を一つずつ読むか、`--legend` を付けてすべてを格子で読んでください"
+    ))
+}
+
 /// A file that is no picture, or one that cannot be read, for a reason.
 #[cold]
 fn unreadable(span: Span, message: Text) -> Diagnostic {
@@ -361,22 +387,28 @@ pub fn assumed_size(span: Span, by: Text, [width, depth]: [f64; 2]) -> Diagnosti
     ))
 }
 
-/// Plans of one sheet that lie apart, of which the largest was read; `regions` are their boxes as `--region` takes them.
+/// Separate plans on one sheet, of which one was read, or none; `regions` are the boxes of all as `--region` takes them.
 #[cold]
-pub fn several(span: Span, regions: &[String]) -> Diagnostic {
+pub fn several(span: Span, regions: &[String], is_read: bool) -> Diagnostic {
     let count = regions.len();
-    let message = text!([count]
-        "the sheet shows {count} plans that lie apart; one of them was read",
-        "紙に離れた平面図が {count} つあります。そのうち一つだけを読みました"
-    );
+    let message = match is_read {
+        true => text!([count]
+            "the sheet shows {count} separate plans; one of them was read",
+            "紙に離れた平面図が {count} つあります。そのうち一つだけを読みました"
+        ),
+        false => text!([count]
+            "the sheet shows {count} separate plans; the largest cannot be read",
+            "紙に離れた平面図が {count} つあります。最も大きいものが読めません"
+        ),
+    };
     let options: Vec<String> = regions
         .iter()
         .map(|r| format!("--region \"{r}\""))
         .collect();
     let options = options.join(" ");
     Diagnostic::error(1208, span, message).help(text!([options]
-        "if they are the storeys of one house, name them from the ground up: `{options}`; one `--region` alone reads that plan",
-        "一軒の家の階なら、下の階から順に指定してください: `{options}`。`--region` を一つだけ付けると、その平面図を読みます"
+        "to read the storeys of one house, give their boxes in order, the ground storey first; to read one plan, give only its box: `{options}`",
+        "一軒の家の階として読むときは、一階から順に枠を指定してください。一つだけ読むときは、その枠だけを指定してください: `{options}`"
     ))
 }
 
@@ -389,7 +421,7 @@ pub fn left_out(span: Span, area: f64) -> Diagnostic {
         "紙に平面図が二つ以上あります。最も大きいもののほかの {area} m2 は読んでいません"
     );
     Diagnostic::error(1208, span, message).help(text!(
-        "crop the image to one plan, and read each by itself; give the storeys of one house together, from the ground up",
-        "画像を平面図ごとに切り抜き、一つずつ読んでください。同じ家の階は、下の階から順に一緒に指定してください"
+        "give the box of one plan with `--region`; repeat it for the storeys of one house, the ground storey first",
+        "読む平面図の枠を `--region` で指定してください。一軒の家の階なら、一階から順に繰り返してください"
     ))
 }

@@ -1,12 +1,15 @@
 //! What a file of a plan holds, told by its content and not by its name: a picture, or a drawing in lines; and the house in such
 //! a drawing, so that it is written and reviewed like one in a picture.
 
+use super::gridded::Gridded;
 use super::legend::Legend;
 use super::text::is_doubtful;
 use super::vector::fit::UNITS;
 use super::vector::roles::{Means, Roles};
 use super::vector::{self, dxf, hollow, lines::Lines, own, paint, pdf, svg};
-use super::{Flat, Found, Front, Grid, Ink, Options, Picture, Plan, Stopped, Unreadable, walls};
+use super::{
+    Flat, Found, Front, Grid, Ink, Options, Picture, Plan, Stopped, Unreadable, several, walls,
+};
 use glam::{DMat3, DVec2, dvec2};
 
 /// Bytes at the start of a file that tell what it is.
@@ -28,6 +31,16 @@ pub enum Content {
     Lines(Lines),
     /// A house that `hsd draw` has drawn: its text.
     House(String),
+}
+
+impl Content {
+    /// Returns the number of pixels of the file in one of the image that is read; 1 for drawings.
+    pub fn shrink(&self) -> f64 {
+        match self {
+            Content::Picture(picture) => picture.shrink,
+            Content::Lines(_) | Content::House(_) => 1.0,
+        }
+    }
 }
 
 /// Why a file holds no plan.
@@ -167,36 +180,68 @@ pub fn read(
         Ok(drawn) => return Ok(DrawnPlan::Grid(Box::new(drawn))),
         Err(refused) => refused,
     };
-    // A building may be turned on its site.
-    let skew = skew(&lines);
-    let turned_back = DMat3::from_angle(skew);
-    if skew != 0.0 {
-        let upright = turned_back.inverse();
-        let points = lines.strokes.iter_mut().flat_map(|s| &mut s.points);
-        points.for_each(|p| *p = upright.transform_point2(*p));
-        if let Ok(mut drawn) = by_roles(lines.clone(), roles, unit_mm, front) {
-            drawn.found.flat.to_picture = turned_back * drawn.found.flat.to_picture;
-            return Ok(DrawnPlan::Grid(Box::new(drawn)));
-        }
+    let turned_back = straighten(&mut lines);
+    if turned_back != DMat3::IDENTITY
+        && let Ok(mut drawn) = by_roles(lines.clone(), roles, unit_mm, front)
+    {
+        drawn.found.flat.to_picture = turned_back * drawn.found.flat.to_picture;
+        return Ok(DrawnPlan::Grid(Box::new(drawn)));
     }
-    let back = turn(&mut lines, front);
-    let to_drawing = turned_back * back;
+    let to_drawing = turned_back * turn(&mut lines, front);
     // Furniture and gardens look like walls, so layers that are known come first.
     let is_off_grid = matches!(why, vector::Refused::NoGrid(_) | vector::Refused::NoHouse);
-    if is_off_grid && let Some((known, means)) = known(&lines, roles) {
-        return match painted(known, Some(&means), &[]) {
-            Ok(mut plan) => {
-                let flat = plan.flat_mut();
-                flat.to_picture = to_drawing * flat.to_picture;
-                Ok(DrawnPlan::of(plan))
+    let known = if is_off_grid {
+        known(&lines, roles)
+    } else {
+        None
+    };
+    let plan = match known {
+        Some((known, means)) => painted(known, Some(&means), &[]),
+        None => painted(lines, None, legends),
+    };
+    match plan {
+        Ok(mut plan) => {
+            let flat = plan.flat_mut();
+            flat.to_picture = to_drawing * flat.to_picture;
+            Ok(DrawnPlan::of(plan))
+        }
+        Err(mut stopped) => {
+            if let Some(stopped) = &mut stopped {
+                stopped.flat.to_picture = to_drawing * stopped.flat.to_picture;
             }
-            Err(stopped) => Err(NoPlan { why, stopped }),
-        };
+            Err(NoPlan { why, stopped })
+        }
     }
-    let mut plan = painted(lines, None, legends).map_err(|stopped| NoPlan { why, stopped })?;
-    let flat = plan.flat_mut();
-    flat.to_picture = to_drawing * flat.to_picture;
-    Ok(DrawnPlan::of(plan))
+}
+
+/// Reads the plan in a drawing wall by wall, even if it keeps to a grid. Known layers of walls are used alone.
+pub fn by_walls(mut lines: Lines, roles: &Roles, front: Front) -> Option<walls::Found> {
+    let turned_back = straighten(&mut lines);
+    let to_drawing = turned_back * turn(&mut lines, front);
+    let (painted, options) = match known(&lines, roles) {
+        Some((known, means)) => image(known, Some(&means)),
+        None => image(lines, None),
+    }?;
+    let (flat, ink) = match Gridded::of(&painted.picture, &options) {
+        Ok(sheet) => (sheet.flat, sheet.ink),
+        Err(stopped) => (stopped.flat, stopped.ink),
+    };
+    let mut found = walls::found(&flat, &ink, &options)?;
+    found.flat.to_picture = to_drawing * painted.to_drawing * found.flat.to_picture;
+    Some(found)
+}
+
+/// Turns back a building that is turned on its site; returns what turns places again.
+fn straighten(lines: &mut Lines) -> DMat3 {
+    let skew = skew(lines);
+    if skew == 0.0 {
+        return DMat3::IDENTITY;
+    }
+    let turned_back = DMat3::from_angle(skew);
+    let upright = turned_back.inverse();
+    let points = lines.strokes.iter_mut().flat_map(|s| &mut s.points);
+    points.for_each(|p| *p = upright.transform_point2(*p));
+    turned_back
 }
 
 /// Returns the lines of walls, posts and openings with their meanings; `None` if there are few walls.
@@ -217,21 +262,12 @@ fn known(lines: &Lines, roles: &Roles) -> Option<(Lines, Vec<Means>)> {
     (walls >= KNOWN_WALLS).then_some((known, means))
 }
 
-/// Reads the plan on an image of the lines, with its hollow walls filled.
+/// Draws an image of the lines with the hollow walls filled, and what is known of its size; `None` without lines.
 ///
 /// `means` has the meanings of all strokes if they are known.
-///
-/// # Errors
-/// If there is none; with what was found, if anything was drawn.
-fn painted(
-    mut lines: Lines,
-    means: Option<&[Means]>,
-    legends: &[Legend],
-) -> Result<Plan, Option<Box<Stopped>>> {
+fn image(mut lines: Lines, means: Option<&[Means]>) -> Option<(paint::Painted, Options)> {
     hollow::fill(&mut lines, means);
-    let Some(painted) = paint::paint(&lines) else {
-        return Err(None);
-    };
+    let painted = paint::paint(&lines)?;
     let drawing = painted.to_drawing.transform_vector2(DVec2::X).length();
     let options = Options {
         metres: lines.unit_mm.map(|mm| mm / 1000.0 * drawing),
@@ -242,18 +278,39 @@ fn painted(
         },
         ..Options::default()
     };
-    let mut plan = match super::read(&painted.picture, legends, &options) {
+    Some((painted, options))
+}
+
+/// Reads the plan on an [`image`] of the lines.
+///
+/// # Errors
+/// If there is none; with what was found, if anything was drawn.
+fn painted(
+    lines: Lines,
+    means: Option<&[Means]>,
+    legends: &[Legend],
+) -> Result<Plan, Option<Box<Stopped>>> {
+    let (painted, options) = image(lines, means).ok_or(None)?;
+    let plan = match super::read(&painted.picture, legends, &options) {
         Ok(Plan::Grid(found)) if !is_clear(&found) => {
             match walls::found(&found.flat, &found.ink, &options) {
-                Some(walls) => Plan::Walls(Box::new(walls)),
-                None => return Err(Some(found.stopped(super::Refused::NoHouse))),
+                Some(walls) => Ok(Plan::Walls(Box::new(walls))),
+                None => Err(found.stopped(super::Refused::NoHouse)),
             }
         }
-        plan => plan?,
+        plan => plan,
     };
-    let flat = plan.flat_mut();
-    flat.to_picture = painted.to_drawing * flat.to_picture;
-    Ok(plan)
+    let map = |flat: &mut Flat| flat.to_picture = painted.to_drawing * flat.to_picture;
+    match plan {
+        Ok(mut plan) => {
+            map(plan.flat_mut());
+            Ok(plan)
+        }
+        Err(mut stopped) => {
+            map(&mut stopped.flat);
+            Err(Some(stopped))
+        }
+    }
 }
 
 /// Returns how far most of the lines of a drawing are turned from its axes, radians; 0 if hardly.
@@ -368,15 +425,16 @@ fn as_picture(found: vector::Found, painted: &paint::Painted, to_drawing: DMat3)
         * DMat3::from_translation(grid.origin)
         * DMat3::from_scale(DVec2::splat(grid.unit));
     let unit = to_sheet.transform_vector2(DVec2::X).x;
+    let ink = Ink::of(&sheet);
     Found {
-        ink: Ink::of(&sheet),
         flat: Flat {
             sheet,
             to_picture: to_drawing,
             corners: None,
             skew: 0.0,
-            plans: vec![],
+            plans: several::plans(&ink).map_or(vec![], |several| several.regions),
         },
+        ink,
         grid: Grid {
             to_sheet,
             across: found.units.across,

@@ -1,8 +1,9 @@
 //! Reads a plan on the grid of half ken to which its strokes keep.
 
-use super::flatten::{self, Flat};
+use super::flatten::{self, Flat, Region};
 use super::grid::{Grid, MOST_CELLS};
 use super::legend::Legend;
+use super::several;
 use super::shape::{self, Shape};
 use super::sheet::{self, Ink};
 use super::strokes::{self, Units};
@@ -74,19 +75,50 @@ pub(super) struct Gridded {
 }
 
 impl Gridded {
-    /// Makes a sheet flat and finds its ink and its grid.
+    /// Makes a sheet flat, and finds its ink and its grid in the box that was asked for, otherwise in that of the largest plan.
     pub(super) fn of(picture: &Picture, options: &Options) -> Result<Gridded, Box<Stopped>> {
         let mut flat = flatten::flatten(&picture.pixels, &options.given);
         turn(&mut flat, options.front);
+        let ink = Ink::of(&flat.sheet);
         if let Some(region) = options.region {
-            flat.crop(flat.on_sheet(region));
+            let region = flat.on_sheet(region);
+            return Gridded::within(region, flat, ink, options);
         }
-        Gridded::on(flat, options)
+        match several::plans(&ink) {
+            Some(several) => {
+                flat.plans = several.regions;
+                Gridded::within(several.largest, flat, ink, options)
+            }
+            None => Gridded::on(flat, ink, options),
+        }
     }
 
-    /// Finds the ink and the grid of a flat sheet.
-    pub(super) fn on(flat: Flat, options: &Options) -> Result<Gridded, Box<Stopped>> {
-        let ink = Ink::of(&flat.sheet);
+    /// Finds the grid in a box of a sheet. The ink of all is known: a wall at the edge of the box is not the edge of a sheet.
+    fn within(
+        region: Region,
+        mut flat: Flat,
+        ink: Ink,
+        options: &Options,
+    ) -> Result<Gridded, Box<Stopped>> {
+        match flat.crop(region) {
+            Some([x, y, width, height]) => {
+                let ink = ink.within([x, y], [width, height]);
+                Gridded::on(flat, ink, options)
+            }
+            None => Err(Box::new(Stopped {
+                why: Refused::Outside,
+                flat,
+                ink,
+                grid: None,
+                units: None,
+                shape: None,
+                reading: None,
+            })),
+        }
+    }
+
+    /// Finds the grid of a sheet.
+    fn on(flat: Flat, ink: Ink, options: &Options) -> Result<Gridded, Box<Stopped>> {
         let share = ink.share();
         let aspect = match flat.corners {
             Some(_) => PHOTOGRAPHED,

@@ -20,6 +20,7 @@ pub fn refused(span: Span, refused: Refused) -> Diagnostic {
         Refused::NoSymbols(share) => say::no_symbols(span, share),
         Refused::NoHouse => say::no_house(span),
         Refused::NoSize => say::no_size(span),
+        Refused::Outside => say::outside(span),
     }
 }
 

@@ -5,6 +5,7 @@ use super::raster::{Extent, Parts};
 use super::sheet::Ink;
 use super::walls;
 use glam::{DVec2, dvec2};
+use std::cell::Cell;
 use std::ops::Range;
 
 /// The least diagonal of a drawn part, as a share of that of all ink: letters are smaller.
@@ -15,17 +16,23 @@ const SPACE: f64 = 0.008;
 const LEAST: f64 = 0.2;
 /// The most plans of a sheet. A sheet with more boxes does not show plans.
 const MOST: usize = 12;
+/// The most boxes that are read to see if they are plans, so that time stays bounded.
+const READINGS: usize = 2 * MOST;
+/// The least thickness of the walls of a storey, as a share of that of the largest: tables have thin lines.
+const PEN: f64 = 0.5;
+/// The greatest ratio of the sides of storeys that count as equal.
+const ALIKE: f64 = 1.15;
 /// The least share of its box that a plan fills.
 const FILLED: f64 = 0.35;
-/// The most of the space round a plan that belongs to it, as a share of its diagonal: dimensions do, titles may not.
+/// The greatest margin round a plan, as a share of its diagonal. Dimensions are within it, titles often are not.
 const MARGIN: f64 = 0.15;
-/// The depth of the strokes that line a band between two plans, as a share of the diagonal. They line at least a share of it.
+/// The distance from a band within which walls line it, as a share of the diagonal, and the least share of its length with strokes.
 const LINING: f64 = 0.03;
 const LINED: f64 = 0.6;
 /// The fewest rooms of a plan.
 const FEWEST_ROOMS: usize = 2;
-/// The least share of the sheet's ink that a frame round all plans spans. Its line is thinner than a share of the mean line of the
-/// largest part within.
+/// The least share of the width and depth of all ink that a frame has. Its line is also thinner than those within, by a share of
+/// the mean line of the largest part.
 const FRAME: f64 = 0.85;
 const FRAME_PEN: f64 = 0.5;
 
@@ -37,29 +44,63 @@ pub(super) struct Several {
     pub(super) largest: Region,
 }
 
-/// Finds the plans of a sheet that lie apart; `None` if there are fewer than two. A plan is what reads as one by itself.
+/// Finds separate plans on a sheet; `None` if there are fewer than two.
+///
+/// A part of the sheet is a plan if it reads as one by itself, with walls about as thick as those of the largest. Storeys of a house
+/// often share a side, so a part as wide or as deep as the largest counts too.
 pub(super) fn plans(ink: &Ink) -> Option<Several> {
     let parts = parts(ink)?;
     let space = SPACE * bounds(&parts).diagonal();
     let leaves = leaves(&parts, space);
-    let most = leaves.iter().map(|leaf| area(leaf)).max().unwrap_or(0);
-    let is_large = |parts: &[Extent]| area(parts) as f64 >= LEAST * most as f64;
-    let large = leaves.iter().filter(|leaf| is_large(leaf)).count();
-    if !(2..=MOST).contains(&large) {
+    let least = LEAST * leaves.iter().map(|leaf| area(leaf)).max()? as f64;
+    let large = leaves.iter().filter(|leaf| area(leaf) as f64 >= least);
+    if !(2..=MOST).contains(&large.count()) {
         return None;
     }
-    let plans = divided(ink, &parts, space, &is_large);
-    let mut boxed: Vec<(Region, usize)> = plans
-        .iter()
-        .map(|plan| (region(plan, &plans, ink.dark.dimensions()), plan.area))
-        .collect();
-    boxed.sort_by(|(a, _), (b, _)| a[0].y.total_cmp(&b[0].y).then(a[0].x.total_cmp(&b[0].x)));
-    let (largest, _) = *boxed.iter().max_by_key(|(_, area)| area)?;
-    let regions: Vec<Region> = boxed.into_iter().map(|(region, _)| region).collect();
-    (regions.len() > 1).then_some(Several { regions, largest })
+    let search = Search {
+        ink,
+        space,
+        least,
+        readings: Cell::new(READINGS),
+    };
+    let found = search.plans(&parts);
+    let largest = *found.iter().max_by_key(|plan| plan.rooms)?;
+    let is_storey = |plan: &&Plan| match plan.rooms {
+        0 => have_one_side(&plan.drawn, &largest.drawn),
+        _ => plan.walls >= PEN * largest.walls,
+    };
+    let boxes: Vec<Extent> = found.iter().map(|plan| plan.at).collect();
+    let region = |plan: &Plan| region(&plan.at, &boxes, ink.dark.dimensions());
+    let mut regions: Vec<Region> = found.iter().filter(is_storey).map(region).collect();
+    regions.sort_by(|a, b| a[0].y.total_cmp(&b[0].y).then(a[0].x.total_cmp(&b[0].x)));
+    (regions.len() > 1).then(|| Several {
+        regions,
+        largest: region(&largest),
+    })
 }
 
-/// Returns the connected parts of the ink but letters and frames; `None` without ink.
+/// A plan on a sheet.
+#[derive(Clone, Copy)]
+struct Plan {
+    /// The box round its walls, and that round all that is drawn there.
+    at: Extent,
+    drawn: Extent,
+    /// The area of its rooms, square pixels; 0 if it does not read as a plan but lies beside one.
+    rooms: usize,
+    /// The usual thickness of its walls, pixels.
+    walls: f64,
+}
+
+/// Returns true if two boxes are about as wide or about as deep.
+fn have_one_side(a: &Extent, b: &Extent) -> bool {
+    let (a, b) = (a.size(), b.size());
+    (0..2).any(|axis| {
+        let (short, long) = (a[axis].min(b[axis]), a[axis].max(b[axis]));
+        long as f64 <= ALIKE * short as f64
+    })
+}
+
+/// Returns the connected parts of the ink, without letters and frames; `None` without ink.
 fn parts(ink: &Ink) -> Option<Vec<Extent>> {
     let is_dark = |x: u32, y: u32| ink.dark.get_pixel(x, y)[0] > ink.threshold;
     let extents = Parts::of_set(ink.dark.dimensions(), is_dark, true).extents();
@@ -166,73 +207,93 @@ fn leaves(parts: &[Extent], space: f64) -> Vec<Vec<Extent>> {
     }
 }
 
-/// Returns the boxes of the plans among some parts. Those that do not read as a plan, but lie beside others, have no area.
-fn divided(
-    ink: &Ink,
-    parts: &[Extent],
+/// A sheet whose plans are searched.
+struct Search<'a> {
+    ink: &'a Ink,
+    /// The least space between two plans, pixels.
     space: f64,
-    is_large: &dyn Fn(&[Extent]) -> bool,
-) -> Vec<Extent> {
-    if parts.is_empty() || !is_large(parts) {
-        return vec![];
+    /// The least area of the box of a plan, square pixels.
+    least: f64,
+    /// The number of readings that are left.
+    readings: Cell<usize>,
+}
+
+impl Search<'_> {
+    fn is_large(&self, parts: &[Extent]) -> bool {
+        !parts.is_empty() && area(parts) as f64 >= self.least
     }
-    let whole = || plan(ink, bounds(parts)).into_iter().collect();
-    let Some(halves) = Halves::of(parts, space) else {
-        return whole();
-    };
-    let [a, b] = &halves.sides;
-    let found = [a, b].map(|half| divided(ink, half, space, is_large));
-    let (mut plans, other) = match found {
-        [a, b] if !a.is_empty() && !b.is_empty() => return [a, b].concat(),
-        [a, b] if a.is_empty() && b.is_empty() => return whole(),
-        [plans, none] if none.is_empty() => (plans, b),
-        [_, plans] => (plans, a),
-    };
-    if !is_large(other) {
-        return plans;
+
+    /// Returns the plans among some parts, and what lies beside them and does not read as one.
+    fn plans(&self, parts: &[Extent]) -> Vec<Plan> {
+        if !self.is_large(parts) {
+            return vec![];
+        }
+        let whole = || self.plan(bounds(parts)).into_iter().collect();
+        let Some(halves) = Halves::of(parts, self.space) else {
+            return whole();
+        };
+        let [a, b] = &halves.sides;
+        let (mut plans, other) = match [a, b].map(|half| self.plans(half)) {
+            [a, b] if !a.is_empty() && !b.is_empty() => return [a, b].concat(),
+            [a, b] if a.is_empty() && b.is_empty() => return whole(),
+            [plans, none] if none.is_empty() => (plans, b),
+            [_, plans] => (plans, a),
+        };
+        if !self.is_large(other) {
+            return plans;
+        }
+        if plans.len() > 1 || halves.is_lined(self.ink) {
+            plans.push(Plan {
+                at: bounds(other),
+                drawn: bounds(other),
+                rooms: 0,
+                walls: 0.0,
+            });
+            return plans;
+        }
+        // Walls on both sides of openings in one line belong to one plan.
+        reaching(whole(), other).unwrap_or(plans)
     }
-    if plans.len() > 1 || halves.is_lined(ink) {
-        plans.push(Extent {
+
+    /// Returns the plan within an extent, if that reads as one.
+    fn plan(&self, extent: Extent) -> Option<Plan> {
+        self.readings.set(self.readings.get().checked_sub(1)?);
+        let [width, height] = extent.size().map(|side| side as u32);
+        let [x, y] = [extent.x[0] as u32, extent.y[0] as u32];
+        let ink = self.ink.within([x, y], [width, height]);
+        let reading = walls::read(&ink).filter(walls::Reading::is_whole)?;
+        let corners = &reading.graph.corners;
+        let low = corners.iter().copied().reduce(DVec2::min)?;
+        let size = corners.iter().copied().reduce(DVec2::max)? - low;
+        let faces = &reading.divided.faces.of;
+        let rooms = faces.iter().filter(|face| *face != 0).count();
+        let is_plan = reading.rooms() >= FEWEST_ROOMS && rooms as f64 >= FILLED * size.x * size.y;
+        let side = |from: u32, low: f64, size: f64| {
+            let from = from as usize + low.max(0.0) as usize;
+            [from, from + size as usize]
+        };
+        let at = Extent {
+            x: side(x, low.x, size.x),
+            y: side(y, low.y, size.y),
             area: 0,
-            ..bounds(other)
-        });
-        return plans;
+        };
+        is_plan.then_some(Plan {
+            at,
+            drawn: extent,
+            rooms,
+            walls: reading.divided.strokes.usual,
+        })
     }
-    // Walls on both sides of openings in one line belong to one plan.
-    reaching(whole(), other).unwrap_or(plans)
 }
 
 /// Returns plans if they cover most of some parts.
-fn reaching(plans: Vec<Extent>, parts: &[Extent]) -> Option<Vec<Extent>> {
-    let half = bounds(parts);
+fn reaching(plans: Vec<Plan>, parts: &[Extent]) -> Option<Vec<Plan>> {
+    let (half, whole) = (bounds(parts), plans.first()?.at);
     let covered = |axis: usize| {
-        let ([low, high], [from, to]) = ([half.x, half.y][axis], [plans[0].x, plans[0].y][axis]);
+        let ([low, high], [from, to]) = ([half.x, half.y][axis], [whole.x, whole.y][axis]);
         (high.min(to) + 1).saturating_sub(low.max(from)) * 2 > high + 1 - low
     };
-    (!plans.is_empty() && covered(0) && covered(1)).then_some(plans)
-}
-
-/// Returns the box of the plan within an extent, if it reads as one.
-fn plan(ink: &Ink, extent: Extent) -> Option<Extent> {
-    let [width, height] = extent.size().map(|side| side as u32);
-    let [x, y] = [extent.x[0] as u32, extent.y[0] as u32];
-    let ink = ink.within([x, y], [width, height]);
-    let reading = walls::read(&ink).filter(walls::Reading::is_whole)?;
-    let corners = &reading.graph.corners;
-    let low = corners.iter().copied().reduce(DVec2::min)?;
-    let size = corners.iter().copied().reduce(DVec2::max)? - low;
-    let faces = &reading.divided.faces.of;
-    let rooms = faces.iter().filter(|face| *face != 0).count();
-    let is_plan = reading.rooms() >= FEWEST_ROOMS && rooms as f64 >= FILLED * size.x * size.y;
-    let side = |from: u32, low: f64, size: f64| {
-        let from = from as usize + low.max(0.0) as usize;
-        [from, from + size as usize]
-    };
-    is_plan.then(|| Extent {
-        x: side(x, low.x, size.x),
-        y: side(y, low.y, size.y),
-        area: rooms,
-    })
+    (covered(0) && covered(1)).then_some(plans)
 }
 
 /// Returns the box round a plan with its margin, to the middle of the space between it and other plans.

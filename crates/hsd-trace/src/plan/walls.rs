@@ -264,7 +264,7 @@ pub fn divide(ink: &Ink) -> Divided {
 /// Closes the network of walls against the outside by the smallest disc that leaves nothing out, and divides it. Each disc is tried
 /// on what smaller ones have closed, so that a wide opening joins no rooms that are closed already.
 fn enclosed(network: &Field<bool>, diagonal: f64) -> (Faces, Field<bool>) {
-    // A disc has to come to all walls, also at the edges of the sheet.
+    // The disc must reach every wall, even at the edge of the sheet.
     let margin = (RADII[RADII.len() - 1] * diagonal).ceil() as isize + 2;
     let window = network.window(margin);
     let mut walls = network.within(window);

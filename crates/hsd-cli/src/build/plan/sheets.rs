@@ -17,7 +17,7 @@ use hsd_trace::plan::vector::{self, lines::Lines, roles::Roles};
 use hsd_trace::plan::walls;
 use hsd_trace::plan::walls::scale::{Evidence, Scale};
 use hsd_trace::plan::{self, Found, LEGENDS, Options, Picture, Stopped, said};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Names in the comment of a house, the most.
 const NAMED: usize = 12;
@@ -32,8 +32,8 @@ pub(super) struct Sheet {
     at: Span,
     /// Pixels of the file in one of the picture that was read.
     pub(super) shrink: f64,
-    /// Whether it is a drawing, not a picture.
-    is_drawing: bool,
+    /// The lines of a drawing; an image has none.
+    lines: Option<Lines>,
     /// Shaku in a unit of its grid, if it says so.
     pub(super) shaku: Option<f64>,
     /// Layers that stand for nothing.
@@ -52,7 +52,7 @@ impl Sheet {
     pub(super) fn told(&self) -> String {
         let legend = &self.found.legend;
         let scale = self.found.flat.to_picture.transform_vector2(DVec2::X);
-        let (unit, of) = match self.is_drawing {
+        let (unit, of) = match self.lines.is_some() {
             true => (
                 self.found.grid.unit * scale.length(),
                 "units of the drawing",
@@ -99,21 +99,39 @@ impl Storey {
         }
     }
 
+    /// Pixels of the file in one of the image that was read.
+    fn shrink(&self) -> f64 {
+        match self {
+            Storey::Grid(sheet) => sheet.shrink,
+            Storey::Walls(sheet) => sheet.shrink,
+        }
+    }
+
     /// Returns the plan read wall by wall; `None` if that gives no house.
-    fn by_walls(self, plan: &Plan) -> Option<WallSheet> {
+    fn by_walls(self, plan: &Plan, roles: &Roles) -> Option<WallSheet> {
         let sheet = match self {
             Storey::Walls(sheet) => return Some(*sheet),
-            Storey::Grid(sheet) => sheet,
+            Storey::Grid(sheet) => *sheet,
         };
-        let Found {
-            flat, ink, grid, ..
-        } = &sheet.found;
-        let options = Options {
-            metres: sheet.shaku.map(|shaku| shaku * SHAKU / grid.unit),
-            ..plan.options(sheet.shrink, None)
+        let found = match sheet.lines {
+            Some(lines) => drawing::by_walls(lines, roles, plan.front.into())?,
+            None => {
+                let Found {
+                    flat, ink, grid, ..
+                } = &sheet.found;
+                let options = Options {
+                    metres: Some(plan.unit.unwrap_or(EDO_MA) * SHAKU / grid.unit),
+                    ..Options::default()
+                };
+                let mut found = walls::found(flat, ink, &options)?;
+                if !plan.has_unit() && found.scale.evidence == Evidence::Given {
+                    found.scale.evidence = Evidence::HalfKen;
+                }
+                found
+            }
         };
         Some(WallSheet {
-            found: walls::found(flat, ink, &options)?,
+            found,
             file: sheet.file,
             at: sheet.at,
             shrink: sheet.shrink,
@@ -199,18 +217,33 @@ impl Plan {
             let (source, opened) = self.opened(path, sources.len(), &mut pages)?;
             let at = source.span(0..0);
             match (opened, legends) {
-                (Err(why), _) => out.push(said::unopened(&source, &why)),
-                (Ok(Content::House(text)), _) if self.storeys() == 1 => {
+                (Err(why), _) => {
+                    out.push(said::unopened(&source, &why));
+                    tried += self.regions_of(k).len();
+                }
+                (Ok(Content::House(text)), _) if self.storeys() == 1 && self.regions.is_empty() => {
                     sources.push(source);
                     return Ok(Some(Read::House(text)));
                 }
-                (Ok(Content::House(_)), _) => out.push(say::whole_house(at)),
+                (Ok(Content::House(_)), _) => {
+                    out.push(say::whole_house(at));
+                    tried += self.regions_of(k).len();
+                }
                 (Ok(content), Some(legends)) => {
                     for region in self.regions_of(k) {
                         match self.storey((&content, &source), region, legends)? {
-                            Ok(read) => storeys.push(read),
-                            Err(stopped) => {
-                                let steps = self.stopped(tried, at, stopped, out)?;
+                            Ok(storey) => {
+                                let shrink = storey.shrink();
+                                several(at, (storey.flat(), shrink, true), out);
+                                storeys.push(storey);
+                            }
+                            Err((stopped, why)) => {
+                                out.push(why);
+                                if let Some(stopped) = &stopped {
+                                    let shrink = content.shrink();
+                                    several(at, (&stopped.flat, shrink, false), out);
+                                }
+                                let steps = self.steps_of_stopped(tried, stopped.as_deref())?;
                                 committer.write_all(steps)?;
                             }
                         }
@@ -222,12 +255,9 @@ impl Plan {
             }
             sources.push(source);
         }
-        let told = storeys.iter();
-        let told = told.filter_map(|storey| several(storey.at(), Some(storey.flat())));
-        told.for_each(|told| out.push(told));
-        match storeys.len() == self.storeys() {
-            true => Ok(self.together(storeys, out)),
-            false => Ok(None),
+        match legends.filter(|_| storeys.len() == self.storeys()) {
+            Some(legends) => Ok(self.together(storeys, &legends.roles, out)),
+            None => Ok(None),
         }
     }
 
@@ -244,27 +274,11 @@ impl Plan {
             false => 1,
         };
         let opened = drawing::open(&bytes, page, self.memory_args.max_memory);
-        // What is told of a image has no place in its bytes.
+        // A diagnostic about an image has no position in its bytes.
         let is_text = matches!(opened, Ok(Content::Lines(_)) | Err(Unopened::Drawing(_)));
         let text = if is_text { &bytes[..] } else { b"" };
         let source = Source::new(FileId(number as u32), path.display().to_string(), text);
         Ok((source, opened))
-    }
-
-    /// Says why there is no plan; returns what the steps found, if that is asked for.
-    fn stopped(
-        &self,
-        storey: usize,
-        at: Span,
-        (stopped, why): (Option<Box<Stopped>>, Diagnostic),
-        out: &mut Diagnostics,
-    ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
-        out.push(why);
-        let flat = stopped.as_ref().map(|stopped| &stopped.flat);
-        several(at, flat)
-            .into_iter()
-            .for_each(|told| out.push(told));
-        self.steps_of_stopped(storey, stopped.as_deref())
     }
 
     /// Returns the boxes of the plans to read from a file; `None` is for all of it.
@@ -277,8 +291,8 @@ impl Plan {
         }
     }
 
-    /// Puts storeys together; `None` if one of them has no house. All are read in the same way.
-    fn together(&self, storeys: Vec<Storey>, out: &mut Diagnostics) -> Option<Read> {
+    /// Collects the storeys of a house, all read in the same way; `None` if one of them has no house.
+    fn together(&self, storeys: Vec<Storey>, roles: &Roles, out: &mut Diagnostics) -> Option<Read> {
         let is_on_grid = |storey: &Storey| matches!(storey, Storey::Grid(_));
         if storeys.iter().all(is_on_grid) {
             let sheets = storeys.into_iter().filter_map(|storey| match storey {
@@ -290,34 +304,13 @@ impl Plan {
         let mut sheets: Vec<WallSheet> = vec![];
         for storey in storeys {
             let at = storey.at();
-            match storey.by_walls(self) {
+            match storey.by_walls(self, roles) {
                 Some(sheet) => sheets.push(sheet),
-                None => out.push(say::no_house(at)),
+                None => out.push(say::not_by_walls(at)),
             }
         }
-        self.share_scales(&mut sheets);
+        share_scales(&mut sheets);
         (sheets.len() == self.storeys()).then_some(Read::Walls(sheets))
-    }
-
-    /// Gives storeys of one file its surest scale.
-    fn share_scales(&self, sheets: &mut [WallSheet]) {
-        // `--unit-px` and `--ken` count half ken, whose length `--unit` sets.
-        let is_by_ken = self.unit_px.is_some() || self.ken.is_some();
-        let is_given = |sheet: &WallSheet| sheet.found.scale.evidence == Evidence::Given;
-        for sheet in sheets
-            .iter_mut()
-            .filter(|sheet| is_by_ken && is_given(sheet))
-        {
-            sheet.found.scale.metres *= self.unit.unwrap_or(EDO_MA) / EDO_MA;
-        }
-        let of_file = |at: Span| {
-            let scales = sheets.iter().filter(|sheet| sheet.at == at);
-            scales.map(|sheet| sheet.found.scale).reduce(Scale::surer)
-        };
-        let scales: Vec<Option<Scale>> = sheets.iter().map(|sheet| of_file(sheet.at)).collect();
-        for (sheet, scale) in sheets.iter_mut().zip(scales) {
-            sheet.found.scale = scale.unwrap_or(sheet.found.scale);
-        }
     }
 
     /// Reads the plan of a storey.
@@ -364,16 +357,22 @@ impl Plan {
                 file,
                 at,
                 shrink,
-                is_drawing: false,
+                lines: None,
                 shaku: None,
                 unknown: vec![],
             })),
-            plan::Plan::Walls(found) => Storey::Walls(Box::new(WallSheet {
-                found: *found,
-                file,
-                at,
-                shrink,
-            })),
+            plan::Plan::Walls(mut found) => {
+                // `--unit-px` and `--ken` count half ken, whose length `--unit` sets.
+                if found.scale.evidence == Evidence::Given {
+                    found.scale.metres *= self.unit.unwrap_or(EDO_MA) / EDO_MA;
+                }
+                Storey::Walls(Box::new(WallSheet {
+                    found: *found,
+                    file,
+                    at,
+                    shrink,
+                }))
+            }
         })
     }
 
@@ -408,9 +407,9 @@ impl Plan {
         let front = self.front.into();
         let (roles, symbols) = (&legends.roles, &legends.symbols);
         let drawn = match self.legends.is_empty() {
-            true => drawing::read(lines, roles, unit_mm, symbols, front)?,
+            true => drawing::read(lines.clone(), roles, unit_mm, symbols, front)?,
             false => {
-                let drawn = drawing::find(lines, roles, unit_mm, symbols, front);
+                let drawn = drawing::find(lines.clone(), roles, unit_mm, symbols, front);
                 let drawn = drawn.map_err(|why| NoPlan { why, stopped: None })?;
                 DrawnPlan::Grid(Box::new(drawn))
             }
@@ -421,7 +420,7 @@ impl Plan {
                 file,
                 at,
                 shrink: 1.0,
-                is_drawing: true,
+                lines: Some(lines),
                 shaku: drawn.shaku,
                 unknown: drawn.unknown,
             })),
@@ -451,10 +450,34 @@ impl Plan {
     }
 }
 
-/// Says that a sheet shows several plans.
-fn several(at: Span, flat: Option<&Flat>) -> Option<Diagnostic> {
-    let flat = flat?;
+/// Reports several plans on a sheet, one of which was read or none. `shrink` is the number of file pixels in a pixel of the image.
+fn several(at: Span, (flat, shrink, is_read): (&Flat, f64, bool), out: &mut Diagnostics) {
     let regions = flat.plans.iter().map(|region| flat.in_picture(*region));
-    let regions: Vec<String> = regions.map(region_name).collect();
-    (!regions.is_empty()).then(|| say::several(at, &regions))
+    let regions = regions.map(|region| region_name(region.map(|p| p * shrink)));
+    let regions: Vec<String> = regions.collect();
+    if !regions.is_empty() {
+        out.push(say::several(at, &regions, is_read));
+    }
+}
+
+/// Gives storeys of one file the surest of their scales. Their sheets may have pixels of different size.
+fn share_scales(sheets: &mut [WallSheet]) {
+    // Metres of a unit of the file.
+    let of_file = |at: Span| {
+        let scales = sheets.iter().filter(|sheet| sheet.at == at);
+        let scales = scales.map(|sheet| Scale {
+            metres: sheet.found.scale.metres / sheet.pixel(),
+            ..sheet.found.scale
+        });
+        scales.reduce(Scale::surer)
+    };
+    let scales: Vec<Option<Scale>> = sheets.iter().map(|sheet| of_file(sheet.at)).collect();
+    for (sheet, scale) in sheets.iter_mut().zip(scales) {
+        if let Some(scale) = scale {
+            sheet.found.scale = Scale {
+                metres: scale.metres * sheet.pixel(),
+                ..scale
+            };
+        }
+    }
 }

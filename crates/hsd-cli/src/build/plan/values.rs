@@ -121,12 +121,12 @@ pub(in crate::build) fn corners(text: &str) -> Result<[DVec2; 4], String> {
     }
 }
 
-/// A box by two corners that lie across.
+/// Parses a box from two opposite corners.
 pub(super) fn region(text: &str) -> Result<Region, String> {
     let points: Option<Vec<DVec2>> = text.split_whitespace().map(point).collect();
     match points.as_deref() {
         Some([a, b]) if (*a - *b).abs().min_element() > 0.0 => Ok([a.min(*b), a.max(*b)]),
-        _ => Err("expected two corners of a box, as in \"80,60 900,640\"".to_owned()),
+        _ => Err("expected two opposite corners of a box, as in \"80,60 900,640\"".to_owned()),
     }
 }
 

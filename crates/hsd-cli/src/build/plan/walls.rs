@@ -43,6 +43,12 @@ impl WallSheet {
         (at.x.round() as i64, at.y.round() as i64)
     }
 
+    /// Returns the side of a pixel of the sheet, pixels of the file or units of a drawing.
+    pub(super) fn pixel(&self) -> f64 {
+        let flat = &self.found.flat;
+        flat.to_picture.transform_vector2(DVec2::X).length() * self.shrink
+    }
+
     /// Returns a place of the original image on the sheet, metres.
     fn metres_of(&self, place: DVec2) -> DVec2 {
         let back = self.found.flat.to_picture.inverse();
@@ -117,8 +123,14 @@ impl Plan {
         out: &mut Diagnostics,
     ) -> Result<Option<Text>, Failure> {
         let Some((traced, file)) = self.traced(sheets)? else {
-            let none = sheets.first().map(|sheet| say::no_house(sheet.at));
-            none.into_iter().for_each(|none| out.push(none));
+            let era = Era::named(self.era.name());
+            let has_house = |sheet: &&WallSheet| {
+                let storey = sheet.found.storey(1.0);
+                era.is_some_and(|era| writing::write(&[storey], ("", &[], era)).is_some())
+            };
+            let none = sheets.iter().find(|sheet| !has_house(sheet));
+            none.into_iter()
+                .for_each(|sheet| out.push(say::no_house(sheet.at)));
             return Ok(None);
         };
         for (k, (sheet, drawn)) in sheets.iter().zip(&traced.storeys).enumerate() {
@@ -158,7 +170,7 @@ impl Plan {
         )))
     }
 
-    /// Lays the storeys over each other: each with its move onto the ground, to the right and down, metres.
+    /// Returns the shift that places each storey on the ground storey: to the right and down, metres.
     fn stacked(&self, sheets: &[WallSheet]) -> Vec<DVec2> {
         let plan =
             |sheet: &WallSheet| (sheet.found.reading.graph.clone(), sheet.found.scale.metres);

@@ -53,7 +53,7 @@ pub struct Lines {
 }
 
 impl Lines {
-    /// Keeps the strokes that lie within a box.
+    /// Drops the strokes that are not wholly inside a box.
     pub fn keep_within(&mut self, [low, high]: Region) {
         let is_within = |p: &DVec2| p.cmpge(low).all() && p.cmple(high).all();
         self.strokes

@@ -65,7 +65,7 @@ impl<T: Copy> Field<T> {
 }
 
 impl<T: Copy + Default> Field<T> {
-    /// Returns the values within a box, as [`window`](Field::window) returns it.
+    /// Returns the values in a box: x, y, width and height. Beyond the edges they are the default.
     pub(super) fn within(&self, [x, y, width, height]: [isize; 4]) -> Field<T> {
         Field::new(width as usize, height as usize, |across, down| {
             let value = self.get(x + across as isize, y + down as isize);
@@ -75,7 +75,7 @@ impl<T: Copy + Default> Field<T> {
 }
 
 impl Field<bool> {
-    /// Returns the box of the pixels that are true, with a margin: its upper left corner and its size. It may lie beyond the edges.
+    /// Returns the bounding box of the pixels that are true, widened by a margin: x, y, width and height. It may reach beyond the edges.
     pub(super) fn window(&self, margin: isize) -> [isize; 4] {
         let (mut low, mut high) = ([self.width, self.height], [0, 0]);
         for (x, y) in self.places().filter(|p| self[*p]) {

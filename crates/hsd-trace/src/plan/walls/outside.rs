@@ -1,6 +1,7 @@
 //! The outside: all that a disc wider than an opening reaches from the edges of the sheet.
 
 use super::field::Field;
+use crate::plan::raster::Extent;
 use std::collections::VecDeque;
 
 /// Lengths of a step to the side and aslant, for distances.
@@ -77,14 +78,11 @@ fn length([a, b]: &Chord) -> f64 {
     (a.0.abs_diff(b.0) as f64).hypot(a.1.abs_diff(b.1) as f64)
 }
 
-/// Returns true if a part is wider than the opening at its side.
-fn has_jambs(chord: &Chord, part: &[(usize, usize)]) -> bool {
+/// Returns true if a room in a box is wider than the opening at its side.
+fn has_jambs(chord: &Chord, room: &Extent) -> bool {
     let [a, b] = *chord;
     let is_upright = a.1.abs_diff(b.1) > a.0.abs_diff(b.0);
-    let along = part.iter().map(|p| if is_upright { p.1 } else { p.0 });
-    let sides = along.clone().min().zip(along.max());
-    let side = sides.map_or(0, |(low, high)| high - low + 1);
-    length(chord) <= JAMBS * side as f64
+    length(chord) <= JAMBS * room.size()[usize::from(is_upright)] as f64
 }
 
 /// Returns lines that part rooms from the outside where a disc does not come in: from wall to wall. `free` are the distances from
@@ -124,13 +122,15 @@ pub fn chords((walls, free): (&Field<bool>, &Field<f32>), radius: f64) -> Vec<Ch
                 .iter()
                 .filter_map(|group| chord(group, walls))
                 .collect();
-            // A disc bulges into a wide opening, so that its rim there is longer than the opening. A recess is open from wall to wall.
+            // A disc bulges into a wide opening, which makes the rim longer than the opening. A recess is open from wall to wall.
             let rim = walled + crossed;
             let is_closed = f64::from(crossed) <= OPEN * f64::from(rim);
             let opening: f64 = across.iter().map(length).sum();
             let is_room = || {
-                let jambs = across.iter().all(|chord| has_jambs(chord, &part));
-                jambs && opening <= OPEN * (opening + f64::from(walled))
+                let mut room = Extent::default();
+                part.iter().for_each(|(x, y)| room.add(*x, *y));
+                opening <= OPEN * (opening + f64::from(walled))
+                    && across.iter().all(|chord| has_jambs(chord, &room))
             };
             if is_closed || is_room() {
                 out.extend(across);

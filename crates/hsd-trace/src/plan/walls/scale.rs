@@ -51,13 +51,14 @@ pub enum Evidence {
 }
 
 impl Evidence {
-    /// Returns its place among all kinds, from the least sure, and its number.
+    /// Returns the rank of the evidence, weakest first, and its count.
     fn rank(self) -> (u8, usize) {
         match self {
             Evidence::Openings => (0, 0),
-            Evidence::HalfKen => (1, 0),
-            Evidence::Doors(count) => (2, count),
-            Evidence::Mats(count) => (3, count),
+            Evidence::Doors(count) => (1, count),
+            Evidence::Mats(count) => (2, count),
+            // Half ken is found from the scale by doors, or decides between areas and mats.
+            Evidence::HalfKen => (3, 0),
             Evidence::Unit(_) => (4, 0),
             Evidence::Rooms(count) => (5, count),
             Evidence::Printed(count) => (6, count),
@@ -81,7 +82,7 @@ impl Scale {
         matches!(self.evidence, Evidence::Given | Evidence::Printed(_))
     }
 
-    /// Returns that with the better evidence.
+    /// Returns the scale with the stronger evidence; `self` if they are equal.
     pub fn surer(self, other: Scale) -> Scale {
         match other.evidence.rank() > self.evidence.rank() {
             true => other,

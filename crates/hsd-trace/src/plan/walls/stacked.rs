@@ -4,11 +4,11 @@ use super::graph::Graph;
 use super::walks::{Walks, corners, inside};
 use glam::{DVec2, dvec2};
 
-/// The greatest distance between walls that stand on each other, metres.
+/// The tolerance within which an upper wall stands on a lower one, metres.
 const NEAR: f64 = 0.2;
 /// The weight of a wall to the outside on another, if that of any other is 1.
 const OUTER: f64 = 2.0;
-/// The cost of a square metre over nothing, metres of walls on walls: upper storeys seldom stand out.
+/// The penalty for a square metre of overhang, in metres of supported wall: upper storeys seldom project.
 const OVERHANG: f64 = 2.0;
 /// The longest walls of a storey, and the moves along each axis that are tried together.
 const WALLS: usize = 150;
@@ -16,7 +16,7 @@ const MOVES: usize = 30;
 /// The steps across a storey at which its floor is compared with the one below.
 const STEPS: usize = 24;
 
-/// A storey as it is laid over another: metres of its own sheet, to the right and down.
+/// A storey in metres of its sheet, to the right and down.
 struct Laid {
     walls: Vec<Wall>,
     outline: Vec<DVec2>,
@@ -67,8 +67,8 @@ impl Wall {
         self.along[1] - self.along[0]
     }
 
-    /// Returns what two walls count that stand on each other over a length, metres.
-    fn counts(&self, other: &Wall, length: f64) -> f64 {
+    /// Returns the score of a wall that another supports over a length, metres.
+    fn score(&self, other: &Wall, length: f64) -> f64 {
         match self.is_outer && other.is_outer {
             true => OUTER * length,
             false => length,
@@ -110,7 +110,7 @@ fn moves(ground: &Laid, upper: &Laid, axis: usize, centred: f64) -> Vec<f64> {
     for below in across(ground) {
         for above in across(upper) {
             let length = below.length().min(above.length());
-            pairs.push((below.at - above.at, below.counts(&above, length)));
+            pairs.push((below.at - above.at, below.score(&above, length)));
         }
     }
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -136,7 +136,7 @@ fn moves(ground: &Laid, upper: &Laid, axis: usize, centred: f64) -> Vec<f64> {
     found.chain([centred]).collect()
 }
 
-/// Returns how well an upper storey that is moved stands on the ground: metres of walls on walls, less what stands out.
+/// Returns the score of a move of an upper storey: metres of supported wall, less the penalty for overhang.
 fn agreement(ground: &Laid, upper: &Laid, by: DVec2) -> f64 {
     let mut walls = 0.0;
     for above in &upper.walls {
@@ -147,7 +147,7 @@ fn agreement(ground: &Laid, upper: &Laid, by: DVec2) -> f64 {
             }
             let from = below.along[0].max(above.along[0] + along);
             let to = below.along[1].min(above.along[1] + along);
-            walls += below.counts(above, (to - from).max(0.0));
+            walls += below.score(above, (to - from).max(0.0));
         }
     }
     walls - OVERHANG * overhang(ground, upper, by)
