@@ -1,6 +1,6 @@
 //! Several plans on one sheet: the storeys of a house.
 
-use super::walls::wall;
+use super::walls::{read_with, wall};
 use super::{legends, picture};
 use glam::{DMat3, DVec2, dvec2};
 use hsd::plan::text::Era;
@@ -46,13 +46,7 @@ fn read(sheet: &RgbImage, region: Option<[DVec2; 2]>) -> Box<Found> {
         region,
         ..Options::default()
     };
-    match plan::read(&picture(sheet.clone()), &legends(), &options) {
-        Ok(Plan::Walls(found)) => found,
-        other => panic!(
-            "not read wall by wall: {:?}",
-            other.map(|_| "on a grid").map_err(|e| e.why)
-        ),
-    }
+    read_with(sheet.clone(), &options)
 }
 
 /// The width and depth of a storey, half ken.

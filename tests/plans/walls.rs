@@ -62,7 +62,12 @@ fn read(sheet: RgbImage, unit: Option<f64>) -> Box<Found> {
         unit,
         ..plan::Options::default()
     };
-    match plan::read(&picture(sheet), &legends(), &options) {
+    read_with(sheet, &options)
+}
+
+/// Reads a sheet wall by wall.
+pub(super) fn read_with(sheet: RgbImage, options: &plan::Options) -> Box<Found> {
+    match plan::read(&picture(sheet), &legends(), options) {
         Ok(Plan::Walls(found)) => found,
         other => panic!(
             "not read wall by wall: {:?}",
