@@ -21,7 +21,12 @@ pub(crate) struct Texts(BTreeMap<String, String>);
 
 impl World for Texts {
     fn picture(&self, name: &str) -> Option<PictureFile> {
-        let there = name.starts_with("f1f") || name == "SIGN";
+        // Three images a storey: a row ends where no image has the next number.
+        let number = name
+            .strip_prefix("f1f")
+            .and_then(|rest| rest.split('f').nth(1));
+        let numbered = number.is_some_and(|n| ["1", "2", "3"].contains(&n));
+        let there = numbered || name == "SIGN";
         there.then(|| PictureFile {
             path: name.to_owned(),
             size: (64, 64),

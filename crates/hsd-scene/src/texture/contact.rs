@@ -4,6 +4,7 @@ use image::{Rgb as Pixel, RgbImage, imageops};
 
 use super::{COLOR_SIZE, Look, ORM_SIZE, SURFACES, Surface, embedded};
 use rayon::prelude::*;
+use std::sync::LazyLock;
 
 /// Width of a swatch in metres: the bay of three shaku.
 const BAY: f64 = 10.0 / 11.0;
@@ -87,7 +88,10 @@ fn lit(color: [u8; 3], normal: [u8; 3], orm: [u8; 3]) -> [f64; 3] {
 
 /// Decodes an sRGB byte to linear light.
 fn decoded(byte: u8) -> f64 {
-    libm::pow(f64::from(byte) / 255.0, 2.2)
+    // A power for each of three million bytes would be slow.
+    static LIGHT: LazyLock<[f64; 256]> =
+        LazyLock::new(|| std::array::from_fn(|byte| libm::pow(byte as f64 / 255.0, 2.2)));
+    LIGHT[usize::from(byte)]
 }
 
 /// Encodes linear light as an sRGB byte.
