@@ -88,7 +88,7 @@ fn lit(color: [u8; 3], normal: [u8; 3], orm: [u8; 3]) -> [f64; 3] {
 
 /// Decodes an sRGB byte to linear light.
 fn decoded(byte: u8) -> f64 {
-    // A power for each of three million bytes would be slow.
+    // A power for each sample would be slow.
     static LIGHT: LazyLock<[f64; 256]> =
         LazyLock::new(|| std::array::from_fn(|byte| libm::pow(byte as f64 / 255.0, 2.2)));
     LIGHT[usize::from(byte)]
