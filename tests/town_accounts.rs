@@ -235,6 +235,82 @@ fn a_row_of_overlapping_outlines_takes_linear_time() {
 }
 
 #[test]
+fn long_outlines_across_many_take_linear_time() {
+    let make = |count: usize| {
+        let long = count as f64 * 0.9 + 10.0;
+        let across = (0..20).map(|n| rectangle([-5.0, f64::from(n) * 0.9], [long, 0.8], ""));
+        let others = (0..count).map(|n| rectangle([n as f64 * 0.9, -5.0], [0.8, 30.0], ""));
+        across.chain(others).collect::<Vec<_>>().join(",")
+    };
+    let text = r#"<Town><Layer name="a" src="a.geojson" crs="local"/><for each="a"><Place type="block" on="outline"/></for></Town>"#;
+    assert_linear("long outlines across others", 100, make, |map| {
+        let built = town(text, &[("a", map.clone())]);
+        assert!(built.built > 0, "{:?}", built.told);
+    });
+}
+
+/// A line that is scribbled over a square meets itself as often as it has pieces, squared.
+#[test]
+fn scribbled_lines_are_refused_before_they_are_cut() {
+    let scribble = |count: u32| {
+        let at = |n: u32| {
+            let [x, y] = [2_654_435_761u32, 2_246_822_519].map(|k| (n.wrapping_mul(k) >> 8) % 200);
+            format!("[{x},{y}]")
+        };
+        let corners: Vec<String> = (0..count).map(at).collect();
+        format!(
+            r#"{{"type":"Feature","properties":{{}},"geometry":{{"type":"LineString","coordinates":[{}]}}}}"#,
+            corners.join(",")
+        )
+    };
+    for made in ["<Road/>", "<Rail/>", r#"<Water width="4"/>"#, "<Network/>"] {
+        let text = format!(
+            r#"<Town><Layer name="a" src="a.geojson" crs="local"/><for each="a">{made}</for></Town>"#
+        );
+        let few = town(&text, &[("a", scribble(40))]);
+        assert_eq!((few.built, few.skipped), (1, 0), "{made}: {:?}", few.told);
+        let many = town(&text, &[("a", scribble(4_000))]);
+        let told: Vec<&str> = many.told.iter().map(|told| &*told[0]).collect();
+        assert_eq!(
+            (many.built, many.skipped),
+            (0, 1),
+            "{made}: {:?}",
+            many.told
+        );
+        assert!(told.contains(&"HSD1170"), "{made}: {:?}", many.told);
+    }
+}
+
+#[test]
+fn combs_are_refused_before_they_are_divided() {
+    let comb = |teeth: u32| {
+        let tooth = |n: u32| {
+            let [w, e] = [2 * n, 2 * n + 1];
+            format!("[{w},0],[{w},200],[{e},200],[{e},0]")
+        };
+        let teeth: Vec<String> = (0..teeth).map(tooth).collect();
+        let (teeth, east) = (teeth.join(","), 2 * teeth.len());
+        format!(
+            r#"{{"type":"Feature","properties":{{}},"geometry":{{"type":"Polygon","coordinates":[[{teeth},[{east},-5],[0,-5],[0,0]]]}}}}"#
+        )
+    };
+    for made in ["<Farmland/>", r#"<Water bank="stone"/>"#] {
+        let text = format!(
+            r#"<Town><Layer name="a" src="a.geojson" crs="local"/><for each="a">{made}</for></Town>"#
+        );
+        let few = town(&text, &[("a", comb(10))]);
+        assert_eq!((few.built, few.skipped), (1, 0), "{made}: {:?}", few.told);
+        let many = town(&text, &[("a", comb(2_500))]);
+        assert_eq!(
+            (many.built, many.skipped),
+            (0, 1),
+            "{made}: {:?}",
+            many.told
+        );
+    }
+}
+
+#[test]
 fn words_in_fields_of_numbers_are_reported_once_per_field() {
     let heights = ["about 9", "11,5 m", "?", "1e999", "12", "high", "3;4", ""];
     let map = heights.iter().zip(0u8..).map(|(height, n)| {

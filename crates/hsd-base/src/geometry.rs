@@ -8,6 +8,7 @@
 pub mod clip;
 pub mod convex;
 pub mod envelope;
+pub mod grid;
 pub mod outline;
 pub mod overlap;
 pub mod plan;

@@ -178,6 +178,8 @@ struct Found {
     doubled: usize,
     is_unclosed: bool,
     crosses: bool,
+    /// The most pairs of sides that are compared to find crossings, if there are more.
+    compared: Option<usize>,
     /// The number of missing heights.
     no_heights: usize,
     /// Parts that were dropped, since they have too few points.
@@ -207,18 +209,27 @@ impl Found {
 }
 
 /// Returns true if sides of an area cross, or lie on each other.
-pub fn crosses(area: &Area) -> bool {
+///
+/// # Errors
+/// The limit, if more pairs of sides would have to be compared.
+pub fn crosses(area: &Area) -> Result<bool, usize> {
     crossing::crosses(area)
 }
 
 /// Returns a geometry without doubled points and parts that are none, its rings the right way round, and what was found.
 ///
 /// # Errors
-/// If nothing is left.
+/// If nothing is left, or its sides are too many in one place.
 pub fn tidied(mut geometry: Geometry) -> Result<(Geometry, Vec<Kind>), Kind> {
     let mut found = Found::default();
     match tidy(&mut geometry, &mut found) {
-        true => Ok((geometry, found.kinds().collect())),
+        true => match found.compared {
+            None => Ok((geometry, found.kinds().collect())),
+            Some(most) => Err(Kind::TooLarge {
+                what: "pairs of sides near each other",
+                limit: most as u64,
+            }),
+        },
         false => Err(match found.most_points {
             0 => Kind::NoGeometry,
             points => Kind::TooFewPoints { points },
@@ -257,7 +268,10 @@ fn tidy_area(area: &mut Area, found: &mut Found) -> bool {
         return false;
     }
     area.holes.retain_mut(|hole| tidy_ring(hole, found, true));
-    found.crosses |= crossing::crosses(area);
+    match crossing::crosses(area) {
+        Ok(crosses) => found.crosses |= crosses,
+        Err(most) => found.compared = Some(most),
+    }
     true
 }
 

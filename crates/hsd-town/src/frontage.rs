@@ -3,7 +3,7 @@
 //! The front is the side nearest to a street, of those that face it. Thresholds were measured on 3,260 real outlines.
 
 use super::neighbour::Neighbours;
-use super::shape::{Segment, angle, contains, sides};
+use super::shape::{Segment, angle, contains, sides, turn};
 use super::street::{FAR, Nearest, Piece, nearest};
 use glam::DVec2;
 
@@ -103,27 +103,31 @@ pub fn runs(ring: &[DVec2]) -> Vec<Run> {
     let all: Vec<Segment> = sides(ring).collect();
     let n = all.len();
     // Begin after the sharpest corner, so that no run is cut by the start of the ring.
-    let turn = |i: usize| angle(all[(i + n - 1) % n].direction(), all[i].direction());
+    let bend = |i: usize| angle(all[(i + n - 1) % n].direction(), all[i].direction());
     let start = (0..n).fold(
         0,
-        |best, i| if turn(i) > turn(best) + 1e-9 { i } else { best },
+        |best, i| if bend(i) > bend(best) + 1e-9 { i } else { best },
     );
     let mut runs: Vec<Run> = vec![];
+    // The least and the greatest turn of a side of the last run from the first one.
+    let (mut first, mut turns) = (DVec2::ZERO, [0.0, 0.0]);
     for step in 0..n {
         let number = (start + step) % n;
         let side = all[number];
+        let own = turn(first, side.direction());
         if let Some(run) = runs.last_mut() {
             let chord = Segment::new(run.chord.from, side.to);
-            let members = run.sides.iter().chain([&number]);
-            let straight = members
-                .map(|i| angle(all[*i].direction(), chord.direction()))
-                .all(|off| off <= RUN);
+            let [low, high] = [f64::min(turns[0], own), f64::max(turns[1], own)];
+            let along = turn(first, chord.direction());
+            let straight = along - low <= RUN && high - along <= RUN;
             if straight && chord.length() > 0.0 {
+                turns = [low, high];
                 run.chord = chord;
                 run.sides.push(number);
                 continue;
             }
         }
+        (first, turns) = (side.direction(), [0.0, 0.0]);
         runs.push(Run {
             chord: side,
             sides: vec![number],

@@ -26,9 +26,9 @@ pub(crate) use files::part;
 pub(crate) use spread::Spread;
 pub(crate) use units::measured;
 
-use super::grid::{Bounds, bounds};
 use super::shape::{centroid, cleaned, contains, sides};
 use glam::DVec2;
+use hsd_base::geometry::grid::{Bounds, bounds};
 use hsd_ir::ast::town::{FieldType, Known, Layer};
 use hsd_ir::ast::{self, Value};
 use hsd_map::{Crs, Fault, Faults, Geometry};

@@ -21,7 +21,6 @@ pub mod survey;
 mod check;
 pub mod decision;
 pub mod frontage;
-pub mod grid;
 pub mod layer;
 pub mod neighbour;
 pub mod plan;

@@ -2,6 +2,7 @@
 
 use super::shape::{Segment, contains, sides};
 use glam::DVec2;
+use hsd_base::geometry::grid::{bounds, wider};
 
 /// Outlines that are drawn apart by so much count as touching, metres.
 pub const TOUCHING: f64 = 0.6;
@@ -24,11 +25,19 @@ impl Neighbours<'_> {
             return length;
         }
         let steps = (length / STEP).ceil().max(1.0) as usize;
-        let free = (0..steps).filter(|n| {
-            let at = wall.from.lerp(wall.to, (*n as f64 + 0.5) / steps as f64);
-            !near.iter().any(|ring| is_within(ring, at, TOUCHING))
-        });
-        free.count() as f64 * length / steps as f64
+        let mut is_taken = vec![false; steps];
+        for ring in near {
+            let (from, to) = within(wall, ring, TOUCHING);
+            // Shares have an error; a place more on either side is as good as none.
+            let first = ((from * steps as f64 - 1.5).max(0.0) as usize).min(steps);
+            let end = ((to * steps as f64 + 1.5).max(0.0) as usize).min(steps);
+            for (n, is_taken) in (first..end).zip(&mut is_taken[first..]) {
+                let at = wall.from.lerp(wall.to, (n as f64 + 0.5) / steps as f64);
+                *is_taken = *is_taken || is_within(ring, at, TOUCHING);
+            }
+        }
+        let free = is_taken.iter().filter(|is_taken| !**is_taken).count();
+        free as f64 * length / steps as f64
     }
 
     /// Returns the free way before the middle of a wall, at most `most`.
@@ -83,8 +92,7 @@ impl Neighbours<'_> {
 
     /// Returns the outlines within a distance of a wall.
     fn near(&self, wall: Segment, far: f64) -> Vec<&[DVec2]> {
-        let [low, high] = wall.bounds();
-        let (low, high) = (low - DVec2::splat(far), high + DVec2::splat(far));
+        let [low, high] = wider(wall.bounds(), far);
         let near = self.rings.iter().filter(|ring| {
             let meets = |f: fn(DVec2) -> f64, least: f64, most: f64| {
                 ring.iter().any(|p| f(*p) >= least) && ring.iter().any(|p| f(*p) <= most)
@@ -93,6 +101,25 @@ impl Neighbours<'_> {
         });
         near.copied().collect()
     }
+}
+
+/// Returns the shares of a wall between which it is in the bounds of a ring widened by a distance.
+fn within(wall: Segment, ring: &[DVec2], far: f64) -> (f64, f64) {
+    let Some(bounds) = bounds(ring.iter().copied()) else {
+        return (0.0, 0.0);
+    };
+    let ends = wider(bounds, far);
+    let way = wall.to - wall.from;
+    let (mut from, mut to) = (0.0, 1.0);
+    for axis in 0..2 {
+        // Across the axis, `near` has compared the bounds.
+        if way[axis].abs() > 1e-9 {
+            let shares = ends.map(|end| (end[axis] - wall.from[axis]) / way[axis]);
+            from = f64::max(from, shares[0].min(shares[1]));
+            to = f64::min(to, shares[0].max(shares[1]));
+        }
+    }
+    (from, to)
 }
 
 /// Returns true if a place lies in a ring or within a distance of it.

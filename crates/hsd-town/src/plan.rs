@@ -25,7 +25,6 @@ pub use waters::Waters;
 pub use zones::{ZoneArea, Zones};
 
 use super::frontage::first_front;
-use super::grid::Grid;
 use super::layer::{Ground, Lot, Lots, Shape, TownFrame, Unjoined};
 use super::neighbour::{Neighbours, TOUCHING};
 use super::shape::Segment;
@@ -33,6 +32,7 @@ use super::street::{FAR, Piece, Streets, StreetsBuilder, WIDE, class_width};
 use super::table::Rows;
 use blocks::Blocks;
 use glam::DVec2;
+use hsd_base::geometry::grid::Grid;
 use hsd_ir::ast::town::{Layer, Town};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 use hsd_base::geometry::area2;
+use hsd_base::geometry::grid::{Grid, wider};
 use hsd_base::geometry::overlap::Area;
 use std::collections::BTreeSet;
 
@@ -73,6 +74,13 @@ impl Segment {
         ends.into_iter().fold(f64::INFINITY, f64::min)
     }
 
+    /// Returns true if a ray from a place to the east crosses it.
+    fn is_right_of(self, p: DVec2) -> bool {
+        let Segment { from, to } = self;
+        let between = (from.y > p.y) != (to.y > p.y);
+        between && p.x < from.x + (p.y - from.y) / (to.y - from.y) * (to.x - from.x)
+    }
+
     /// Returns its box.
     pub fn bounds(self) -> [DVec2; 2] {
         [self.from.min(self.to), self.from.max(self.to)]
@@ -115,17 +123,45 @@ pub fn centroid(ring: &[DVec2]) -> DVec2 {
 
 /// Returns true if a point lies in a ring.
 pub fn contains(ring: &[DVec2], p: DVec2) -> bool {
-    let crossed = sides(ring).filter(|s| {
-        let between = (s.from.y > p.y) != (s.to.y > p.y);
-        between && p.x < s.from.x + (p.y - s.from.y) / (s.to.y - s.from.y) * (s.to.x - s.from.x)
-    });
-    crossed.count() % 2 == 1
+    sides(ring).filter(|s| s.is_right_of(p)).count() % 2 == 1
 }
 
 /// Returns the distance of a point from the line of a ring.
 pub fn distance(ring: &[DVec2], p: DVec2) -> f64 {
     let distances = sides(ring).map(|s| s.nearest(p).distance(p));
     distances.fold(f64::INFINITY, f64::min)
+}
+
+/// The sides of the rings of an area, with the index of their boxes.
+pub struct Borders {
+    sides: Vec<Segment>,
+    index: Grid,
+    /// East of all of them.
+    east: f64,
+}
+
+impl Borders {
+    /// Prepares an outline and its holes.
+    pub fn new<'r>(rings: impl Iterator<Item = &'r Vec<DVec2>>) -> Borders {
+        let sides: Vec<Segment> = rings.flat_map(|ring| sides(ring)).collect();
+        let index = Grid::new(sides.iter().map(|side| side.bounds()).collect());
+        let east = sides.iter().map(|side| side.from.x).fold(0.0, f64::max);
+        Borders { sides, index, east }
+    }
+
+    /// Returns true if a place lies in the outline and in no hole.
+    pub fn contain(&self, p: DVec2) -> bool {
+        let ray = [p, DVec2::new(self.east.max(p.x), p.y)];
+        let near = self.index.near(ray).into_iter();
+        let crossed = near.filter(|n| self.sides[*n as usize].is_right_of(p));
+        crossed.count() % 2 == 1
+    }
+
+    /// Returns true if a border is no farther than this from a place.
+    pub fn reach(&self, p: DVec2, far: f64) -> bool {
+        let mut near = self.index.near(wider([p; 2], far)).into_iter();
+        near.any(|n| self.sides[n as usize].nearest(p).distance(p) <= far)
+    }
 }
 
 /// Returns the area that two rings share.
@@ -163,6 +199,11 @@ pub fn hull(points: &[DVec2]) -> Vec<DVec2> {
 /// Returns the angle between two directions, degrees from 0 to 180.
 pub fn angle(one: DVec2, two: DVec2) -> f64 {
     libm::atan2(one.perp_dot(two).abs(), one.dot(two)).to_degrees()
+}
+
+/// Returns the angle from one direction to another, degrees, positive to the left.
+pub fn turn(one: DVec2, two: DVec2) -> f64 {
+    libm::atan2(one.perp_dot(two), one.dot(two)).to_degrees()
 }
 
 /// Returns the compass direction of a vector, degrees from 0 to 360.

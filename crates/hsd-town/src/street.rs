@@ -1,8 +1,8 @@
 //! Streets: lines with widths, or the sides of road and block polygons.
 
-use super::grid::{Bounds, Grid, wider};
 use super::shape::{Segment, angle, sides};
 use glam::DVec2;
+use hsd_base::geometry::grid::{Bounds, Grid, wider};
 use hsd_map::pack::{Packer, Unpacker};
 use std::io;
 

@@ -19,10 +19,10 @@ mod vertices;
 pub use sheets::{is_map, joined, standing};
 pub use text::town;
 
-use crate::grid::{Bounds, bounds};
 use crate::layer::measured;
 use fields::Fields;
 use glam::DVec2;
+use hsd_base::geometry::grid::{Bounds, bounds};
 use hsd_base::source::World;
 use hsd_map::Kind as Wrong;
 use hsd_map::{Crs, Fault, Faults, Geometry, Options, Outside, Projection, Value};

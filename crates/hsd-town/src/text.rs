@@ -126,13 +126,14 @@ fn lone_part(piece: &Item<Piece>, own: &mut String) {
     own.push_str("/>");
 }
 
-/// Returns true if the walls of an outline cross each other.
+/// Returns true if the walls of an outline cross each other, or may do so.
 fn crosses(walls: &SiteWalls) -> bool {
     let chain = |ring: &Vec<DVec2>| Chain::flat(ring.clone());
-    hsd_map::crosses(&Area {
+    let area = Area {
         outline: chain(&walls.ring),
         holes: walls.holes.iter().map(chain).collect(),
-    })
+    };
+    hsd_map::crosses(&area) != Ok(false)
 }
 
 /// Returns the name of a house as that of a definition, which must not look like a file.

@@ -2,6 +2,7 @@
 
 use crate::feature::Area;
 use glam::DVec2;
+use hsd_base::geometry::grid::{Bounds, Grid};
 
 /// A side of a ring.
 struct Side {
@@ -13,12 +14,18 @@ struct Side {
     count: usize,
 }
 
+/// Sides of a few are compared with each other, without an index.
+const FEW: usize = 32;
+/// The most pairs of sides whose boxes meet, on average for a side and at least. Coasts have some ten; of spikes that all point to
+/// one place each meets all others.
+const PAIRS: [usize; 2] = [256, 2_000_000];
+
 /// Returns true if sides of an area cross, or lie on each other. Rings that only touch in a corner, as holes may touch the
 /// outline, do not cross.
 ///
-/// Sides are compared with those that overlap them from west to east, so that long coasts take no more than
-/// their breadth demands.
-pub(super) fn crosses(area: &Area) -> bool {
+/// # Errors
+/// The limit, if more pairs of sides would have to be compared.
+pub(super) fn crosses(area: &Area) -> Result<bool, usize> {
     let mut sides: Vec<Side> = vec![];
     for (ring, chain) in area.rings().enumerate() {
         let count = chain.points.len();
@@ -32,25 +39,27 @@ pub(super) fn crosses(area: &Area) -> bool {
             });
         }
     }
-    sides.sort_by(|p, q| p.west().total_cmp(&q.west()));
-    let mut open: Vec<&Side> = vec![];
-    for side in &sides {
-        open.retain(|other| other.east() >= side.west());
-        if open.iter().any(|other| side.meets(other)) {
-            return true;
-        }
-        open.push(side);
+    if sides.len() <= FEW {
+        let meets_one_before = |(n, side): (usize, &Side)| sides[..n].iter().any(|o| side.meets(o));
+        return Ok(sides.iter().enumerate().any(meets_one_before));
     }
-    false
+    let index = Grid::new(sides.iter().map(Side::bounds).collect());
+    let most = PAIRS[1].max(PAIRS[0] * sides.len());
+    let mut left = most;
+    for (side, n) in sides.iter().zip(0..) {
+        let near = index.near_at_most(side.bounds(), left).ok_or(most)?;
+        left -= near.len();
+        let mut before = near.iter().take_while(|other| **other < n);
+        if before.any(|other| side.meets(&sides[*other as usize])) {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }
 
 impl Side {
-    fn west(&self) -> f64 {
-        self.from.x.min(self.to.x)
-    }
-
-    fn east(&self) -> f64 {
-        self.from.x.max(self.to.x)
+    fn bounds(&self) -> Bounds {
+        [self.from.min(self.to), self.from.max(self.to)]
     }
 
     fn is_beside(&self, other: &Side) -> bool {
@@ -81,5 +90,44 @@ impl Side {
         let along = |r: DVec2| p.dot(r - self.from);
         let [a, b] = ends(other).map(along);
         on_line && a.max(b) > 0.0 && a.min(b) < p.length_squared()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::feature::Chain;
+    use glam::dvec2;
+    use hsd_base::rng::Place;
+    use std::f64::consts::TAU;
+
+    fn star(count: u32, radius: impl Fn(u32) -> f64) -> Area {
+        let point = |n: u32| {
+            let (sin, cos) = (f64::from(n) * TAU / f64::from(count)).sin_cos();
+            dvec2(cos, sin) * radius(n)
+        };
+        Area {
+            outline: Chain::flat((0..count).map(point).collect()),
+            holes: vec![],
+        }
+    }
+
+    #[test]
+    fn large_rings_are_compared_as_small_ones_are() {
+        for seed in 0..200 {
+            let draw = |n: u32| Place::seed(seed).at(u64::from(n)).share();
+            let mut area = star(120, |n| 10.0 + draw(n));
+            assert_eq!(crosses(&area), Ok(false), "{seed}");
+            let moved = (draw(200) * 120.0) as usize;
+            area.outline.points[moved] *= -2.0;
+            assert_eq!(crosses(&area), Ok(true), "{seed}");
+        }
+    }
+
+    #[test]
+    fn spikes_are_refused_before_all_are_compared() {
+        let spikes = |count| star(count, |n| if n % 2 == 0 { 100.0 } else { 500.0 });
+        assert_eq!(crosses(&spikes(1_000)), Ok(false));
+        assert_eq!(crosses(&spikes(30_000)), Err(PAIRS[0] * 30_000));
     }
 }

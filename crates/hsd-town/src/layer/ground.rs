@@ -2,8 +2,8 @@
 
 use super::TownFrame;
 use super::kept::KeptMaps;
-use crate::grid::Bounds;
 use glam::DVec2;
+use hsd_base::geometry::grid::Bounds;
 use hsd_base::source::World;
 use hsd_ir::ast::town::Layer;
 use hsd_map::heights::{self, Heights};

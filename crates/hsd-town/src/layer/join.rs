@@ -2,9 +2,9 @@
 //! it carries. Every point that belongs to none, or gives way to another, is counted.
 
 use super::{Lot, Lots, Shape, as_text};
-use crate::grid::{Bounds, Grid, wider};
 use crate::shape::{area, contains, distance};
 use glam::DVec2;
+use hsd_base::geometry::grid::{Bounds, Grid, wider};
 use hsd_ir::ast::Value;
 use hsd_ir::ast::town::{Join, Known};
 use std::collections::{BTreeMap, BTreeSet};

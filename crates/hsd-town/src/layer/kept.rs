@@ -1,7 +1,7 @@
 //! Maps that were read before, for programs that look at a town again and again while it is written.
 
 use super::{Raw, TownFrame};
-use crate::grid::Bounds;
+use hsd_base::geometry::grid::Bounds;
 use hsd_base::source::World;
 use hsd_ir::ast::town::Layer;
 use hsd_map::Fault;

@@ -2,10 +2,10 @@
 //! drawn twice.
 
 use super::{Lot, Lots, Shape};
-use crate::grid::{bounds, wider};
 use crate::shape::hull;
 use glam::DVec2;
 use hsd_base::diagnostic::Code;
+use hsd_base::geometry::grid::{bounds, wider};
 use std::collections::HashSet;
 use twox_hash::XxHash3_128;
 

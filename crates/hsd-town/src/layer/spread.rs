@@ -1,7 +1,7 @@
 //! Places of the features of a map by cells of a coarse grid, so that a few wrong places do not move the town.
 
-use crate::grid::{Bounds, bounds};
 use glam::DVec2;
+use hsd_base::geometry::grid::{Bounds, bounds};
 use hsd_map::{Crs, Projection, Transform};
 use std::collections::BTreeMap;
 

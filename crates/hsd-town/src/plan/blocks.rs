@@ -1,9 +1,9 @@
 //! Blocks: the polygons of layers without houses, by place.
 
-use crate::grid::{Bounds, Grid, bounds};
 use crate::layer::{Lots, Shape};
 use crate::shape::contains;
 use glam::DVec2;
+use hsd_base::geometry::grid::{Bounds, Grid, bounds};
 use hsd_map::pack::{Packer, Unpacker};
 use std::io;
 

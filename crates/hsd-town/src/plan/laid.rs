@@ -2,7 +2,7 @@
 //! depends on others.
 
 use super::{KnownPoles, Roads, Waters, Zones};
-use crate::grid::Bounds;
+use hsd_base::geometry::grid::Bounds;
 use hsd_map::pack::{Packer, Unpacker};
 use std::io;
 

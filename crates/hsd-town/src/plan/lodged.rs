@@ -4,10 +4,10 @@
 use super::key::TileKey;
 use super::shelves::Shelves;
 use super::{LotId, Plan};
-use crate::grid::{Bounds, Grid, meet, wider};
 use crate::layer::{Lot, Lots};
 use crate::neighbour::TOUCHING;
 use glam::DVec2;
+use hsd_base::geometry::grid::{Bounds, Grid, meet, wider};
 use hsd_export::spool::NewSpool;
 use hsd_ir::ast::town::Tiles;
 use std::collections::{BTreeMap, BTreeSet};

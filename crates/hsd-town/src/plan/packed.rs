@@ -3,10 +3,10 @@
 
 use super::blocks::Blocks;
 use super::{LaidFirst, LotId, Plan};
-use crate::grid::{Bounds, Grid};
 use crate::layer::{Ground, Lot, Lots, TownFrame};
 use crate::street::Streets;
 use crate::table::Rows;
+use hsd_base::geometry::grid::{Bounds, Grid};
 use hsd_ir::ast::town::{Layer, Town};
 use hsd_map::pack::{Packer, Unpacker};
 use std::collections::BTreeMap;

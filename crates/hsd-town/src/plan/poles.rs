@@ -1,8 +1,8 @@
 //! The poles of all networks of a town: each street knows those of the others before the first is made, so that a house is served
 //! from its nearest pole and the wires of streets join.
 
-use crate::grid::{Bounds, Grid, wider};
 use glam::DVec2;
+use hsd_base::geometry::grid::{Bounds, Grid, wider};
 use hsd_map::pack::{Packer, Unpacker};
 use std::io;
 

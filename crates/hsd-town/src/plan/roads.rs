@@ -1,7 +1,7 @@
 //! The roads that the rules of a town make, with their borders: each is laid by itself, and knows the others that it meets.
 
-use crate::grid::{Bounds, Grid, wider};
 use crate::shape::Segment;
+use hsd_base::geometry::grid::{Bounds, Grid, wider};
 use hsd_map::pack::{Packer, Unpacker};
 use std::collections::BTreeSet;
 use std::io;

@@ -1,8 +1,8 @@
 //! The water that the rules of a town make: streams and ponds know where others flow into them.
 
 use super::roads::Roads;
-use crate::grid::{Bounds, Grid, bounds, wider};
 use glam::DVec2;
+use hsd_base::geometry::grid::{Bounds, Grid, bounds, wider};
 use hsd_map::pack::{Packer, Unpacker};
 use std::io;
 

@@ -1,8 +1,8 @@
 //! The zones that the rules of a town make, by place: the smallest one that a place lies in counts.
 
-use crate::grid::{Bounds, Grid, bounds};
 use crate::shape::{area, contains};
 use glam::DVec2;
+use hsd_base::geometry::grid::{Bounds, Grid, bounds};
 use hsd_ir::ast::law::{DistrictPlan, Zone};
 use hsd_map::pack::{Packer, Unpacker};
 use std::io;

@@ -1,10 +1,10 @@
 //! The ground that is left of a lot behind its house. Local frame: s metres to the right along the front as seen from the
 //! street, t metres into the lot behind it.
 
-use crate::grid::bounds;
 use crate::plot::Rectangle;
 use crate::shape::{Segment, area, shared, sides};
 use glam::DVec2;
+use hsd_base::geometry::grid::bounds;
 
 /// The area that a house may share with what it must not meet, square metres: what numbers lose.
 const NOTHING: f64 = 0.01;

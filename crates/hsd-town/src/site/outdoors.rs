@@ -3,6 +3,7 @@
 mod arcades;
 mod bands;
 mod basins;
+mod cutters;
 mod envelopes;
 mod fences;
 mod lines;
@@ -17,17 +18,18 @@ mod trees;
 
 use super::law::EnvelopeRow;
 use super::{Footing, LotSite};
-use crate::grid::{Bounds, bounds, meet, wider};
 use crate::layer::Shape;
 use crate::shape::{Segment, area, contains, distance, sides};
 use crate::street::Piece;
 use glam::{DVec2, DVec3};
 use hsd_base::diagnostic::Text;
 use hsd_base::geometry::clip::on_grid;
+use hsd_base::geometry::grid::{Bounds, Grid, bounds, meet, wider};
 use hsd_base::rng::Place;
 use hsd_base::source::{Span, Spanned};
 use hsd_base::text;
 use hsd_ir::ast::{House, Outdoor, Outdoors, Settings, Sheet, Tree, Value};
+use lines::Segments;
 use std::collections::BTreeSet;
 
 /// The place of what lies on the ground is a multiple of this, so that textures go on from piece to piece, metres.
@@ -90,21 +92,30 @@ impl LotSite<'_> {
         }
     }
 
-    /// Fails if more units would be made along the feature, or more pieces of ground under it, than a house may have. They are
-    /// counted before the first is made.
+    /// Fails if more units would be made along the feature, or more pieces of ground under it, than a house may have, or if its
+    /// lines meet each other too often. They are counted before the first is made.
     pub fn check_units(&self, wish: &Outdoor) -> Result<(), Text> {
         let ring = self.lot().shape.ring().unwrap_or_default();
         let around: f64 = sides(ring).map(Segment::length).sum();
         let along: f64 = self.lines().map(Segment::length).sum();
-        let units = match wish {
-            Outdoor::Fence(fence) => (along + around) / fences::unit(&fence.code),
-            Outdoor::Arcade(arcade) => along / arcade.bay,
-            Outdoor::Poles(poles) => along / poles.spacing,
-            Outdoor::Rail(_) => along / rails::SLEEPERS,
-            Outdoor::Road(road) if road.marks => along / STEP,
-            _ => 0.0,
+        let (units, most) = match wish {
+            Outdoor::Fence(fence) => ((along + around) / fences::unit(&fence.code), UNITS),
+            Outdoor::Arcade(arcade) => (along / arcade.bay, UNITS),
+            Outdoor::Poles(poles) => (along / poles.spacing, poles::MOST),
+            Outdoor::Rail(_) => (along / rails::SLEEPERS, rails::MOST),
+            Outdoor::Road(road) if road.marks => (along / STEP, UNITS),
+            _ => (0.0, UNITS),
         };
-        limited(units, UNITS)?;
+        limited(units, most)?;
+        let half = match wish {
+            Outdoor::Road(road) => Some(self.width(road, &self.ways()) / 2.0),
+            Outdoor::Rail(rail) => Some(rail.gauge / 2.0 + rails::BALLAST),
+            Outdoor::Water(water) => Some(water.width / 2.0),
+            _ => None,
+        };
+        if let Some(half) = half {
+            bands::check_meetings(&self.lines().collect::<Vec<_>>(), half)?;
+        }
         let on_ground = match wish {
             Outdoor::Road(_) | Outdoor::Rail(_) | Outdoor::Water(_) | Outdoor::Farmland(_) => {
                 area(ring, &[]) / (STEP * STEP) + (around + along) / STEP
@@ -134,6 +145,14 @@ impl LotSite<'_> {
         };
         let lines = lines.into_iter().map(distinct);
         lines.filter(|line| line.len() > 1).collect()
+    }
+
+    /// Returns the streets round the feature whose sides are at least so far from their lines, without its own lines.
+    fn other_streets(&self, ways: &[Vec<DVec2>], least: f64) -> OtherStreets {
+        let own = Segments::new(ways.iter().flat_map(|way| segments(way)));
+        let others = self.street_pieces().into_iter();
+        let others = others.filter(|piece| piece.half >= least && !own.contain(&piece.line));
+        OtherStreets::new(others.collect())
     }
 
     /// Returns the pieces of streets round the feature.
@@ -229,6 +248,31 @@ impl LotSite<'_> {
             trees,
         }));
         house
+    }
+}
+
+/// Streets with the index of their boxes.
+struct OtherStreets {
+    pieces: Vec<Piece>,
+    index: Grid,
+}
+
+impl OtherStreets {
+    fn new(pieces: Vec<Piece>) -> OtherStreets {
+        let around = |piece: &Piece| wider(piece.line.bounds(), piece.half);
+        OtherStreets {
+            index: Grid::new(pieces.iter().map(around).collect()),
+            pieces,
+        }
+    }
+
+    /// Returns true if a place lies in a street or nearer than `clear` to its side.
+    fn reach(&self, at: DVec2, clear: f64) -> bool {
+        let mut near = self.index.near(wider([at; 2], clear)).into_iter();
+        near.any(|n| {
+            let piece = &self.pieces[n as usize];
+            piece.line.nearest(at).distance(at) < piece.half + clear
+        })
     }
 }
 

@@ -1,8 +1,8 @@
 //! Files of one kind beside each other become one layer: the sheets of a map, or the squares of a mesh.
 
 use super::{Kind, Plane, Sheet, Surveyed};
-use crate::grid::{Bounds, meet};
 use glam::DVec2;
+use hsd_base::geometry::grid::{Bounds, meet};
 
 /// Endings of the maps that are read where a folder is named.
 const MAPS: [&str; 15] = [

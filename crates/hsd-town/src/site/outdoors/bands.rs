@@ -1,11 +1,13 @@
 //! Bands along lines: pavements, drains, carriageways. Where lines cross, each place is covered once: by the innermost band
 //! there, and among equals by the wider street.
 
-use crate::grid::{Grid, bounds, wider};
+use super::cutters::Meetings;
 use crate::plan::BORDERS;
 use crate::shape::Segment;
 use glam::DVec2;
+use hsd_base::diagnostic::Text;
 use hsd_base::geometry::clip::without;
+use hsd_base::geometry::grid::{Grid, bounds, wider};
 use std::f64::consts::PI;
 
 /// Ends of lines nearer than this meet, metres.
@@ -98,6 +100,14 @@ impl Ways {
         }
         found
     }
+}
+
+/// Fails if the lines of a feature, which have this half width, meet each other too often.
+pub(super) fn check_meetings(lines: &[Segment], half: f64) -> Result<(), Text> {
+    let boxes = || lines.iter().map(|line| line.bounds());
+    let index = Grid::new(boxes().collect());
+    let wide = boxes().map(|around| wider(around, 2.0 * half));
+    Meetings::among(lines.len()).take_boxes(&index, wide)
 }
 
 /// The ends of ways, by place.

@@ -2,15 +2,17 @@
 //! border is bank and the rest is filled; the sides of banks go down to what they hold.
 
 use super::bands::{Way, Ways};
+use super::cutters::{Cutters, Meetings};
+use super::lines::Segments;
 use super::{Laid, LotSite, edges, segments, told};
-use crate::grid::{Bounds, Grid, bounds, wider};
 use crate::layer::Shape;
 use crate::plan::{BORDERS, RoadPiece};
-use crate::shape::{Segment, area, contains, sides};
+use crate::shape::{Segment, area, sides};
 use glam::{DVec2, DVec3, dvec2};
 use hsd_base::diagnostic::Text;
 use hsd_base::geometry::area2;
 use hsd_base::geometry::clip::{inside, without};
+use hsd_base::geometry::grid::{bounds, wider};
 use hsd_base::geometry::triangulate::triangles;
 use hsd_base::source::{Span, Spanned};
 use hsd_base::text;
@@ -46,34 +48,29 @@ struct Basin {
 
 impl Basin {
     /// Divides convex pieces into what rings of banks cover and the rest.
-    fn new(pieces: Rings, banks: &[Vec<DVec2>]) -> Basin {
-        let index = index(banks);
-        let filled = pieces.iter().map(|piece| {
-            let near = index.near(box_of(piece)).into_iter();
-            let near: Rings = near.map(|n| banks[n as usize].clone()).collect();
-            without(vec![piece.clone()], &near)
-        });
-        let filled: Vec<Rings> = filled.collect();
+    ///
+    /// # Errors
+    /// If they meet each other too often.
+    fn new(pieces: Rings, banks: &[Vec<DVec2>], left: &mut Meetings) -> Result<Basin, Text> {
+        let banks = Cutters::new(banks);
+        left.take(&banks, &pieces)?;
+        let filled: Vec<Rings> = pieces.iter().map(|piece| banks.cut(piece)).collect();
         // Pieces do not overlap, so what is filled of one takes nothing from another.
         let rest = pieces
             .into_iter()
             .zip(&filled)
             .flat_map(|(piece, filled)| without(vec![piece], filled));
-        Basin {
+        Ok(Basin {
             banks: rest.collect(),
             filled: filled.into_iter().flatten().collect(),
             beyond: vec![],
-        }
+        })
     }
 
     /// Returns the sides of what is filled beyond which there is bank.
     fn shores(&self) -> Vec<[DVec2; 2]> {
-        let index = index(&self.filled);
-        let is_filled = |at: DVec2| {
-            let mut near = index.near([at; 2]).into_iter();
-            near.any(|n| contains(&self.filled[n as usize], at))
-                || self.beyond.iter().any(|ring| contains(ring, at))
-        };
+        let (filled, beyond) = (Cutters::new(&self.filled), Cutters::new(&self.beyond));
+        let is_filled = |at: DVec2| filled.cover(at) || beyond.cover(at);
         let all = self.filled.iter().flat_map(|ring| sides(ring));
         let beyond = all.filter(|side| {
             side.length() > 0.01 && !is_filled(side.middle() + side.normal() * BEYOND)
@@ -98,18 +95,22 @@ impl LotSite<'_> {
                 };
                 // A bank is open where a stream flows in.
                 let mouths: Rings = others.others(WET).cloned().collect();
-                let mut basin = Basin::new(pieces(ring, holes), &without(strips, &mouths));
+                let pieces = pieces(ring, holes);
+                let mut left = Meetings::among(pieces.len());
+                let strips = Cutters::new(&mouths).cut_all(&strips);
+                let mut basin = Basin::new(pieces, &strips, &mut left)?;
                 basin.beyond = mouths;
                 (basin, area(ring, holes))
             }
             _ => {
                 let ponds = self.plan.laid.waters.ponds_near(bounds, 0.0);
                 let ponds: Rings = ponds.into_iter().cloned().collect();
-                let band = |border| without(others.band(border), &ponds);
+                let cutters = Cutters::new(&ponds);
+                let band = |border| cutters.cut_all(&others.band(border));
                 let mut basin = Basin {
                     filled: band(WET),
                     banks: if bank > 0.0 { band(0) } else { vec![] },
-                    beyond: ponds,
+                    beyond: ponds.clone(),
                 };
                 basin.beyond.extend(others.others(WET).cloned());
                 (basin, 0.0)
@@ -173,12 +174,10 @@ impl LotSite<'_> {
             true => streams.near(self.lot().shape.bounds(), wish.width),
             false => streams.beside(&lines, wish.width),
         };
-        let own_boxes = Grid::new(lines.iter().map(|own| own.bounds()).collect());
-        let is_own = |line: &Segment| {
-            let same = own_boxes.near(line.bounds()).into_iter();
-            same.map(|n| &lines[n as usize]).any(|own| own == line)
-        };
-        let others = near.into_iter().filter(|piece| !is_own(&piece.line));
+        let own_lines = Segments::new(lines);
+        let others = near
+            .into_iter()
+            .filter(|piece| !own_lines.contain(&piece.line));
         let others: Vec<Way> = others.map(|piece| way(piece, false)).collect();
         Ways::new(own.into_iter().chain(others).collect())
     }
@@ -190,7 +189,11 @@ impl LotSite<'_> {
             Bank::Stone | Bank::None => "stone",
         };
         // Roads cross over banks.
-        let roads = self.plan.laid.roads.near(self.lot().shape.bounds(), 1.0);
+        let laid = &self.plan.laid.roads;
+        let roads = match &self.lot().shape {
+            Shape::Lines(_) => laid.beside(&self.lines().collect::<Vec<_>>(), wish.width),
+            _ => laid.near(self.lot().shape.bounds(), 1.0),
+        };
         let roads: Rings = roads
             .into_iter()
             .map(|road| road_ring(road.line.from, road.line.to, road.half[BORDERS - 1]))
@@ -210,13 +213,13 @@ impl LotSite<'_> {
         roads: &Rings,
         (finish, heights): ([&'static str; 2], [f64; 2]),
     ) -> Vec<Sheet> {
-        let banks = without(basin.banks.clone(), roads);
+        let roads = Cutters::new(roads);
+        let banks = roads.cut_all(&basin.banks);
         let tops = self.lie(&banks, heights[1]);
-        let in_road = |p: DVec2| roads.iter().any(|ring| contains(ring, p));
         let shores = basin.shores();
         let free = shores
             .iter()
-            .filter(|[p, q]| !basin.banks.is_empty() && !in_road(p.midpoint(*q)));
+            .filter(|[p, q]| !basin.banks.is_empty() && !roads.cover(p.midpoint(*q)));
         let base = self.base();
         let place = |p: DVec2, raised: f64| (p - base).extend(self.height(p) + raised);
         let inner: Vec<Vec<DVec3>> = free
@@ -265,15 +268,17 @@ impl LotSite<'_> {
             ));
         }
         let all = pieces(&outline, &holes);
-        let around: Vec<[DVec2; 2]> = std::iter::once(&outline)
+        let around: Rings = std::iter::once(&outline)
             .chain(&holes)
             .flat_map(|ring| sides(ring))
-            .map(|side| [side.from, side.to])
+            .map(|side| strip(side.from, side.to, wish.ridge))
             .collect();
+        let mut left = Meetings::among(all.len() + count as usize);
+        let (all, around) = (Cutters::new(&all), Cutters::new(&around));
         let mut fields = Fields::new(wish, size, counts);
         for y in from.y as i64..=to.y as i64 {
             for x in from.x as i64..=to.x as i64 {
-                fields.add(dvec2(x as f64, y as f64), &all, &around);
+                fields.add(dvec2(x as f64, y as f64), [&all, &around], &mut left)?;
             }
         }
         if fields.found.is_empty() {
@@ -366,17 +371,23 @@ impl Fields {
         }
     }
 
-    /// Adds the field of a cell as far as it lies in the pieces of the feature, which is bordered by `around`.
-    fn add(&mut self, cell: DVec2, pieces: &Rings, around: &[[DVec2; 2]]) {
+    /// Adds the field of a cell as far as it lies in the pieces of the feature, along whose sides the rings `around` lie.
+    ///
+    /// # Errors
+    /// If both meet each other too often.
+    fn add(
+        &mut self,
+        cell: DVec2,
+        [pieces, around]: [&Cutters<'_>; 2],
+        left: &mut Meetings,
+    ) -> Result<(), Text> {
         let low = cell * self.size;
         let [from, to] = [low, low + self.size];
         let outer = rectangle(from, to);
-        let own: Rings = pieces
-            .iter()
-            .filter_map(|piece| inside(piece, &outer))
-            .collect();
+        let near = pieces.near(&outer);
+        let own: Rings = near.filter_map(|piece| inside(piece, &outer)).collect();
         if own.is_empty() {
-            return;
+            return Ok(());
         }
         // At the borders of its square a field has half a way, elsewhere half a ridge.
         let half = |place: f64, count: f64| match (place.rem_euclid(count))
@@ -397,26 +408,18 @@ impl Fields {
             rectangle(from, dvec2(to.x, from.y + before.y)),
             rectangle(dvec2(from.x, to.y - after.y), to),
         ];
-        let near = |[p, q]: &&[DVec2; 2]| {
-            let (a, b) = (p.min(*q) - self.ridge, p.max(*q) + self.ridge);
-            a.cmple(to).all() && from.cmple(b).all()
-        };
-        banks.extend(
-            around
-                .iter()
-                .filter(near)
-                .map(|[p, q]| strip(*p, *q, self.ridge)),
-        );
+        banks.extend(around.near(&outer).cloned());
         // Of a field that no border cuts, one piece is enough.
         let whole = own.iter().map(|ring| area2(ring) / 2.0).sum::<f64>();
         let own = match whole > self.size.element_product() - 1e-3 {
             true => vec![outer],
             false => own,
         };
-        let basin = Basin::new(own, &banks);
+        let basin = Basin::new(own, &banks, left)?;
         if !basin.filled.is_empty() {
             self.found.push(basin);
         }
+        Ok(())
     }
 }
 
@@ -426,15 +429,6 @@ fn bank_width(wish: &Water) -> f64 {
         Bank::None => 0.0,
         Bank::Stone | Bank::Earth => wish.bank_width,
     }
-}
-
-fn box_of(ring: &[DVec2]) -> Bounds {
-    bounds(ring.iter().copied()).unwrap_or_default()
-}
-
-/// Returns the index of the boxes of rings.
-fn index(rings: &[Vec<DVec2>]) -> Grid {
-    Grid::new(rings.iter().map(|ring| box_of(ring)).collect())
 }
 
 /// Returns the surface that bears a crop.

@@ -1,9 +1,10 @@
 //! Lines along a way: strips between two stations at an offset, whole dashes in what is free between crossings (000-71).
 
 use super::segments;
-use crate::grid::{Grid, bounds};
 use crate::shape::Segment;
 use glam::DVec2;
+use hsd_base::geometry::grid::{Grid, bounds};
+use std::collections::HashSet;
 
 /// Stations of a line: from, to, metres.
 pub(super) type Stretch = (f64, f64);
@@ -11,22 +12,6 @@ pub(super) type Stretch = (f64, f64);
 /// Returns the length of a line, metres.
 pub(super) fn length(line: &[DVec2]) -> f64 {
     segments(line).map(Segment::length).sum()
-}
-
-/// Returns the place at a station of a line, and the direction there.
-pub(super) fn at(line: &[DVec2], station: f64) -> (DVec2, DVec2) {
-    let mut left = station;
-    let mut last = (line[0], DVec2::X);
-    for segment in segments(line) {
-        let length = segment.length();
-        let share = (left / length).min(1.0);
-        last = (segment.from.lerp(segment.to, share), segment.direction());
-        if left <= length {
-            break;
-        }
-        left -= length;
-    }
-    last
 }
 
 /// Returns the stretches of a line that lie in no ring, each shortened at its ends.
@@ -90,6 +75,26 @@ pub(super) fn dashes((from, to): Stretch, dash: f64, gap: f64) -> Vec<Stretch> {
         .collect()
 }
 
+/// Segments of a feature, found by their ends.
+pub(super) struct Segments(HashSet<[u64; 4]>);
+
+impl Segments {
+    /// Collects segments.
+    pub(super) fn new(segments: impl IntoIterator<Item = Segment>) -> Segments {
+        Segments(segments.into_iter().map(Segments::key).collect())
+    }
+
+    /// Returns true if a segment is one of them.
+    pub(super) fn contain(&self, segment: &Segment) -> bool {
+        self.0.contains(&Segments::key(*segment))
+    }
+
+    fn key(Segment { from, to }: Segment) -> [u64; 4] {
+        // Zero may have a sign.
+        [from.x, from.y, to.x, to.y].map(|x| (x + 0.0).to_bits())
+    }
+}
+
 /// A line with the stations of its points.
 pub(super) struct Course<'l> {
     line: &'l [DVec2],
@@ -106,6 +111,25 @@ impl<'l> Course<'l> {
             stations.push(start);
         }
         Course { line, stations }
+    }
+
+    /// Returns the length of the line, metres.
+    pub(super) fn length(&self) -> f64 {
+        self.stations[self.stations.len() - 1]
+    }
+
+    /// Returns the place at a station, and the direction there. A station behind the end is at the end.
+    pub(super) fn at(&self, station: f64) -> (DVec2, DVec2) {
+        let ends = &self.stations[1..];
+        let number = ends.partition_point(|end| *end < station);
+        let number = number.min(ends.len().saturating_sub(1));
+        let Some(ends) = self.line.get(number..number + 2) else {
+            return (self.line[0], DVec2::X);
+        };
+        let segment = Segment::new(ends[0], ends[1]);
+        let share = (station - self.stations[number]) / segment.length();
+        let place = segment.from.lerp(segment.to, share.min(1.0));
+        (place, segment.direction())
     }
 
     /// Returns a strip along a stretch: to the left of the line by `off`, of this width, in pieces of at most `step`.

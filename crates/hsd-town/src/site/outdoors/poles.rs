@@ -3,19 +3,21 @@
 //! belongs to.
 
 use super::solids::{Faces, beam, column, ribbon};
-use super::{Laid, LotSite, Walls, lines, segments, told};
-use crate::grid::bounds;
+use super::{Laid, LotSite, Walls, lines, told};
 use crate::layer::Shape;
 use crate::plan::{LotId, SERVED};
 use crate::shape::{distance, sides};
 use glam::{DVec2, DVec3, dvec2};
 use hsd_base::diagnostic::Text;
+use hsd_base::geometry::grid::bounds;
 use hsd_base::source::Span;
 use hsd_base::text;
 use hsd_ir::ast::Sheet;
 use hsd_ir::ast::street::{PoleMade, Poles, WireLine, Wires};
 use std::f64::consts::TAU;
 
+/// The most poles along the lines of a feature: the wires of each take 25 kB.
+pub(super) const MOST: f64 = 5_000.0;
 /// Half the width of a pole at its foot and top, metres.
 const RADIUS: [f64; 2] = [0.16, 0.10];
 /// How far the middle of a pole stands outside the side of a street, metres.
@@ -63,9 +65,10 @@ impl LotSite<'_> {
             (Shape::Point(at), None) => line.poles.push(self.stands(*at)),
             (Shape::Lines(_), None) => {
                 for way in self.ways() {
-                    let (length, from) = (lines::length(&way), line.poles.len());
+                    let course = lines::Course::new(&way);
+                    let (length, from) = (course.length(), line.poles.len());
                     let count = (length / wish.spacing).round().max(1.0);
-                    let place = |n: usize| lines::at(&way, n as f64 * length / count).0;
+                    let place = |n: usize| course.at(n as f64 * length / count).0;
                     let feet = (0..=count as usize).map(|n| self.stands(place(n)));
                     line.poles.extend(feet);
                     line.join_from(from);
@@ -129,22 +132,13 @@ impl LotSite<'_> {
     /// Returns the places of the poles of a network along the lines of the feature, line by line.
     pub fn pole_places(&self, wish: &Poles) -> Vec<Vec<DVec2>> {
         let ways = self.ways();
-        let own: Vec<_> = ways.iter().flat_map(|way| segments(way)).collect();
-        let streets = self.street_pieces();
         let half = self.usual_width(&ways) / 2.0;
-        let others: Vec<_> = streets
-            .iter()
-            .filter(|piece| !own.contains(&piece.line) && piece.half > 0.0)
-            .collect();
+        let others = self.other_streets(&ways, f64::MIN_POSITIVE);
         let walls = self.walls();
-        let is_free = |at: DVec2| {
-            let in_street = others
-                .iter()
-                .any(|piece| piece.line.nearest(at).distance(at) < piece.half + RADIUS[0]);
-            !in_street && !walls.near(at, CLEAR)
-        };
+        let is_free = |at: DVec2| !others.reach(at, RADIUS[0]) && !walls.near(at, CLEAR);
         let place = |way: &Vec<DVec2>| {
-            let length = lines::length(way);
+            let course = lines::Course::new(way);
+            let length = course.length();
             let count = (length / wish.spacing).round().max(1.0);
             let station = |n: usize| (n as f64 + 0.5) * length / count;
             let poles = (0..count as usize).filter_map(|n| {
@@ -155,7 +149,7 @@ impl LotSite<'_> {
                     .flat_map(|off| MOVED.iter().map(move |moved| (*off, *moved)));
                 let mut places = tries.map(|(off, moved)| {
                     let at = station(n) + moved * length / count;
-                    let (middle, along) = lines::at(way, at.clamp(0.0, length));
+                    let (middle, along) = course.at(at.clamp(0.0, length));
                     middle + along.perp() * off
                 });
                 places.find(|at| is_free(*at))

@@ -3,17 +3,20 @@
 use super::bands::{Way, Ways};
 use super::{Laid, LotSite, STEP, edges, lines, segments, told};
 use crate::plan::BORDERS;
+use crate::shape::Segment;
 use hsd_base::diagnostic::Text;
 use hsd_base::source::Span;
 use hsd_base::text;
 use hsd_ir::ast::Railway;
 
 /// How far ballast reaches outside the rails on either side, metres.
-const BALLAST: f64 = 0.95;
+pub(super) const BALLAST: f64 = 0.95;
 /// Heights over the ground: of the ballast, the sleepers, the rails, metres.
 const HEIGHTS: [f64; 3] = [0.06, 0.08, 0.19];
 /// From sleeper to sleeper, metres.
 pub(super) const SLEEPERS: f64 = 0.65;
+/// The most sleepers of a feature: each takes 5 kB.
+pub(super) const MOST: f64 = 60_000.0;
 /// A sleeper: its length beyond the gauge, and its width, metres.
 const SLEEPER: [f64; 2] = [1.0, 0.22];
 /// Wider than half of any road, metres.
@@ -35,7 +38,8 @@ impl LotSite<'_> {
             own: true,
         });
         // Roads cross over the ballast, whatever their width.
-        let roads = self.plan.laid.roads.near(self.lot().shape.bounds(), half);
+        let lines: Vec<Segment> = self.lines().collect();
+        let roads = self.plan.laid.roads.beside(&lines, half);
         let roads = roads.into_iter().map(|road| Way {
             line: road.line,
             half: [road.half[0] + WIDEST, road.half[0], road.half[0]],
@@ -46,8 +50,8 @@ impl LotSite<'_> {
         let depth = if self.has_ground() { 1.0 } else { HEIGHTS[0] };
         let (mut heads, mut sleepers) = (vec![], vec![]);
         for way in &ways {
-            let length = lines::length(way);
             let course = lines::Course::new(way);
+            let length = course.length();
             let whole = (0.0, length);
             for side in [-0.5, 0.5] {
                 heads.extend(course.strip(whole, (side * wish.gauge, RAIL), STEP));

@@ -1,14 +1,15 @@
 //! Roads: a carriageway with pavements or drains along lines, or the surface of an area.
 
 use super::bands::{Way, Ways};
+use super::lines::Segments;
 use super::{Laid, LotSite, STEP, edges, lines, segments, told};
-use crate::grid::{Grid, wider};
 use crate::layer::Shape;
 use crate::plan::{BORDERS, RoadPiece};
 use crate::shape::{Segment, area};
 use crate::street::class_width;
 use glam::DVec2;
 use hsd_base::diagnostic::Text;
+use hsd_base::geometry::grid::{Grid, wider};
 use hsd_base::geometry::triangulate::triangles;
 use hsd_base::source::Span;
 use hsd_base::text;
@@ -43,8 +44,7 @@ impl LotSite<'_> {
             ));
         }
         let width = self.width(wish, &ways);
-        let around = self.around_road(wish, width, &ways);
-        let all = Ways::new(around);
+        let all = Ways::new(self.around_road(wish, width, &ways));
         let rings: Vec<Vec<Vec<DVec2>>> = (0..BORDERS).map(|border| all.band(border)).collect();
         let mut sheets = vec![];
         for (border, rings) in rings
@@ -88,7 +88,7 @@ impl LotSite<'_> {
     }
 
     /// Returns the width of the road, metres.
-    fn width(&self, wish: &Road, ways: &[Vec<DVec2>]) -> f64 {
+    pub(super) fn width(&self, wish: &Road, ways: &[Vec<DVec2>]) -> f64 {
         wish.width.unwrap_or_else(|| self.usual_width(ways))
     }
 
@@ -142,15 +142,12 @@ impl LotSite<'_> {
         };
         // A long road has a wide box, and few of the pieces in it beside itself.
         let own_boxes = Grid::new(mine.iter().map(|own| own.bounds()).collect());
-        let is_mine = |line: &Segment| {
-            let same = own_boxes.near(line.bounds()).into_iter();
-            same.map(|n| &mine[n as usize]).any(|own| own == line)
-        };
+        let own_lines = Segments::new(mine);
         let beside = others.into_iter().filter(|piece| {
             let far = piece.half[0] + width / 2.0 + BESIDE;
             let within = wider(piece.line.bounds(), far);
             let is_near = !own_boxes.nearest(within, 0.0, 1).is_empty();
-            piece.line.length() > 0.01 && is_near && !is_mine(&piece.line)
+            piece.line.length() > 0.01 && is_near && !own_lines.contain(&piece.line)
         });
         all.extend(beside.map(|RoadPiece { line, half }| Way {
             line,

@@ -1,11 +1,11 @@
 //! Trees: at a point, along a line, over an area. Species, height, width and turn are drawn by the place of each (000-69).
 
-use super::{Laid, LotSite, Walls, lines, segments, told};
-use crate::grid::bounds;
+use super::{Laid, LotSite, Walls, lines, told};
 use crate::layer::Shape;
-use crate::shape::{Segment, contains, distance};
+use crate::shape::Borders;
 use glam::{DVec2, dvec2};
 use hsd_base::diagnostic::Text;
+use hsd_base::geometry::grid::bounds;
 use hsd_base::rng::Place;
 use hsd_base::source::Span;
 use hsd_base::text;
@@ -95,11 +95,10 @@ impl LotSite<'_> {
                     return too_many(cells.x * cells.y);
                 }
                 let gate = self.open_gate();
+                let borders = Borders::new(std::iter::once(ring).chain(holes));
                 let is_free = |at: DVec2| {
-                    let rings = || std::iter::once(ring).chain(holes);
-                    contains(ring, at)
-                        && !holes.iter().any(|hole| contains(hole, at))
-                        && rings().all(|ring| distance(ring, at) > FROM_EDGE)
+                    !borders.reach(at, FROM_EDGE)
+                        && borders.contain(at)
                         && gate.is_none_or(|gate| gate.distance(at) > FROM_GATE)
                 };
                 let mut spots = vec![];
@@ -133,12 +132,7 @@ impl LotSite<'_> {
 
     /// Returns places along lines: on them, or beside them on both sides, where no other street is.
     fn along(&self, ways: &[Vec<DVec2>], wish: &TreeWish, draws: Place) -> Vec<(DVec2, Place)> {
-        let own: Vec<Segment> = ways.iter().flat_map(|way| segments(way)).collect();
-        let streets = self.street_pieces();
-        let others: Vec<_> = streets
-            .iter()
-            .filter(|piece| !own.contains(&piece.line))
-            .collect();
+        let others = self.other_streets(ways, 0.0);
         let sides: &[f64] = if wish.offset > 0.0 {
             &[1.0, -1.0]
         } else {
@@ -146,16 +140,14 @@ impl LotSite<'_> {
         };
         let mut spots = vec![];
         for (number, way) in (0..).zip(ways) {
-            let length = lines::length(way);
+            let course = lines::Course::new(way);
+            let length = course.length();
             let count = (length / wish.spacing).round().max(1.0);
             for n in 0..count as usize {
-                let (middle, along) = lines::at(way, (n as f64 + 0.5) * length / count);
+                let (middle, along) = course.at((n as f64 + 0.5) * length / count);
                 for (side, k) in sides.iter().zip(0..) {
                     let at = middle + along.perp() * (side * wish.offset);
-                    let in_street = others
-                        .iter()
-                        .any(|piece| piece.line.nearest(at).distance(at) < piece.half + CLEAR);
-                    if *side == 0.0 || !in_street {
+                    if *side == 0.0 || !others.reach(at, CLEAR) {
                         spots.push((at, draws.at(number).at(n as u64).at(k)));
                     }
                 }

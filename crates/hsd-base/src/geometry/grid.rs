@@ -104,9 +104,17 @@ impl Grid {
         found
     }
 
+    /// Returns the numbers of the boxes that meet a box, ascending; `None` if they are more than `most`.
+    pub fn near_at_most(&self, bounds: Bounds, most: usize) -> Option<Vec<u32>> {
+        let mut found = vec![];
+        let is_all = self.collect(bounds, most, &mut found);
+        found.sort_unstable();
+        is_all.then_some(found)
+    }
+
     /// Returns the numbers of the boxes within a distance of a box on both axes, ascending. At most `most` are returned, so the
-    /// time is bounded where everything is at one place: the nearest boxes, then those with the nearest middles, then those with
-    /// the least numbers.
+    /// time is bounded where everything is at one place. Those are the nearest boxes; among equals those with the nearest middles,
+    /// then those with the least numbers.
     pub fn nearest(&self, to: Bounds, far: f64, most: usize) -> Vec<u32> {
         let mut found = vec![];
         if !self.collect(wider(to, far), most, &mut found) {
@@ -257,7 +265,7 @@ pub fn meet([a, b]: Bounds, [c, d]: Bounds) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use hsd_base::rng::Place;
+    use crate::rng::Place;
 
     /// Returns boxes strewn over a square: many small ones, some of them equal, and a few as wide as all.
     fn strewn(count: u64, side: f64) -> Vec<Bounds> {
