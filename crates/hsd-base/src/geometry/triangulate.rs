@@ -3,7 +3,10 @@
 use crate::geometry::tolerance::EAR;
 use glam::DVec2;
 
+mod bridge;
 mod many;
+
+pub use bridge::bridged;
 
 /// Rings with more corners take the next ear instead of the roundest, to stay far from cubic time.
 const MANY: usize = 48;
@@ -220,66 +223,6 @@ pub fn turn(p: DVec2, q: DVec2, r: DVec2) -> f64 {
     (q - p).perp_dot(r - p)
 }
 
-/// Joins an outline and its holes into one ring by the shortest bridges that cross nothing.
-pub fn bridged(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<DVec2> {
-    let mut ring = outline.to_vec();
-    let mut rest: Vec<&Vec<DVec2>> = holes.iter().filter(|h| h.len() > 2).collect();
-    // In the order of the hole that reaches farthest, so that a bridge meets only what is joined already.
-    let reach = |hole: &[DVec2]| hole.iter().map(|p| p.x).fold(f64::MIN, f64::max);
-    rest.sort_by(|g, h| reach(h).total_cmp(&reach(g)));
-    for n in 0..rest.len() {
-        let hole = rest[n];
-        let start = (0..hole.len())
-            .max_by(|i, j| hole[*i].x.total_cmp(&hole[*j].x))
-            .unwrap_or(0);
-        let from = hole[start];
-        let free = |to: DVec2| {
-            let clear = |ring: &[DVec2]| !crosses_any(ring, from, to);
-            clear(&ring) && rest[n..].iter().all(|h| clear(h))
-        };
-        let mut order: Vec<usize> = (0..ring.len()).collect();
-        order.sort_by(|i, j| {
-            from.distance_squared(ring[*i])
-                .total_cmp(&from.distance_squared(ring[*j]))
-        });
-        let Some(&to) = order
-            .iter()
-            .find(|i| free(ring[**i]) && opens_to(&ring, **i, from))
-        else {
-            continue;
-        };
-        let around = (0..=hole.len()).map(|i| hole[(start + i) % hole.len()]);
-        let mut bridge: Vec<DVec2> = around.collect();
-        bridge.push(ring[to]);
-        ring.splice(to + 1..to + 1, bridge);
-    }
-    ring
-}
-
-/// Returns true if `from` lies within the angle of the ring's corner `i`, so that a bridge runs inside.
-fn opens_to(ring: &[DVec2], i: usize, from: DVec2) -> bool {
-    let n = ring.len();
-    let (p, q, r) = (ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]);
-    let (left_in, left_out) = (turn(p, q, from) > 0.0, turn(q, r, from) > 0.0);
-    if turn(p, q, r) >= 0.0 {
-        left_in && left_out
-    } else {
-        left_in || left_out
-    }
-}
-
-fn crosses_any(ring: &[DVec2], from: DVec2, to: DVec2) -> bool {
-    (0..ring.len()).any(|i| {
-        let (p, q) = (ring[i], ring[(i + 1) % ring.len()]);
-        let touches = |s: DVec2| s == from || s == to;
-        if touches(p) || touches(q) {
-            return false;
-        }
-        let side = |a: DVec2, b: DVec2, c: DVec2| turn(a, b, c) >= 0.0;
-        side(from, to, p) != side(from, to, q) && side(p, q, from) != side(p, q, to)
-    })
-}
-
 #[cfg(test)]
 pub(in crate::geometry) mod tests {
     use crate::geometry::triangulate::*;
@@ -390,5 +333,26 @@ pub(in crate::geometry) mod tests {
         let hole_area = area(&triangles(&circle(8, 2.0), &[]));
         let got = area(&triangles(&outer, &[hole(-4.0), hole(4.0)]));
         assert!((got - (area(&triangles(&outer, &[])) - 2.0 * hole_area)).abs() < 1e-9);
+    }
+
+    #[test]
+    fn many_holes_keep_their_area() {
+        for side in [5, 12, 40] {
+            let square = |x: f64, y: f64, wide: f64| {
+                let corners = [(0.0, 0.0), (wide, 0.0), (wide, wide), (0.0, wide)];
+                corners.map(|(a, b)| dvec2(x + a, y + b)).to_vec()
+            };
+            let places = (0..side * side).map(|n| (n % side, n / side));
+            let holes = places.map(|(x, y)| {
+                let mut hole = square(3.0 * f64::from(x), 3.0 * f64::from(y), 1.0);
+                hole.reverse();
+                hole
+            });
+            let holes: Vec<Vec<DVec2>> = holes.collect();
+            let wide = 3.0 * f64::from(side);
+            let found = triangles(&square(-1.0, -1.0, wide), &holes);
+            let whole = wide * wide - f64::from(side * side);
+            assert!((area(&found) - whole).abs() < 1e-6, "{side}");
+        }
     }
 }
