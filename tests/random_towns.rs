@@ -1,6 +1,7 @@
 //! Random towns: every feature is accounted for, and every wall is on its outline.
 
 use glam::{DVec2, dvec2};
+use hsd::ast;
 use hsd::diagnostic::{Diagnostics, Origin};
 use hsd::driver::fs::FolderWorld;
 use hsd::driver::{FeatureHouse, HouseBuilder, HouseContext, HouseId, Options};
@@ -17,15 +18,27 @@ const TOWNS: u64 = 300;
 /// Distance of a wall from the hull of its outline, metres.
 const OFF: f64 = 0.5;
 
-/// Types whose walls follow an outline. On a plot a type has a least depth, which may be more than that of the plot.
-const TYPES: [&str; 7] = [
+/// Types with walls on an outline or a plot. One that is too large for its plot makes way for plain walls.
+const TYPES: [&str; 19] = [
     "hiraya",
     "so-nikai",
     "chu-nikai",
+    "sangai",
+    "kanban",
+    "shimotaya",
+    "hei-tsuki",
+    "ura-nagaya",
+    "buke-nagaya",
+    "kura",
+    "hondo",
+    "temple",
     "block",
     "house",
     "shop-row",
     "school",
+    "hospital",
+    "office",
+    "modern-house",
 ];
 
 /// Numbers that follow from a seed (splitmix64).
@@ -142,27 +155,39 @@ fn build(
     let mut stream = TownStream::new(input, &plan);
     let mut wrong = vec![];
     for house in stream.by_ref() {
-        let FeatureHouse { house, origin, .. } = house;
+        let FeatureHouse {
+            house,
+            origin,
+            plain,
+            within,
+            ..
+        } = house;
         let Origin::Feature { key, .. } = origin else {
             continue;
         };
-        let context = HouseContext {
-            source: &source,
-            scope: read.catalog.known_in(0, 0),
-            variant: None,
+        let mut far = |house: &ast::House| {
+            let context = HouseContext {
+                source: &source,
+                scope: read.catalog.known_in(0, 0),
+                variant: None,
+            };
+            let built = builder.house(house, HouseId(0), context, &mut out)?;
+            let hull = shape::hull(&rings[&*key]);
+            let house = &built.house;
+            let rings = house.storeys.iter().flat_map(|storey| &storey.rings);
+            let walls = rings
+                .filter(|ring| ring.closed)
+                .flat_map(|ring| &ring.walls);
+            let off = walls.map(|wall| off(&hull, house.world(wall.from)));
+            Some(off.fold(0.0, f64::max))
         };
-        let Some(built) = builder.house(&house, HouseId(0), context, &mut out) else {
+        let Some(far) = far(&house).map(|own| match plain.filter(|_| within.is_some()) {
+            // Plain walls replace a house that leaves its plot.
+            Some(plain) if own > OFF => far(&plain).unwrap_or(0.0),
+            _ => own,
+        }) else {
             continue;
         };
-        let hull = shape::hull(&rings[&*key]);
-        let house = &built.house;
-        let rings = house.storeys.iter().flat_map(|storey| &storey.rings);
-        let walls = rings
-            .filter(|ring| ring.closed)
-            .flat_map(|ring| &ring.walls);
-        let far = walls
-            .map(|wall| off(&hull, house.world(wall.from)))
-            .fold(0.0, f64::max);
         if far > OFF {
             wrong.push(format!("{key}: a wall is {far:.2} m off its outline"));
         }
@@ -185,10 +210,11 @@ fn features_are_accounted_for_and_walls_are_on_their_outlines() {
         );
         for test in ["area > 60", "not (area > 60)"] {
             let kind = draws.one_of(&TYPES);
+            let on = draws.one_of(&["", r#" on="outline""#, r#" on="plot""#]);
             let test = test.replace('>', "&gt;");
             let _ = write!(
                 text,
-                r#"<for each="a" test="{{{test}}}"><Place type="{kind}" on="outline"/></for>"#
+                r#"<for each="a" test="{{{test}}}"><Place type="{kind}"{on}/></for>"#
             );
         }
         text.push_str("</Town>");

@@ -10,7 +10,7 @@ use super::overlaps::{Ground, Grounds};
 use super::pieces::{Feed, PieceHouse, Pieces};
 use super::{Options, Read};
 use feature::OfFeature;
-use hsd_base::diagnostic::Diagnostics;
+use hsd_base::diagnostic::{Diagnostics, Origin};
 use hsd_base::source::{Source, World};
 use hsd_ir::ast::{self, Document, Variant};
 use hsd_ir::building::{Building, Built};
@@ -20,7 +20,6 @@ use hsd_passes::expand::{self, Expander, HouseContext, HouseId};
 use hsd_passes::fit;
 use hsd_passes::lower;
 use hsd_roof::RoofCache;
-use hsd_syntax::messages::town::{not_laid, plain_body};
 use rayon::prelude::*;
 use std::io;
 use std::ops::Range;
@@ -116,6 +115,8 @@ const CHUNK: usize = 16;
 pub(super) struct Expansion<'a> {
     expander: Expander<'a>,
     houses: Box<Houses<'a>>,
+    /// The feature whose house was replaced last; the plain body stands for its other houses too.
+    replaced: Option<Origin>,
     /// The error that ended the houses.
     failure: Option<io::Error>,
 }
@@ -238,6 +239,7 @@ impl<'a> Expansion<'a> {
         Expansion {
             expander: Expander::new(catalog, world, &options.expand),
             houses: Box::new(houses),
+            replaced: None,
             failure: None,
         }
     }
@@ -264,6 +266,7 @@ impl<'a> Expansion<'a> {
                         name: made.name,
                     },
                     plain: made.plain,
+                    within: made.within,
                 }),
                 found: Diagnostics::new(),
             })
@@ -271,6 +274,7 @@ impl<'a> Expansion<'a> {
         Expansion {
             expander: Expander::new(catalog, world, options),
             houses: Box::new(houses),
+            replaced: None,
             failure: None,
         }
     }
@@ -312,22 +316,23 @@ impl<'a> Expansion<'a> {
             scope,
             variant,
         };
+        if let Some(feature) = &feature
+            && self.replaced.as_ref() == Some(&feature.on.origin)
+        {
+            return;
+        }
         let mut made = self.expander.house(&house, id, context, &mut found);
         let Some(feature) = feature else {
             batch.push(made, found, None);
             return;
         };
-        if let Some(first) = found.first_error() {
-            let kind = house.name.map_or(String::new(), |name| name.value);
-            let (origin, why) = (feature.on.origin.clone(), &first.message);
-            let message = match feature.plain {
-                Some(_) => plain_body(origin, &kind, why),
-                None => not_laid(origin, &kind, why),
-            };
+        let message = feature.unfit(&house, made.as_ref(), &found);
+        if let Some(message) = message {
             found = Diagnostics::new();
             let mut ignored = Diagnostics::new();
             let plain = feature.plain.as_deref();
             made = plain.and_then(|h| self.expander.house(h, id, context, &mut ignored));
+            self.replaced = made.is_some().then(|| feature.on.origin.clone());
             found.push(message);
         }
         if let Some(house) = &mut made {

@@ -16,6 +16,7 @@ use super::decision::{Outcome, Record};
 use super::layer::KeptMaps;
 use super::plan::{Covered, LotId, Plan};
 use super::rear::RearDecision;
+use super::shape::hull;
 use super::site::LotSite;
 use super::text;
 use glam::DVec2;
@@ -310,6 +311,7 @@ fn enter(
                     feature: record.id,
                     text: input.texts.then(|| text::write(&house, &name, &told)),
                     plain,
+                    within: ring.filter(|_| !stood.centred).map(hull),
                     house,
                     origin: Origin::Feature {
                         layer: layer.clone(),

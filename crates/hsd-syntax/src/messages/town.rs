@@ -154,6 +154,20 @@ pub fn plain_body(origin: Origin, kind: &str, first: &Text) -> Diagnostic {
     ))
 }
 
+/// A house that is larger than its outline, which is replaced by its plain body.
+#[cold]
+pub fn too_large(origin: Origin, kind: &str, off: f64) -> Diagnostic {
+    let (kind, off) = (quote(kind), (off * 10.0).round() / 10.0);
+    let message = text!([kind, off]
+        "the house {kind} would leave its outline by {off} m, and plain walls stand in its place",
+        "建物 {kind} が輪郭から {off} m はみ出すため、代わりに無地の壁を建てました"
+    );
+    Diagnostic::warning(1109, origin, message).help(text!(
+        "give it a smaller size, or a `test` that takes larger features; `on=\"centre\"` puts it over the outline",
+        "寸法を小さくするか、大きな地物だけを受ける `test` を書いてください。`on=\"centre\"` なら輪郭の上に置きます"
+    ))
+}
+
 /// A town without streets.
 #[cold]
 pub fn no_streets(town: Span) -> Diagnostic {

@@ -146,6 +146,7 @@ pub(super) fn enter(
             origin: origin(record),
             name,
             plain: None,
+            within: None,
             text,
         });
     }
